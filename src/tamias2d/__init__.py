@@ -1,0 +1,1 @@
+"""Tamias2D: 2D rigid-body physics, generated from its requirements specification."""

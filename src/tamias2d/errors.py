@@ -1,0 +1,28 @@
+"""Every error that a user of the library can meet.
+
+Each message is complete in one line: *where: what was found: which rule (its id). What to do.*
+"""
+
+
+class TamiasError(Exception):
+    """The base of all errors that this library raises on purpose."""
+
+
+class InputError(TamiasError, ValueError):
+    """An argument breaks a rule of the specification (R4)."""
+
+
+class SpecError(TamiasError):
+    """A chapter of the specification is at fault."""
+
+
+class SceneError(TamiasError, ValueError):
+    """A scene is at fault (R2, R3, R4)."""
+
+
+class RecordingError(TamiasError):
+    """A recording cannot be written, read or recomputed."""
+
+
+class SimulationError(TamiasError):
+    """A run is refused, because the model has no unique or no computable answer."""
