@@ -1,0 +1,1 @@
+"""The language of srs/ and of scene files: expressions, units, items, their reader and printers."""

@@ -1,0 +1,223 @@
+"""Units and shapes of an expression.
+
+Serves: every expression before it is printed or evaluated. Hides: the rules of each operator.
+A message names both sides with their units.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from tamias2d.spec.expression import (
+    Binary,
+    Both,
+    Call,
+    Measure,
+    Name,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Relation,
+)
+from tamias2d.spec.messages import Code, SpecFault
+from tamias2d.spec.symbols import SymbolTable
+from tamias2d.spec.tex import plain
+from tamias2d.spec.units import ONE, Dimension
+
+Kind = Literal["scalar", "vector", "truth"]
+
+
+@dataclass(frozen=True)
+class Type:
+    """Shape and dimension of a value; dimension None is a bare zero, which fits any unit."""
+
+    shape: Kind
+    dimension: Dimension | None = ONE
+
+    def __str__(self) -> str:
+        return f"a {self.shape} in {self.dimension}" if self.shape != "truth" else "a condition"
+
+
+TRUTH = Type("truth")
+
+
+def infer(node: Node, table: SymbolTable) -> Type:
+    """Shape and dimension of an expression.
+
+    Raises:
+        SpecFault: a name is unknown, or units or shapes disagree.
+    """
+    return _Checker(table).type_of(node)
+
+
+def expect(node: Node, table: SymbolTable, wanted: Type) -> None:
+    """Check that an expression has the wanted shape and dimension.
+
+    Raises:
+        SpecFault: it has not.
+    """
+    found = infer(node, table)
+    if found.shape != wanted.shape:
+        raise SpecFault(
+            Code.SHAPE_MISMATCH,
+            f"'{plain(node)}' is {found}, {wanted} is wanted. Correct it",
+            node.offset,
+        )
+    if found.dimension not in (None, wanted.dimension):
+        raise SpecFault(
+            Code.UNIT_MISMATCH,
+            f"'{plain(node)}' is {found}, {wanted} is wanted. Correct it",
+            node.offset,
+        )
+
+
+class _Checker:
+    def __init__(self, table: SymbolTable) -> None:
+        self.table = table
+
+    def type_of(self, node: Node) -> Type:
+        match node:
+            case Number(value=value):
+                return Type("scalar", None if value == 0 else ONE)
+            case Measure(unit=unit):
+                return Type("scalar", unit.dimension)
+            case Name(name="pi"):
+                return Type("scalar")
+            case Name(name=name):
+                symbol = self.table.resolve(name, node.offset).symbol
+                return Type(symbol.shape, symbol.dimension)
+            case Negative(operand=operand):
+                return self.value(operand)
+            case Binary(operator="+" | "-" as operator, left=left, right=right):
+                return self.alike(node, left, right, "add" if operator == "+" else "subtract")
+            case Binary():
+                return self.product(node)
+            case Power(base=base, exponent=exponent):
+                dimension = self.scalar(base).dimension
+                return Type("scalar", dimension and dimension**exponent)
+            case Relation(operator=operator, left=left, right=right):
+                return self.relation(node, operator, left, right)
+            case Both(parts=conditions):
+                return self.both(conditions)
+            case Call():
+                return self.call(node)
+        raise TypeError(node)
+
+    def value(self, node: Node) -> Type:
+        found = self.type_of(node)
+        if found.shape == "truth":
+            raise SpecFault(
+                Code.SHAPE_MISMATCH,
+                f"'{plain(node)}' is a condition, a value is wanted. Correct it",
+                node.offset,
+            )
+        return found
+
+    def scalar(self, node: Node) -> Type:
+        return self.shaped(node, "scalar")
+
+    def vector(self, node: Node) -> Type:
+        return self.shaped(node, "vector")
+
+    def shaped(self, node: Node, shape: Kind) -> Type:
+        found = self.value(node)
+        if found.shape != shape:
+            raise SpecFault(
+                Code.SHAPE_MISMATCH,
+                f"'{plain(node)}' is {found}, a {shape} is wanted. Correct it",
+                node.offset,
+            )
+        return found
+
+    def pure(self, node: Node) -> Type:
+        found = self.scalar(node)
+        if found.dimension not in (None, ONE):
+            raise SpecFault(
+                Code.UNIT_MISMATCH,
+                f"'{plain(node)}' is {found}, a pure number is wanted. Divide by its unit",
+                node.offset,
+            )
+        return Type("scalar")
+
+    def alike(self, node: Node, left: Node, right: Node, verb: str) -> Type:
+        a, b = self.value(left), self.value(right)
+        text = f"cannot {verb}: '{plain(left)}' is {a}, '{plain(right)}' is {b}. Correct one side"
+        if a.shape != b.shape and None not in (a.dimension, b.dimension):
+            raise SpecFault(Code.SHAPE_MISMATCH, text, node.offset)
+        if None not in (a.dimension, b.dimension) and a.dimension != b.dimension:
+            raise SpecFault(Code.UNIT_MISMATCH, text, node.offset)
+        return b if a.dimension is None else a
+
+    def product(self, node: Binary) -> Type:
+        a, b = self.value(node.left), self.value(node.right)
+        if b.shape == "vector" and (a.shape == "vector" or node.operator == "/"):
+            text = f"'{plain(node)}' combines {a} and {b}: use dot or cross, and divide by scalars only. Correct it"
+            raise SpecFault(Code.SHAPE_MISMATCH, text, node.offset)
+        shape: Kind = "vector" if "vector" in (a.shape, b.shape) else "scalar"
+        if a.dimension is None or b.dimension is None:
+            return Type(shape, None)
+        times = node.operator == "*"
+        return Type(shape, a.dimension * b.dimension if times else a.dimension / b.dimension)
+
+    def relation(self, node: Node, operator: str, left: Node, right: Node) -> Type:
+        found = self.alike(node, left, right, "compare")
+        if operator != "==" and found.shape == "vector":
+            raise SpecFault(
+                Code.SHAPE_MISMATCH,
+                f"'{plain(node)}' orders vectors. Compare their norms",
+                node.offset,
+            )
+        return TRUTH
+
+    def both(self, conditions: tuple[Node, ...]) -> Type:
+        for condition in conditions:
+            if self.type_of(condition) != TRUTH:
+                raise SpecFault(
+                    Code.SHAPE_MISMATCH,
+                    f"'{plain(condition)}' is a value, a condition is wanted. Compare it",
+                    condition.offset,
+                )
+        return TRUTH
+
+    def call(self, node: Call) -> Type:
+        first, *rest = node.arguments
+        match node.function:
+            case "sin" | "cos" | "tan" | "exp" | "log":
+                return self.pure(first)
+            case "sqrt":
+                dimension = self.scalar(first).dimension
+                return Type("scalar", dimension and dimension ** Fraction(1, 2))
+            case "abs":
+                return self.scalar(first)
+            case "min" | "max" | "atan2":
+                self.scalar(first)
+                found = self.alike(node, first, rest[0], "compare")
+                return Type("scalar") if node.function == "atan2" else found
+            case "norm" | "x" | "y":
+                return Type("scalar", self.vector(first).dimension)
+            case "perp":
+                return self.vector(first)
+            case "vector":
+                self.scalar(first)
+                self.scalar(rest[0])
+                return Type("vector", self.alike(node, first, rest[0], "pair").dimension)
+            case "sum":
+                return self.value(first)
+        return self.two(node.function, first, rest[0])
+
+    def two(self, function: str, first: Node, second: Node) -> Type:
+        a, b = self.value(first), self.value(second)
+        over = a.dimension and b.dimension
+        match function:
+            case "d":
+                self.scalar(second)
+                return Type(a.shape, over and a.dimension / b.dimension)  # type: ignore[operator]
+            case "integral":
+                self.scalar(second)
+                return Type(a.shape, over and a.dimension * b.dimension)  # type: ignore[operator]
+            case "dot":
+                self.vector(first)
+        self.vector(second)
+        shape: Kind = "vector" if a.shape == "scalar" else "scalar"
+        return Type(shape, over and a.dimension * b.dimension)  # type: ignore[operator]

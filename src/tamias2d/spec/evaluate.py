@@ -1,0 +1,111 @@
+"""Numbers from an expression: the tree is walked with given values.
+
+Serves: forces that depend on time, oracles, checks of derivations. Hides: whether a value is a
+float or an array. A vector is a pair (x, y).
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from tamias2d.spec.expression import (
+    Binary,
+    Both,
+    Call,
+    Measure,
+    Name,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Relation,
+)
+
+Value = Any  # a float, an array, a pair of these, or a truth value
+
+
+def evaluate(node: Node, values: Mapping[str, Value]) -> Value:
+    """The value of an expression, in SI units; names are looked up in `values`.
+
+    Raises:
+        KeyError: a name has no value.
+    """
+    match node:
+        case Number(value=value):
+            return float(value)
+        case Measure(value=value, unit=unit):
+            return float(value) * unit.factor
+        case Name(name=name):
+            return math.pi if name == "pi" else values[name]
+        case Negative(operand=operand):
+            return _each(lambda a: -a, evaluate(operand, values))
+        case Binary(operator=operator, left=left, right=right):
+            return _BINARY[operator](evaluate(left, values), evaluate(right, values))
+        case Power(base=base, exponent=exponent):
+            return evaluate(base, values) ** float(exponent)
+        case Relation(operator=operator, left=left, right=right):
+            return _RELATION[operator](evaluate(left, values), evaluate(right, values))
+        case Both(parts=conditions):
+            return all(evaluate(condition, values) for condition in conditions)
+        case Call(function=function, arguments=arguments) if function in _CALL:
+            return _CALL[function](*(evaluate(argument, values) for argument in arguments))
+    raise KeyError(f"{node} has no value of its own")
+
+
+def _each(function: Callable[..., Value], *operands: Value) -> Value:
+    """Apply component by component; a scalar goes with both components."""
+    if not any(isinstance(operand, tuple) for operand in operands):
+        return function(*operands)
+    pairs = [operand if isinstance(operand, tuple) else (operand, operand) for operand in operands]
+    return tuple(function(*components) for components in zip(*pairs, strict=True))
+
+
+def _either(scalar: Callable[..., float], array: Callable[..., Value]) -> Callable[..., Value]:
+    """One function for floats and for arrays."""
+
+    def apply(*operands: Value) -> Value:
+        any_array = any(isinstance(operand, np.ndarray) for operand in operands)
+        return array(*operands) if any_array else scalar(*operands)
+
+    return apply
+
+
+def _cross(a: Value, b: Value) -> Value:
+    return a[0] * b[1] - a[1] * b[0] if isinstance(a, tuple) else (-a * b[1], a * b[0])
+
+
+_BINARY: dict[str, Callable[[Value, Value], Value]] = {
+    "+": lambda a, b: _each(lambda p, q: p + q, a, b),
+    "-": lambda a, b: _each(lambda p, q: p - q, a, b),
+    "*": lambda a, b: _each(lambda p, q: p * q, a, b),
+    "/": lambda a, b: _each(lambda p, q: p / q, a, b),
+}
+_RELATION: dict[str, Callable[[Value, Value], Value]] = {
+    "==": lambda a, b: a == b,
+    "<": lambda a, b: a < b,
+    "<=": lambda a, b: a <= b,
+    ">": lambda a, b: a > b,
+    ">=": lambda a, b: a >= b,
+}
+_CALL: dict[str, Callable[..., Value]] = {
+    "sqrt": _either(math.sqrt, np.sqrt),
+    "sin": _either(math.sin, np.sin),
+    "cos": _either(math.cos, np.cos),
+    "tan": _either(math.tan, np.tan),
+    "exp": _either(math.exp, np.exp),
+    "log": _either(math.log, np.log),
+    "abs": abs,
+    "min": _either(min, np.minimum),
+    "max": _either(max, np.maximum),
+    "atan2": _either(math.atan2, np.arctan2),
+    "vector": lambda a, b: (a, b),
+    "x": lambda a: a[0],
+    "y": lambda a: a[1],
+    "dot": lambda a, b: a[0] * b[0] + a[1] * b[1],
+    "cross": _cross,
+    "perp": lambda a: (-a[1], a[0]),
+    "norm": lambda a: _either(math.sqrt, np.sqrt)(a[0] * a[0] + a[1] * a[1]),
+    "sum": lambda a: _each(np.sum, a),
+}

@@ -1,0 +1,265 @@
+"""Expressions of the specification language, read into a tree.
+
+Serves: equations, closed forms, oracles and forces that depend on time. Hides: that Python's
+own parser does the first reading. Nothing is ever evaluated by Python: the syntax tree is
+walked with a list of what is allowed, and all else is refused with its place.
+"""
+
+import ast
+import re
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from tamias2d.spec.messages import Code, SpecFault
+from tamias2d.spec.units import Unit, parse_unit
+
+MAX_LENGTH = 1000
+MAX_DEPTH = 40
+MAX_POWER = 16
+MAX_DIGITS = 40
+
+ARITY = {
+    "d": 2, "integral": 2, "dot": 2, "cross": 2, "perp": 1, "norm": 1, "vector": 2, "x": 1, "y": 1,
+    "sqrt": 1, "sin": 1, "cos": 1, "tan": 1, "exp": 1, "log": 1, "abs": 1, "min": 2, "max": 2,
+    "atan2": 2, "sum": 1,
+}  # fmt: skip
+_OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
+_RELATIONS = {ast.Eq: "==", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
+_NUMBER = re.compile(r"(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
+
+
+@dataclass(frozen=True)
+class Node:
+    """A part of an expression; `offset` is its place in the text."""
+
+    offset: int = field(default=0, compare=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Number(Node):
+    """A pure number, kept as an exact fraction."""
+
+    value: Fraction
+
+
+@dataclass(frozen=True)
+class Measure(Node):
+    """A number with a unit, `9.81[m/s^2]`."""
+
+    value: Fraction
+    unit: Unit
+
+
+@dataclass(frozen=True)
+class Name(Node):
+    """A symbol, perhaps with indices."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Negative(Node):
+    """The operand with its sign changed."""
+
+    operand: Node
+
+
+@dataclass(frozen=True)
+class Binary(Node):
+    """A sum, difference, product or quotient."""
+
+    operator: str
+    left: Node
+    right: Node
+
+
+@dataclass(frozen=True)
+class Power(Node):
+    """A base to a whole or half power."""
+
+    base: Node
+    exponent: Fraction
+
+
+@dataclass(frozen=True)
+class Call(Node):
+    """One of the language's functions."""
+
+    function: str
+    arguments: tuple[Node, ...]
+
+
+@dataclass(frozen=True)
+class Relation(Node):
+    """An equation or a comparison."""
+
+    operator: str
+    left: Node
+    right: Node
+
+
+@dataclass(frozen=True)
+class Both(Node):
+    """Conditions that hold together."""
+
+    parts: tuple[Node, ...]
+
+
+def parse(text: str) -> Node:
+    """Read an expression.
+
+    Raises:
+        SpecFault: the text is not in the language; the fault has the offset of the place.
+    """
+    source = text.strip()
+    lead = len(text) - len(text.lstrip())
+    if len(source) > MAX_LENGTH:
+        raise SpecFault(Code.TOO_LARGE, f"an expression may have {MAX_LENGTH} characters. Split it")
+    if not source.isascii():
+        place = next(k for k, letter in enumerate(source) if not letter.isascii())
+        raise SpecFault(
+            Code.NOT_ALLOWED, f"'{source[place]}' is not ASCII. Write names as words", lead + place
+        )
+    source = re.sub(r"\s", " ", source)
+    tree = _python_tree(source, lead)
+    return _Reader(source, lead).read(tree, 0)
+
+
+def _python_tree(source: str, lead: int) -> ast.expr:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(source, mode="eval").body
+    except SyntaxError as error:
+        place = max((error.offset or 1) - 1, 0)
+        raise SpecFault(
+            Code.SYNTAX,
+            f"'{source[:40]}' cannot be read here. Correct the expression",
+            lead + place,
+        ) from None
+    except (ValueError, RecursionError, MemoryError):
+        raise SpecFault(
+            Code.SYNTAX, f"'{source[:40]}' cannot be read. Correct the expression", lead
+        ) from None
+
+
+class _Reader:
+    """Walks Python's syntax tree and keeps only what the language has."""
+
+    def __init__(self, source: str, lead: int) -> None:
+        self.source = source
+        self.lead = lead
+
+    def text(self, node: ast.expr) -> str:
+        return self.source[node.col_offset : node.end_col_offset]
+
+    def refuse(self, node: ast.expr, why: str = "is not allowed in an expression") -> SpecFault:
+        return SpecFault(
+            Code.NOT_ALLOWED, f"'{self.text(node)}' {why}. Rewrite it", self.lead + node.col_offset
+        )
+
+    def read(self, node: ast.expr, depth: int) -> Node:
+        if depth > MAX_DEPTH:
+            raise SpecFault(
+                Code.TOO_LARGE, f"an expression may nest {MAX_DEPTH} deep. Name a part of it"
+            )
+        at = self.lead + node.col_offset
+        match node:
+            case ast.Name(id=name):
+                return Name(name, offset=at)
+            case ast.Constant():
+                return Number(self.number(node), offset=at)
+            case ast.Subscript(value=ast.Constant() as value, slice=unit):
+                return Measure(self.number(value), self.unit(unit), offset=at)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return Negative(self.read(operand, depth + 1), offset=at)
+            case ast.BinOp(op=ast.Pow(), left=base, right=exponent):
+                return Power(self.read(base, depth + 1), self.exponent(exponent, depth), offset=at)
+            case ast.BinOp(op=op, left=left, right=right) if type(op) in _OPERATORS:
+                sides = self.read(left, depth + 1), self.read(right, depth + 1)
+                return Binary(_OPERATORS[type(op)], *sides, offset=at)
+            case ast.Compare(ops=[op], left=left, comparators=[right]) if type(op) in _RELATIONS:
+                sides = self.read(left, depth + 1), self.read(right, depth + 1)
+                return Relation(_RELATIONS[type(op)], *sides, offset=at)
+            case ast.BoolOp(op=ast.And(), values=values):
+                return Both(tuple(self.read(value, depth + 1) for value in values), offset=at)
+            case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in ARITY:
+                return self.call(node, name, arguments, depth)
+        raise self.refuse(node)
+
+    def call(self, node: ast.expr, name: str, arguments: list[ast.expr], depth: int) -> Call:
+        if len(arguments) != ARITY[name]:
+            raise self.refuse(node, f"has {len(arguments)} arguments, {name} takes {ARITY[name]}")
+        read = tuple(self.read(argument, depth + 1) for argument in arguments)
+        return Call(name, read, offset=self.lead + node.col_offset)
+
+    def number(self, node: ast.Constant) -> Fraction:
+        text = self.text(node)
+        if not _NUMBER.fullmatch(text):
+            raise self.refuse(node, "is not a decimal number")
+        if len(text) > MAX_DIGITS or not _fits_float64(value := Fraction(text)):
+            raise SpecFault(
+                Code.TOO_LARGE,
+                f"'{text}' does not fit float64. Give a number that does",
+                self.lead + node.col_offset,
+            )
+        return value
+
+    def unit(self, node: ast.expr) -> Unit:
+        try:
+            return parse_unit(self.text(node))
+        except SpecFault as fault:
+            fault.offset += self.lead + node.col_offset
+            raise
+
+    def exponent(self, node: ast.expr, depth: int) -> Fraction:
+        value = _constant(self.read(node, depth + 1))
+        if value is None or value.denominator > 2 or abs(value) > MAX_POWER:
+            raise self.refuse(node, f"is no exponent: whole or half powers up to {MAX_POWER} are")
+        return value
+
+
+def _fits_float64(value: Fraction) -> bool:
+    return value == 0 or Fraction(10) ** -300 < value < Fraction(10) ** 300
+
+
+def _constant(node: Node) -> Fraction | None:
+    match node:
+        case Number(value=value):
+            return value
+        case Negative(operand=Number(value=value)):
+            return -value
+        case Binary(operator="/", left=Number(value=above), right=Number(value=below)) if below:
+            return above / below
+    return None
+
+
+def parts(node: Node) -> tuple[Node, ...]:
+    """The direct parts of a node."""
+    match node:
+        case Negative(operand=operand):
+            return (operand,)
+        case Binary(left=left, right=right) | Relation(left=left, right=right):
+            return (left, right)
+        case Power(base=base):
+            return (base,)
+        case Call(arguments=arguments):
+            return arguments
+        case Both(parts=conditions):
+            return conditions
+    return ()
+
+
+def walk(node: Node) -> Iterator[Node]:
+    """The node and all nodes below it, in reading order."""
+    yield node
+    for part in parts(node):
+        yield from walk(part)
+
+
+def names(node: Node) -> tuple[str, ...]:
+    """The names in an expression, each once, in reading order; `pi` is a number."""
+    found = (part.name for part in walk(node) if isinstance(part, Name))
+    return tuple(dict.fromkeys(name for name in found if name != "pi"))

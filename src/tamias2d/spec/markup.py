@@ -1,0 +1,119 @@
+"""YAML read as plain text with the place of every value.
+
+Serves: fences of chapters and scene files. Hides: PyYAML. No scalar changes its type (`on`,
+`012`, `1e-3` stay text), and anchors, aliases, tags and duplicate keys are refused.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import yaml
+
+from tamias2d.spec.messages import Code, Diagnostic
+
+Path = tuple[str | int, ...]
+Place = tuple[int, int]
+MAX_SIZE = 1_000_000
+MAX_DEPTH = 30
+
+
+class MarkupError(Exception):
+    """The text is at fault; `diagnostic` says where and why."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(str(diagnostic))
+        self.diagnostic = diagnostic
+
+
+class _Composer:
+    def __init__(self, file: str, first_line: int, first_column: int) -> None:
+        self.file = file
+        self.first_line = first_line
+        self.first_column = first_column
+        self.marks: dict[Path, Place] = {}
+
+    def place(self, mark: Any) -> Place:
+        if mark is None:
+            return self.first_line, 1
+        return self.first_line + mark.line, self.first_column + mark.column
+
+    def fault(self, code: Code, message: str, mark: Any) -> MarkupError:
+        return MarkupError(Diagnostic(self.file, *self.place(mark), code.code, message))
+
+    def refuse_features(self, text: str) -> None:
+        depth = 0
+        for event in yaml.parse(text, Loader=yaml.BaseLoader):
+            if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
+                raise self.fault(
+                    Code.YAML_FEATURE,
+                    "anchors and aliases are refused. Write the value out",
+                    event.start_mark,
+                )
+            if getattr(event, "tag", None):
+                raise self.fault(
+                    Code.YAML_FEATURE, f"tag '{event.tag}' is refused. Remove it", event.start_mark
+                )
+            depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(
+                event, yaml.CollectionEndEvent
+            )
+            if depth > MAX_DEPTH:
+                raise self.fault(
+                    Code.TOO_LARGE,
+                    f"values may nest {MAX_DEPTH} deep. Flatten them",
+                    event.start_mark,
+                )
+
+    def plain(self, node: Any, path: Path) -> Any:
+        self.marks[path] = self.place(node.start_mark)
+        if isinstance(node, yaml.ScalarNode):
+            return node.value
+        if isinstance(node, yaml.SequenceNode):
+            return [self.plain(item, (*path, k)) for k, item in enumerate(node.value)]
+        return dict(self.items(node, path))
+
+    def items(self, node: Any, path: Path) -> Iterator[tuple[str, Any]]:
+        seen: set[str] = set()
+        for key, value in node.value:
+            if not isinstance(key, yaml.ScalarNode):
+                raise self.fault(
+                    Code.YAML, "a key must be a word. Quote it or rewrite it", key.start_mark
+                )
+            if key.value in seen:
+                raise self.fault(
+                    Code.DUPLICATE_KEY, f"'{key.value}' stands twice. Remove one", key.start_mark
+                )
+            seen.add(key.value)
+            yield key.value, self.plain(value, (*path, key.value))
+            self.marks[(*path, key.value, "key")] = self.place(key.start_mark)
+
+
+def compose(
+    text: str, *, file: str, first_line: int = 1, first_column: int = 1
+) -> tuple[Any, dict[Path, Place]]:
+    """Read YAML into dicts, lists and text.
+
+    Returns the plain tree, None for an empty text, and the place (line, column) of the value at
+    each path; the place of a key stands under its path with 'key' added.
+
+    Raises:
+        MarkupError: the text is not valid YAML, or uses a feature that is refused.
+    """
+    composer = _Composer(file, first_line, first_column)
+    if len(text) > MAX_SIZE:
+        raise composer.fault(
+            Code.TOO_LARGE, f"a file may have {MAX_SIZE} characters. Split it", None
+        )
+    try:
+        composer.refuse_features(text)
+        node = yaml.compose(text, Loader=yaml.BaseLoader)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        raise composer.fault(
+            Code.YAML, f"{error.problem or error.context}. Correct the YAML", mark
+        ) from None
+    except (yaml.YAMLError, RecursionError) as error:
+        reason = str(error).splitlines()[0]
+        raise composer.fault(Code.YAML, f"{reason}. Correct the YAML", None) from None
+    if node is None:
+        return None, composer.marks
+    return composer.plain(node, ()), composer.marks

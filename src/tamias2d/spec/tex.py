@@ -1,0 +1,196 @@
+r"""Expressions as TeX for the docs, and as plain text for messages.
+
+Serves: docs and diagnostics. Hides: brackets by precedence and the symbols' letters.
+"""
+
+from fractions import Fraction
+
+from tamias2d.spec.expression import (
+    Binary,
+    Both,
+    Call,
+    Measure,
+    Name,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Relation,
+)
+from tamias2d.spec.symbols import SymbolTable
+
+_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2}
+_SIGNS = {"==": "=", "<": "<", "<=": r"\le", ">": ">", ">=": r"\ge"}
+_CALLS = {
+    "d": r"\frac{{\mathrm{{d}}{0}}}{{\mathrm{{d}}{1}}}",
+    "integral": r"\int {0}\,\mathrm{{d}}{1}",
+    "dot": r"{0} \cdot {1}",
+    "cross": r"{0} \times {1}",
+    "perp": r"{0}^{{\perp}}",
+    "norm": r"\left\lVert {0} \right\rVert",
+    "vector": r"\left({0},\; {1}\right)",
+    "x": r"\left({0}\right)_x",
+    "y": r"\left({0}\right)_y",
+    "sqrt": r"\sqrt{{{0}}}",
+    "abs": r"\left| {0} \right|",
+    "min": r"\min\left({0}, {1}\right)",
+    "max": r"\max\left({0}, {1}\right)",
+    "atan2": r"\operatorname{{atan2}}\left({0}, {1}\right)",
+    "sum": r"\sum {0}",
+}
+_BARE = ("norm", "abs", "sqrt", "vector", "min", "max", "atan2", "x", "y")  # own brackets
+
+
+def plain(node: Node) -> str:
+    """The expression as text, much as it was written."""
+    match node:
+        case Number(value=value):
+            return _number(value)
+        case Measure(value=value, unit=unit):
+            return f"{_number(value)}[{unit.text}]"
+        case Name(name=name):
+            return name
+        case Negative(operand=operand):
+            return f"-{_grouped(operand)}"
+        case Binary(operator=operator, left=left, right=right):
+            tight = operator in "*/"
+            sides = (_grouped(left), _grouped(right)) if tight else (plain(left), _after(right))
+            return (
+                f"{sides[0]}{operator}{sides[1]}" if tight else f"{sides[0]} {operator} {sides[1]}"
+            )
+        case Power(base=base, exponent=exponent):
+            return f"{_grouped(base)}**{_number(exponent)}"
+        case Relation(operator=operator, left=left, right=right):
+            return f"{plain(left)} {operator} {plain(right)}"
+        case Both(parts=conditions):
+            return " and ".join(plain(condition) for condition in conditions)
+        case Call(function=function, arguments=arguments):
+            return f"{function}({', '.join(plain(argument) for argument in arguments)})"
+    raise TypeError(node)
+
+
+def _grouped(node: Node) -> str:
+    return f"({plain(node)})" if isinstance(node, Binary | Negative) else plain(node)
+
+
+def _after(node: Node) -> str:
+    loose = isinstance(node, Binary) and node.operator in "+-"
+    return f"({plain(node)})" if loose else plain(node)
+
+
+def _number(value: Fraction) -> str:
+    if value.denominator == 1:
+        return str(value.numerator)
+    return repr(float(value)) if Fraction(str(float(value))) == value else f"({value})"
+
+
+def tex(node: Node, table: SymbolTable) -> str:
+    """The expression as TeX, with the letters that the symbols declare."""
+    return _Printer(table).print(node)
+
+
+class _Printer:
+    def __init__(self, table: SymbolTable) -> None:
+        self.table = table
+
+    def print(self, node: Node) -> str:
+        match node:
+            case Number(value=value):
+                return self.number(value)
+            case Measure(value=value, unit=unit):
+                return rf"{self.number(value)}\,\mathrm{{{unit_tex(unit.text)}}}"
+            case Name(name=name):
+                return r"\pi" if name == "pi" else self.name(name)
+            case Negative(operand=operand):
+                return f"-{self.factor(operand)}"
+            case Binary():
+                return self.binary(node)
+            case Power(base=base, exponent=exponent):
+                if exponent == Fraction(1, 2):
+                    return rf"\sqrt{{{self.print(base)}}}"
+                inner = (
+                    self.bracket(base)
+                    if isinstance(base, Binary | Negative | Power | Call | Measure)
+                    else self.print(base)
+                )
+                return f"{{{inner}}}^{{{exponent}}}"
+            case Relation(operator=operator, left=left, right=right):
+                return f"{self.print(left)} {_SIGNS[operator]} {self.print(right)}"
+            case Both(parts=conditions):
+                return r" \;\land\; ".join(self.print(condition) for condition in conditions)
+            case Call():
+                return self.call(node)
+        raise TypeError(node)
+
+    def name(self, name: str) -> str:
+        reference = self.table.resolve(name)
+        letter = reference.symbol.tex or rf"\mathrm{{{name}}}"
+        below = ",".join(index.tex for index in reference.indices if index.place == "sub")
+        above = ",".join(index.tex for index in reference.indices if index.place == "super")
+        if not (below or above):
+            return letter
+        base = f"{{{letter}}}" if "_" in letter or "^" in letter else letter
+        return base + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
+
+    def number(self, value: Fraction) -> str:
+        if value.denominator == 1:
+            return str(value.numerator)
+        text = _number(value)
+        return text if text[0] != "(" else rf"\tfrac{{{value.numerator}}}{{{value.denominator}}}"
+
+    def binary(self, node: Binary) -> str:
+        if node.operator == "/":
+            return rf"\frac{{{self.print(node.left)}}}{{{self.print(node.right)}}}"
+        if node.operator == "*":
+            left, right = self.factor(node.left), self.factor(node.right)
+            return (
+                rf"{left} \, {right}"
+                if not _ends_in_number(node.right)
+                else rf"{left} \cdot {right}"
+            )
+        right = (
+            self.bracket(node.right)
+            if _is_sum(node.right) and node.operator == "-"
+            else self.print(node.right)
+        )
+        return f"{self.print(node.left)} {node.operator} {right}"
+
+    def factor(self, node: Node) -> str:
+        loose = _is_sum(node) or isinstance(node, Negative)
+        product = isinstance(node, Call) and node.function in ("dot", "cross", "sum", "integral")
+        return self.bracket(node) if loose or product else self.print(node)
+
+    def bracket(self, node: Node) -> str:
+        return rf"\left({self.print(node)}\right)"
+
+    def call(self, node: Call) -> str:
+        pattern = _CALLS.get(node.function)
+        if pattern is None:
+            return rf"\{node.function}\left({self.print(node.arguments[0])}\right)"
+        bare = node.function in _BARE
+        inner = (
+            self.print(part) if bare or not isinstance(part, Binary) else self._operand(node, part)
+            for part in node.arguments
+        )
+        return pattern.format(*inner)
+
+    def _operand(self, call: Call, part: Binary) -> str:
+        fits = call.function in ("sum", "integral") and part.operator in "*/"
+        return self.print(part) if fits else self.bracket(part)
+
+
+def _is_sum(node: Node) -> bool:
+    return isinstance(node, Binary) and node.operator in "+-"
+
+
+def _ends_in_number(node: Node) -> bool:
+    first = node.left if isinstance(node, Binary) else node
+    return isinstance(first, Number | Measure)
+
+
+def unit_tex(text: str) -> str:
+    """A unit as TeX inside an upright font."""
+    import re
+
+    powers = re.sub(r"(?:\^|\*\*)(-?\d+)", r"^{\1}", text)
+    return powers.replace("*", r"\,")
