@@ -1,0 +1,7 @@
+"""Scenes: bodies, shapes, gravity and restitution, in Python and in YAML (R1 to R4)."""
+
+from tamias2d.scene.bodies import Body
+from tamias2d.scene.scene import Scene
+from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+
+__all__ = ["Body", "Box", "Disc", "HalfPlane", "Polygon", "Scene", "Shape"]

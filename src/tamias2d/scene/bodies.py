@@ -1,0 +1,65 @@
+"""What a body is, and where and how it starts."""
+
+import math
+from dataclasses import dataclass
+
+from tamias2d.scene.law import Law, value_at
+from tamias2d.scene.rules import Vector
+from tamias2d.scene.shapes import Shape
+
+
+@dataclass(frozen=True, kw_only=True)
+class Body:
+    """One rigid body of a scene, checked; made by `Scene.add_body` and `Scene.add_static`.
+
+    A static body has infinite mass and inertia, so that both inverses are 0. So has, for its
+    rotation, a body without shape (a particle, which touches nothing) whose inertia is not stated.
+    """
+
+    name: str
+    shape: Shape | None
+    dynamic: bool
+    mass: float = math.inf
+    """kg"""
+    inertia: float = math.inf
+    """About the centre of mass, kg m^2."""
+    position: Vector = (0.0, 0.0)
+    """Of the centre of mass at the start, m."""
+    orientation: float = 0.0
+    """At the start, counter-clockwise, rad."""
+    velocity: Vector = (0.0, 0.0)
+    """At the start, m/s."""
+    angular_velocity: float = 0.0
+    """At the start, rad/s."""
+    force: tuple[Law, Law] = (0.0, 0.0)
+    """Applied besides gravity, N; a number, or a law of time."""
+    torque: Law = 0.0
+    """Applied, N m; a number, or a law of time."""
+    restitution: float | None = None
+    """0 to 1, or None where only the other body of a pair or the scene says it."""
+    inertia_stated: bool = False
+    """Whether the inertia was given, rather than found from mass and shape."""
+
+    @property
+    def inverse_mass(self) -> float:
+        """1/mass, 1/kg; 0 for a static body."""
+        return 1 / self.mass
+
+    @property
+    def inverse_inertia(self) -> float:
+        """1/inertia, 1/(kg m^2); 0 for what cannot be turned."""
+        return 1 / self.inertia
+
+    @property
+    def constant(self) -> bool:
+        """Whether force and torque are the same at all times."""
+        return all(isinstance(law, float) for law in (*self.force, self.torque))
+
+    def force_at(self, time: float) -> Vector:
+        """Return the applied force at a time in s, N."""
+        x, y = self.force
+        return value_at(x, time), value_at(y, time)
+
+    def torque_at(self, time: float) -> float:
+        """Return the applied torque at a time in s, N m."""
+        return value_at(self.torque, time)

@@ -1,0 +1,101 @@
+"""The rules that every value of a scene has to keep (R2, R3, R4).
+
+One wording serves Python arguments and YAML files: a `RuleError` says what is wrong and which argument
+it was, and the reader of files puts the place before it.
+"""
+
+import math
+from collections.abc import Iterable
+from numbers import Real
+from typing import TypeAlias
+
+from tamias2d.errors import InputError
+from tamias2d.generated.symbols import SYMBOLS
+
+Vector: TypeAlias = tuple[float, float]
+
+
+class RuleError(InputError):
+    """A broken rule, with the `path` of the argument that broke it, e.g. ``("vertices", 2)``."""
+
+    def __init__(self, message: str, *path: str | int) -> None:
+        super().__init__(message)
+        self.path = path
+
+
+def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | int, ...]) -> float:
+    """Return a plain number that is finite and in the range of its symbol, or raise `RuleError`.
+
+    Truth values are no numbers. `of` says whose value it is, `remedy` what to do about a bad one.
+    """
+    meaning = SYMBOLS[symbol]
+    unit = "" if meaning.unit == "1" else f" {meaning.unit}"
+    what = f"{label(at)} of {of}"
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise RuleError(
+            f"{what}: found {shown(value)}: must be a number{_in(unit)} (R4). {remedy}", *at
+        )
+    try:
+        plain = float(value)
+    except OverflowError:
+        plain = math.inf
+    if not math.isfinite(plain):
+        raise RuleError(f"{what}: found {shown(value)}: must be finite (R4). {remedy}", *at)
+    if not meaning.admits(plain):
+        raise RuleError(f"{label(at)} {plain:.17g}{unit} of {of}: {meaning.rule}. {remedy}", *at)
+    return plain
+
+
+def vector(
+    value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | int, ...]
+) -> Vector:
+    """Return a pair of plain finite numbers, or raise `RuleError`."""
+    x, y = pair(value, of, remedy, at=at)
+    return (
+        number(x, symbol, of, remedy, at=(*at, 0)),
+        number(y, symbol, of, remedy, at=(*at, 1)),
+    )
+
+
+def pair(
+    value: object, of: str, remedy: str, *, at: tuple[str | int, ...]
+) -> tuple[object, object]:
+    """Return the two items of a pair, or raise `RuleError`."""
+    items = sequence(value, of, remedy, at=at)
+    if len(items) != 2:
+        raise RuleError(
+            f"{label(at)} of {of}: found {len(items)} components in {shown(value)}: "
+            f"a vector has two, x and y (R4). {remedy}",
+            *at,
+        )
+    return items[0], items[1]
+
+
+def sequence(
+    value: object, of: str, remedy: str, *, at: tuple[str | int, ...]
+) -> tuple[object, ...]:
+    """Return the items of a list, tuple or array, or raise `RuleError`."""
+    try:
+        if isinstance(value, Iterable) and not isinstance(value, str | bytes | dict | set):
+            return tuple(value)
+    except TypeError:  # an array without dimensions says that it can be iterated, and cannot
+        pass
+    raise RuleError(
+        f"{label(at)} of {of}: found {shown(value)}: must be a list (R4). {remedy}", *at
+    )
+
+
+def label(at: tuple[str | int, ...]) -> str:
+    """Return how a message names an argument: ``velocity[1]``."""
+    first, *rest = at
+    return str(first).replace("_", " ") + "".join(f"[{step}]" for step in rest)
+
+
+def shown(value: object) -> str:
+    """Return a value as a message prints it: short, on one line."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _in(unit: str) -> str:
+    return f" in{unit}" if unit else ""

@@ -1,0 +1,144 @@
+"""The shapes that a body can have.
+
+Every shape is given about its centre of mass, which the body's position then puts into the world.
+A shape knows its `vertices` (counter-clockwise, m; none for a disc or a half-plane), the radius of
+the circle that holds it at any orientation, and its inertia by the formula of the specification.
+"""
+
+import math
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from tamias2d.generated import definitions
+from tamias2d.scene.outline import centred, checked_outline, edges
+from tamias2d.scene.rules import RuleError, Vector, number, vector
+
+_EPSILON = 2.0**-52
+
+
+@dataclass(frozen=True, kw_only=True)
+class Disc:
+    """A solid disc of a `radius` in m."""
+
+    radius: float
+
+    def __post_init__(self) -> None:
+        _set(self, radius=_length(self.radius, "radius", "a disc"))
+
+    @property
+    def vertices(self) -> tuple[Vector, ...]:
+        """None: a disc has no corners."""
+        return ()
+
+    @property
+    def bounding_radius(self) -> float:
+        """The radius, m."""
+        return self.radius
+
+    def inertia(self, mass: float) -> float:
+        """Return the inertia about the centre of mass, kg m^2 (DD14)."""
+        return float(definitions.inertia_disc(mass, self.radius))
+
+
+class _Corners:
+    """What all shapes with corners have in common."""
+
+    vertices: tuple[Vector, ...]
+
+    @property
+    def bounding_radius(self) -> float:
+        """The distance of the farthest vertex from the centre of mass, m."""
+        return max(math.hypot(x, y) for x, y in self.vertices)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Box(_Corners):
+    """A solid rectangle of a `width` and a `height` in m, along its own axes."""
+
+    width: float
+    height: float
+    vertices: tuple[Vector, ...] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        width = _length(self.width, "width", "a box")
+        height = _length(self.height, "height", "a box")
+        x, y = width / 2, height / 2
+        _set(self, width=width, height=height, vertices=((-x, -y), (x, -y), (x, y), (-x, y)))
+
+    def inertia(self, mass: float) -> float:
+        """Return the inertia about the centre of mass, kg m^2 (DD14)."""
+        return float(definitions.inertia_box(mass, self.width, self.height))
+
+
+@dataclass(frozen=True, init=False)
+class Polygon(_Corners):
+    """A solid convex polygon.
+
+    `outline` holds the vertices as they were given, in any frame and either sense; `vertices` are
+    relative to the centroid and counter-clockwise. `centroid` is where that lies in the frame of
+    the outline: a body put there stands where the outline was drawn.
+    """
+
+    vertices: tuple[Vector, ...]
+    centroid: Vector = field(compare=False)
+    outline: tuple[Vector, ...] = field(compare=False, repr=False)
+
+    def __init__(self, *, vertices: object) -> None:
+        """Take at least three vertices; raise `InputError` naming the one at fault."""
+        outline = checked_outline(vertices)
+        about_centroid, centroid = centred(outline)
+        _set(self, vertices=about_centroid, centroid=centroid, outline=outline)
+
+    def inertia(self, mass: float) -> float:
+        """Return the inertia about the centre of mass, kg m^2 (DD14)."""
+        return float(definitions.inertia_polygon(mass, *edges(self.vertices)))
+
+
+@dataclass(frozen=True, kw_only=True)
+class HalfPlane:
+    """All points p with ``normal . p <= offset``: a floor or a wall. Static bodies only.
+
+    `normal` points out of the solid and is made a unit vector; `offset` is how far the surface lies
+    from the origin along it, m.
+    """
+
+    normal: Vector
+    offset: float
+
+    def __post_init__(self) -> None:
+        of, remedy = "a half-plane", "Give the direction out of the solid, e.g. (0, 1) for a floor."
+        x, y = vector(self.normal, "normal", of, remedy, at=("normal",))
+        length = math.hypot(x, y)
+        if not 0 < length < math.inf:
+            raise RuleError(
+                f"normal ({x:g}, {y:g}) of {of}: has no direction (R4). {remedy}", "normal"
+            )
+        if abs(length - 1) > 4 * _EPSILON:  # a unit vector stays as it is, to the last bit
+            x, y = x / length, y / length
+        offset = number(
+            self.offset, "offset", of, "Give its distance from the origin in m.", at=("offset",)
+        )
+        _set(self, normal=(x, y), offset=offset)
+
+    @property
+    def vertices(self) -> tuple[Vector, ...]:
+        """None: a half-plane has no corners."""
+        return ()
+
+    @property
+    def bounding_radius(self) -> float:
+        """Infinite: no circle holds a half-plane."""
+        return math.inf
+
+
+Shape: TypeAlias = Disc | Box | Polygon | HalfPlane
+
+
+def _length(value: object, symbol: str, of: str) -> float:
+    return number(value, symbol, of, f"Give a positive {symbol} in m.", at=(symbol,))
+
+
+def _set(shape: object, **values: object) -> None:
+    """Set fields of a frozen shape while it is being made."""
+    for name, value in values.items():
+        object.__setattr__(shape, name, value)
