@@ -1,7 +1,9 @@
 """Scenes: bodies, shapes, gravity and restitution, in Python and in YAML (R1 to R4)."""
 
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.reading import load
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+from tamias2d.scene.writing import scene_text
 
-__all__ = ["Body", "Box", "Disc", "HalfPlane", "Polygon", "Scene", "Shape"]
+__all__ = ["Body", "Box", "Disc", "HalfPlane", "Polygon", "Scene", "Shape", "load", "scene_text"]

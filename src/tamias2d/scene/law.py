@@ -53,7 +53,7 @@ def checked_law(value: object, symbol: str, of: str, *, at: tuple[str | int, ...
         return number(value, symbol, of, remedy, at=at)
     what = f"{label(at)} of {of}"
     try:
-        law = TimeLaw(value.strip(), what, _read(value, symbol))
+        law = TimeLaw(" ".join(value.split()), what, _read(value, symbol))
     except SpecFault as fault:
         raise RuleError(
             f"{what}: {fault.message} (R4, column {fault.offset + 1}). {remedy}", *at

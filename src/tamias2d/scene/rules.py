@@ -1,7 +1,7 @@
 """The rules that every value of a scene has to keep (R2, R3, R4).
 
-One wording serves Python arguments and YAML files: a `RuleError` says what is wrong and which argument
-it was, and the reader of files puts the place before it.
+One wording serves Python arguments and YAML files: a `RuleError` says what is wrong and
+which argument it was, and the reader of files puts the place before it.
 """
 
 import math
@@ -43,7 +43,7 @@ def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | 
         raise RuleError(f"{what}: found {shown(value)}: must be finite (R4). {remedy}", *at)
     if not meaning.admits(plain):
         raise RuleError(f"{label(at)} {plain:.17g}{unit} of {of}: {meaning.rule}. {remedy}", *at)
-    return plain
+    return plain + 0.0  # no negative zero: equal scenes have equal texts
 
 
 def vector(

@@ -3,6 +3,7 @@
 import hashlib
 import math
 from collections.abc import Iterator
+from itertools import count
 
 from tamias2d.errors import SceneError
 from tamias2d.generated import definitions
@@ -10,6 +11,8 @@ from tamias2d.scene.bodies import Body
 from tamias2d.scene.law import Law, checked_law
 from tamias2d.scene.rules import RuleError, Vector, number, pair, shown, vector
 from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+
+_MAX_NAME = 100
 
 
 class Scene:
@@ -30,9 +33,10 @@ class Scene:
         remedy = "Give (x, y) in m/s^2, (0, 0) for none."
         self.gravity: Vector = vector(gravity, "gravity", "the scene", remedy, at=("gravity",))
         self.name = _text(name, "name")
-        self.says = _text(says, "says")
+        self.says = _text(" ".join(says.split()) if isinstance(says, str) else says, "says")
         self.duration = None if duration is None else _duration(duration)
         self._bodies: list[Body] = []
+        self._index: dict[str, int] = {}
         self._of_pairs: dict[tuple[int, int], float] = {}
 
     @property
@@ -42,8 +46,8 @@ class Scene:
 
     @property
     def restitution_of_pairs(self) -> dict[tuple[int, int], float]:
-        """The restitutions that were set for pairs, by index, the lower one first."""
-        return dict(self._of_pairs)
+        """The restitutions that were set for pairs, by index, the lower one first, in order."""
+        return dict(sorted(self._of_pairs.items()))
 
     def add_body(
         self,
@@ -95,8 +99,7 @@ class Scene:
             restitution=_optional_restitution(restitution, of),
         )
         _refuse_turning_particle(body)
-        self._bodies.append(body)
-        return len(self._bodies) - 1
+        return self._append(body)
 
     def add_static(
         self,
@@ -132,8 +135,7 @@ class Scene:
                 "Say where it is by its normal and offset.",
                 key,
             )
-        self._bodies.append(body)
-        return len(self._bodies) - 1
+        return self._append(body)
 
     def set_restitution(self, first: int | str, second: int | str, value: object) -> None:
         """Set the restitution of one pair of bodies, given by index or name (R3)."""
@@ -167,14 +169,13 @@ class Scene:
     def index(self, body: int | str) -> int:
         """Return the index of a body given by its index or name; raise `InputError` if none."""
         if isinstance(body, str):
-            for k, known in enumerate(self._bodies):
-                if known.name == body:
-                    return k
+            if body in self._index:
+                return self._index[body]
         elif not isinstance(body, bool) and hasattr(body, "__index__"):
             k = body.__index__()
             if 0 <= k < len(self._bodies):
                 return k
-        names = shown([known.name for known in self._bodies])
+        names = shown(list(self._index))
         raise RuleError(
             f"body {shown(body)}: the scene has none such (R1). Name one of {names}.", "bodies"
         )
@@ -202,15 +203,22 @@ class Scene:
     def _pair(self, i: int, j: int) -> str:
         return f"'{self._bodies[i].name}' and '{self._bodies[j].name}'"
 
-    def _free_name(self, name: str | None) -> str:
+    def _append(self, body: Body) -> int:
+        self._index[body.name] = len(self._bodies)
+        self._bodies.append(body)
+        return self._index[body.name]
+
+    def _free_name(self, name: object) -> str:
         if name is None:
-            name = f"body{len(self._bodies)}"
+            name = next(free for k in count(len(self)) if (free := f"body{k}") not in self._index)
         name = _text(name, "name")
-        if not name.strip():
+        if not name.strip() or len(name) > _MAX_NAME:
             raise RuleError(
-                "name of a body: found an empty one (R1). Give a word, or leave it out.", "name"
+                f"name {shown(name)} of a body: must have 1 to {_MAX_NAME} characters (R1). "
+                "Give a word.",
+                "name",
             )
-        if any(known.name == name for known in self._bodies):
+        if name in self._index:
             raise RuleError(
                 f"name '{name}': another body has it (R1). Give each body a name of its own.",
                 "name",
@@ -219,8 +227,11 @@ class Scene:
 
 
 def _text(value: object, key: str) -> str:
-    if not isinstance(value, str):
-        raise RuleError(f"{key}: found {shown(value)}: must be text (R1). Put it in quotes.", key)
+    if not isinstance(value, str) or not value.isprintable():
+        raise RuleError(
+            f"{key}: found {shown(value)}: must be text of printable characters (R1). Rewrite it.",
+            key,
+        )
     return value
 
 

@@ -79,15 +79,15 @@ class Polygon(_Corners):
     the outline: a body put there stands where the outline was drawn.
     """
 
-    vertices: tuple[Vector, ...]
-    centroid: Vector = field(compare=False)
-    outline: tuple[Vector, ...] = field(compare=False, repr=False)
+    outline: tuple[Vector, ...]
+    vertices: tuple[Vector, ...] = field(compare=False, repr=False)
+    centroid: Vector = field(compare=False, repr=False)
 
     def __init__(self, *, vertices: object) -> None:
         """Take at least three vertices; raise `InputError` naming the one at fault."""
         outline = checked_outline(vertices)
         about_centroid, centroid = centred(outline)
-        _set(self, vertices=about_centroid, centroid=centroid, outline=outline)
+        _set(self, outline=outline, vertices=about_centroid, centroid=centroid)
 
     def inertia(self, mass: float) -> float:
         """Return the inertia about the centre of mass, kg m^2 (DD14)."""

@@ -1,0 +1,96 @@
+"""Values of a scene file: text with units, turned into numbers in SI units.
+
+Every function raises `RuleError` with the path of the value; its place is the caller's to add.
+"""
+
+import re
+
+from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.scene.rules import RuleError, label, shown
+from tamias2d.spec.messages import SpecFault
+from tamias2d.spec.symbols import Symbol
+from tamias2d.spec.units import parse_quantity
+
+_ANGLE = re.compile(r"\b(rad|deg)\b")
+_ZERO = re.compile(r"[+-]?0*\.?0*")
+_EXPRESSION = re.compile(r"[\[(]|\btime\b")
+
+Path = tuple[str | int, ...]
+
+
+def read_value(raw: object, key: str, path: Path) -> object:
+    """Return the value of a body's key as `Scene` takes it: number, pair, law or list of pairs."""
+    if key == "vertices":
+        corners = _items(raw, "a list of corners", path)
+        return [_pair(corner, SYMBOLS["vertex"], (*path, k)) for k, corner in enumerate(corners)]
+    symbol = SYMBOLS[key]
+    return _pair(raw, symbol, path) if symbol.shape == "vector" else _component(raw, symbol, path)
+
+
+def scalar_text(raw: object, path: Path) -> str:
+    """Return a scalar's text, or raise `RuleError` for a list, a mapping or nothing."""
+    if isinstance(raw, str) and raw:
+        return raw
+    found = "a list" if isinstance(raw, list) else "a mapping" if raw else "nothing"
+    raise RuleError(f"{label(path[-1:])}: found {found}: must be one value (R2). Write one.", *path)
+
+
+def _items(raw: object, wanted: str, path: Path) -> list[object]:
+    if isinstance(raw, list):
+        return raw
+    found = "a mapping" if isinstance(raw, dict) else shown(raw) if raw else "nothing"
+    raise RuleError(
+        f"{label(_named(path))}: found {found}: must be {wanted} (R2). Write it in brackets [ ].",
+        *path,
+    )
+
+
+def _pair(raw: object, symbol: Symbol, path: Path) -> tuple[object, object]:
+    items = _items(raw, "a list of two, x and y", path)
+    if len(items) != 2:
+        raise RuleError(
+            f"{label(_named(path))}: found {len(items)} components: "
+            "a vector has two, x and y (R2). Write both.",
+            *path,
+        )
+    x, y = (_component(item, symbol, (*path, k)) for k, item in enumerate(items))
+    return x, y
+
+
+def _component(raw: object, symbol: Symbol, path: Path) -> object:
+    text = scalar_text(raw, path)
+    if symbol.name in ("force", "torque") and _EXPRESSION.search(text):
+        return text
+    return read_quantity(text, symbol.name, path)
+
+
+def read_quantity(raw: object, name: str, path: Path) -> float:
+    """Return a number in SI units from ``848.5 m/s``; a bare zero fits any unit."""
+    text, symbol = scalar_text(raw, path), SYMBOLS[name]
+    if _ZERO.fullmatch(text) and any(digit in text for digit in "0"):
+        return 0.0
+    what = label(_named(path))
+    example = f"Write it like '1.5 {symbol.unit}'." if symbol.unit != "1" else "Write it like 0.8."
+    try:
+        quantity = parse_quantity(text)
+    except SpecFault as fault:
+        raise RuleError(f"{what}: {fault.message} (R2). {example}", *path) from None
+    if quantity.dimension != symbol.dimension:
+        raise RuleError(
+            f"{what}: found {shown(text)}, of unit {quantity.dimension}: "
+            f"must be in {symbol.dimension} (symbol {symbol.name}). {example}",
+            *path,
+        )
+    if bool(_ANGLE.search(text)) != bool(_ANGLE.search(symbol.unit)):
+        rule = "an angle is stated" if _ANGLE.search(symbol.unit) else "no angle is asked for"
+        raise RuleError(
+            f"{what}: found {shown(text)}: {rule}, in rad or deg (symbol {symbol.name}). {example}",
+            *path,
+        )
+    return quantity.value
+
+
+def _named(path: Path) -> Path:
+    """Return the end of a path that starts with a word: ``("velocity", 1)``."""
+    start = max(k for k, step in enumerate(path) if isinstance(step, str))
+    return path[start:]

@@ -1,0 +1,219 @@
+"""Scenes from YAML files: what each key means, and where it stands when it is wrong."""
+
+import difflib
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path as FilePath
+
+from tamias2d.errors import SceneError
+from tamias2d.scene.quantities import Path, read_quantity, read_value, scalar_text
+from tamias2d.scene.rules import RuleError, shown
+from tamias2d.scene.scene import Scene
+from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+from tamias2d.spec.markup import MAX_SIZE, MarkupError, Place, compose
+
+_TOP_MAY = ("name", "says", "duration", "bodies", "statics", "restitution_of_pairs", "order")
+_MAY = {
+    "bodies": (
+        *("velocity", "orientation", "angular_velocity", "force", "torque"),
+        *("inertia", "restitution"),
+    ),
+    "statics": ("position", "orientation", "restitution"),
+}
+_MUST = {"bodies": ("shape", "mass", "position"), "statics": ("shape",)}
+_SHAPE_MUST: dict[str, tuple[str, ...]] = {
+    "disc": ("radius",),
+    "box": ("width", "height"),
+    "polygon": ("vertices",),
+    "half-plane": ("normal", "offset"),
+    "none": (),
+}
+
+
+def load(source: str | FilePath) -> Scene:
+    """Return the scene of a YAML file, or of YAML text (a text has more than one line).
+
+    Raises:
+        SceneError: the file or a value in it breaks a rule; the message says where.
+    """
+    if isinstance(source, str) and "\n" in source:
+        return _read(source, "scene")
+    return _read(_file_text(FilePath(source)), str(source))
+
+
+def _file_text(path: FilePath) -> str:
+    try:
+        if not path.is_file():
+            raise SceneError(f"{path}: no such file (R2). Give the path of a scene in YAML.")
+        if path.stat().st_size > 4 * MAX_SIZE:  # a character has up to four bytes
+            raise SceneError(f"{path}: more than {MAX_SIZE} characters (R2). Split the scene.")
+        return path.read_bytes().decode()
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        raise SceneError(
+            f"{path}:{line}: found byte 0x{error.object[error.start]:02x}: must be UTF-8 (R2). "
+            "Save the file in UTF-8."
+        ) from None
+    except (OSError, ValueError) as error:
+        raise SceneError(f"{shown(str(path))}: {error} (R2). Give a file to read.") from None
+
+
+def _read(text: str, file: str) -> Scene:
+    try:
+        tree, marks = compose(text, file=file)
+    except MarkupError as error:
+        raise SceneError(str(error)) from None
+    try:
+        return _scene(tree)
+    except RuleError as error:
+        line, column = _place(marks, error.path)
+        raise SceneError(f"{file}:{line}:{column}: {error}") from None
+
+
+def _place(marks: Mapping[Path, Place], path: Path) -> Place:
+    """Return the place of the value at a path, or of the nearest thing around it."""
+    while path not in marks and path:
+        path = path[:-1]
+    return marks.get(path, (1, 1))
+
+
+@contextmanager
+def _within(*path: str | int) -> Iterator[None]:
+    """Put a path before that of a rule broken inside."""
+    try:
+        yield
+    except RuleError as error:
+        error.path = (*path, *error.path)
+        raise
+
+
+def _scene(tree: object) -> Scene:
+    top = _mapping(tree, "a scene", must=("gravity",), may=_TOP_MAY)
+    texts = {key: scalar_text(top[key], (key,)) for key in ("name", "says") if key in top}
+    duration = (
+        read_quantity(top["duration"], "duration", ("duration",)) if "duration" in top else None
+    )
+    gravity = read_value(top["gravity"], "gravity", ("gravity",))
+    scene = Scene(gravity=gravity, duration=duration, **texts)
+    for section, name, body in _in_order(top):
+        with _within(section, name):
+            _add(scene, section, name, body)
+    with _within("restitution_of_pairs"):
+        _set_pairs(scene, top.get("restitution_of_pairs", []))
+    return scene
+
+
+def _in_order(top: Mapping[str, object]) -> list[tuple[str, str, object]]:
+    """Return section, name and value of all bodies: first what moves, unless `order` says else."""
+    sections = {key: _mapping(top[key], f"'{key}'") for key in ("bodies", "statics") if key in top}
+    found = [(key, name, body) for key, part in sections.items() for name, body in part.items()]
+    if "order" not in top:
+        return found
+    order = _list(top["order"], "order")
+    names = [name for _, name, _ in found]
+    if sorted(map(str, order)) != sorted(names):
+        raise RuleError(
+            f"order: found {shown(order)}: must name each body once (R1). Name all of {names}.",
+            "order",
+        )
+    return sorted(found, key=lambda entry: order.index(entry[1]))
+
+
+def _add(scene: Scene, section: str, name: str, raw: object) -> None:
+    what = f"{'body' if section == 'bodies' else 'static body'} '{name}'"
+    form = _form(raw, what)
+    keys = _SHAPE_MUST[form]
+    body = _mapping(raw, what, must=(*_MUST[section], *keys), may=_MAY[section])
+    values = {key: read_value(value, key, (key,)) for key, value in body.items() if key != "shape"}
+    shape = _shape(form, {key: values.pop(key) for key in keys})
+    if section == "bodies":
+        scene.add_body(shape, name=name, **values)  # type: ignore[arg-type]
+    else:
+        scene.add_static(shape, name=name, **values)  # type: ignore[arg-type]
+
+
+def _form(raw: object, what: str) -> str:
+    """Return which shape a body has, before its keys can be checked."""
+    form = (
+        scalar_text(raw["shape"], ("shape",))
+        if isinstance(raw, dict) and "shape" in raw
+        else "none"
+    )
+    if form not in _SHAPE_MUST:
+        raise RuleError(
+            f"shape of {what}: found {shown(form)}{_likely(form, _SHAPE_MUST)}: "
+            f"must be one of {', '.join(_SHAPE_MUST)} (R2). Correct the word.",
+            "shape",
+        )
+    return form
+
+
+def _shape(form: str, values: dict[str, object]) -> Shape | None:
+    match form:
+        case "disc":
+            return Disc(**values)  # type: ignore[arg-type]
+        case "box":
+            return Box(**values)  # type: ignore[arg-type]
+        case "polygon":
+            return Polygon(vertices=values["vertices"])
+        case "half-plane":
+            return HalfPlane(**values)  # type: ignore[arg-type]
+    return None
+
+
+def _set_pairs(scene: Scene, raw: object) -> None:
+    for k, entry in enumerate(_list(raw, "restitution_of_pairs")):
+        with _within(k):
+            pair = _mapping(entry, "a pair", must=("bodies", "restitution"))
+            first, second = _two_names(pair["bodies"])
+            i, j = sorted((scene.index(first), scene.index(second)))
+            if (i, j) in scene.restitution_of_pairs:
+                raise RuleError(
+                    f"pair '{first}' and '{second}': stands twice (R3). Remove one entry.", "bodies"
+                )
+            value = read_quantity(pair["restitution"], "restitution", ("restitution",))
+            scene.set_restitution(i, j, value)
+
+
+def _two_names(raw: object) -> tuple[str, str]:
+    match raw:
+        case [str(first), str(second)]:
+            return first, second
+    raise RuleError(
+        f"bodies of a pair: found {shown(raw)}: must be two names (R3). Write [one, other].",
+        "bodies",
+    )
+
+
+def _list(raw: object, key: str) -> list[object]:
+    if not isinstance(raw, list):
+        raise RuleError(
+            f"{key}: found {shown(raw)}: must be a list (R2). Write it in brackets [ ].", key
+        )
+    return raw
+
+
+def _mapping(
+    raw: object, what: str, *, must: tuple[str, ...] = (), may: tuple[str, ...] | None = None
+) -> dict[str, object]:
+    """Return a mapping that has all keys it must have; with `must` or `may` no other ones."""
+    if not isinstance(raw, dict):
+        found = "nothing" if raw in (None, "") else shown(raw)
+        raise RuleError(f"{what}: found {found}: must be a mapping (R2). Write 'key: value' lines.")
+    known = (*must, *(may or ()))
+    for key in raw if known else ():
+        if key not in known:
+            raise RuleError(
+                f"key '{key}' of {what}: unknown{_likely(key, known)} (R2). "
+                f"Take one of {', '.join(known)}.",
+                *(key, "key"),
+            )
+    for key in must:
+        if key not in raw:
+            raise RuleError(f"{what}: key '{key}' is missing (R2). State it.")
+    return raw
+
+
+def _likely(word: str, known: object) -> str:
+    close = difflib.get_close_matches(word, list(known), n=1)  # type: ignore[call-overload]
+    return f", did you mean '{close[0]}'?" if close else ""

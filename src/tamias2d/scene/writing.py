@@ -1,0 +1,112 @@
+"""A scene as YAML text that loads back to the same scene, bit for bit (`repr` of a float does)."""
+
+import json
+import re
+from collections.abc import Iterator
+
+from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.scene.bodies import Body
+from tamias2d.scene.law import Law
+from tamias2d.scene.rules import Vector
+from tamias2d.scene.scene import Scene
+from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+
+_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
+
+
+def scene_text(scene: Scene) -> str:
+    """Return the scene as YAML, every value with all its digits and its unit."""
+    return "\n".join(_lines(scene)) + "\n"
+
+
+def _lines(scene: Scene) -> Iterator[str]:
+    if scene.name:
+        yield f"name: {_text(scene.name)}"
+    if scene.says:
+        yield f"says: {_text(scene.says)}"
+    yield f"gravity: {_vector(scene.gravity, 'gravity')}"
+    if scene.duration is not None:
+        yield f"duration: {_quantity(scene.duration, 'duration')}"
+    moving = [body for body in scene.bodies if body.dynamic]
+    static = [body for body in scene.bodies if not body.dynamic]
+    for section, bodies in (("bodies", moving), ("statics", static)):
+        if bodies:
+            yield f"{section}:"
+        for body in bodies:
+            yield f"  {_text(body.name)}:"
+            yield from (f"    {line}" for line in _body(body))
+    yield from _pairs(scene)
+    if list(scene.bodies) != moving + static:
+        names = ", ".join(_text(body.name) for body in scene.bodies)
+        yield f"order: [{names}]"
+
+
+def _body(body: Body) -> Iterator[str]:
+    yield from _shape(body.shape)
+    if body.dynamic:
+        yield f"mass: {_quantity(body.mass, 'mass')}"
+    if body.inertia_stated:
+        yield f"inertia: {_quantity(body.inertia, 'inertia')}"
+    if not isinstance(body.shape, HalfPlane):
+        yield f"position: {_vector(body.position, 'position')}"
+    if body.orientation:
+        yield f"orientation: {_quantity(body.orientation, 'orientation')}"
+    if any(body.velocity):
+        yield f"velocity: {_vector(body.velocity, 'velocity')}"
+    if body.angular_velocity:
+        yield f"angular_velocity: {_quantity(body.angular_velocity, 'angular_velocity')}"
+    if any(body.force):
+        x, y = body.force
+        yield f"force: [{_law(x, 'force')}, {_law(y, 'force')}]"
+    if body.torque:
+        yield f"torque: {_law(body.torque, 'torque')}"
+    if body.restitution is not None:
+        yield f"restitution: {body.restitution!r}"
+
+
+def _shape(shape: Shape | None) -> Iterator[str]:
+    match shape:
+        case None:
+            yield "shape: none"
+        case Disc(radius=radius):
+            yield "shape: disc"
+            yield f"radius: {_quantity(radius, 'radius')}"
+        case Box(width=width, height=height):
+            yield "shape: box"
+            yield f"width: {_quantity(width, 'width')}"
+            yield f"height: {_quantity(height, 'height')}"
+        case Polygon(outline=outline):
+            yield "shape: polygon"
+            yield "vertices:"
+            yield from (f"  - {_vector(vertex, 'vertex')}" for vertex in outline)
+        case HalfPlane(normal=normal, offset=offset):
+            yield "shape: half-plane"
+            yield f"normal: {_vector(normal, 'normal')}"
+            yield f"offset: {_quantity(offset, 'offset')}"
+
+
+def _pairs(scene: Scene) -> Iterator[str]:
+    pairs = scene.restitution_of_pairs
+    if pairs:
+        yield "restitution_of_pairs:"
+    for (i, j), restitution in pairs.items():
+        names = f"{_text(scene.bodies[i].name)}, {_text(scene.bodies[j].name)}"
+        yield f"  - {{bodies: [{names}], restitution: {restitution!r}}}"
+
+
+def _quantity(value: float, symbol: str) -> str:
+    unit = SYMBOLS[symbol].unit
+    return repr(value) if unit == "1" else f"{value!r} {unit}"
+
+
+def _vector(value: Vector, symbol: str) -> str:
+    x, y = value
+    return f"[{_quantity(x, symbol)}, {_quantity(y, symbol)}]"
+
+
+def _law(law: Law, symbol: str) -> str:
+    return _quantity(law, symbol) if isinstance(law, float) else json.dumps(law.text)
+
+
+def _text(text: str) -> str:
+    return text if _WORD.fullmatch(text) else json.dumps(text, ensure_ascii=False)
