@@ -6,10 +6,10 @@ float or an array. A vector is a pair (x, y).
 
 import math
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from typing import Any
 
-import numpy as np
-
+from tamias2d.spec import functions as fn
 from tamias2d.spec.expression import (
     Binary,
     Both,
@@ -44,7 +44,7 @@ def evaluate(node: Node, values: Mapping[str, Value]) -> Value:
         case Binary(operator=operator, left=left, right=right):
             return _BINARY[operator](evaluate(left, values), evaluate(right, values))
         case Power(base=base, exponent=exponent):
-            return evaluate(base, values) ** float(exponent)
+            return _power(evaluate(base, values), exponent)
         case Relation(operator=operator, left=left, right=right):
             return _RELATION[operator](evaluate(left, values), evaluate(right, values))
         case Both(parts=conditions):
@@ -54,22 +54,18 @@ def evaluate(node: Node, values: Mapping[str, Value]) -> Value:
     raise KeyError(f"{node} has no value of its own")
 
 
+def _power(base: Value, exponent: Fraction) -> Value:
+    whole = fn.power(base, abs(exponent.numerator)) if exponent else 1.0
+    root = fn.sqrt(whole) if exponent.denominator == 2 else whole
+    return 1 / root if exponent < 0 else root
+
+
 def _each(function: Callable[..., Value], *operands: Value) -> Value:
     """Apply component by component; a scalar goes with both components."""
     if not any(isinstance(operand, tuple) for operand in operands):
         return function(*operands)
     pairs = [operand if isinstance(operand, tuple) else (operand, operand) for operand in operands]
     return tuple(function(*components) for components in zip(*pairs, strict=True))
-
-
-def _either(scalar: Callable[..., float], array: Callable[..., Value]) -> Callable[..., Value]:
-    """One function for floats and for arrays."""
-
-    def apply(*operands: Value) -> Value:
-        any_array = any(isinstance(operand, np.ndarray) for operand in operands)
-        return array(*operands) if any_array else scalar(*operands)
-
-    return apply
 
 
 def _cross(a: Value, b: Value) -> Value:
@@ -90,22 +86,22 @@ _RELATION: dict[str, Callable[[Value, Value], Value]] = {
     ">=": lambda a, b: a >= b,
 }
 _CALL: dict[str, Callable[..., Value]] = {
-    "sqrt": _either(math.sqrt, np.sqrt),
-    "sin": _either(math.sin, np.sin),
-    "cos": _either(math.cos, np.cos),
-    "tan": _either(math.tan, np.tan),
-    "exp": _either(math.exp, np.exp),
-    "log": _either(math.log, np.log),
+    "sqrt": fn.sqrt,
+    "sin": fn.sin,
+    "cos": fn.cos,
+    "tan": fn.tan,
+    "exp": fn.exp,
+    "log": fn.log,
     "abs": abs,
-    "min": _either(min, np.minimum),
-    "max": _either(max, np.maximum),
-    "atan2": _either(math.atan2, np.arctan2),
+    "min": fn.least,
+    "max": fn.largest,
+    "atan2": fn.atan2,
     "vector": lambda a, b: (a, b),
     "x": lambda a: a[0],
     "y": lambda a: a[1],
     "dot": lambda a, b: a[0] * b[0] + a[1] * b[1],
     "cross": _cross,
     "perp": lambda a: (-a[1], a[0]),
-    "norm": lambda a: _either(math.sqrt, np.sqrt)(a[0] * a[0] + a[1] * a[1]),
-    "sum": lambda a: _each(np.sum, a),
+    "norm": lambda a: fn.sqrt(a[0] * a[0] + a[1] * a[1]),
+    "sum": lambda a: _each(fn.total, a),
 }

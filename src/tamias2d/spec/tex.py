@@ -54,7 +54,7 @@ def plain(node: Node) -> str:
             return f"-{_grouped(operand)}"
         case Binary(operator=operator, left=left, right=right):
             tight = operator in "*/"
-            sides = (_grouped(left), _grouped(right)) if tight else (plain(left), _after(right))
+            sides = (_factor(left), _grouped(right)) if tight else (plain(left), _after(right))
             return (
                 f"{sides[0]}{operator}{sides[1]}" if tight else f"{sides[0]} {operator} {sides[1]}"
             )
@@ -67,6 +67,11 @@ def plain(node: Node) -> str:
         case Call(function=function, arguments=arguments):
             return f"{function}({', '.join(plain(argument) for argument in arguments)})"
     raise TypeError(node)
+
+
+def _factor(node: Node) -> str:
+    product = isinstance(node, Binary) and node.operator in "*/"
+    return plain(node) if product else _grouped(node)
 
 
 def _grouped(node: Node) -> str:

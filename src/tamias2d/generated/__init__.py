@@ -1,0 +1,1 @@
+"""Where equations become code: printed from srs/ by `python -m tools.generate`."""

@@ -1,0 +1,238 @@
+"""Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Momentum;
+Restitution of a pair; Kinetic energy; Potential energy.
+
+Generated from srs/definitions.md
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tamias2d.spec.functions import Scalar, Vector, least, total
+
+
+def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> Vector:
+    """Velocity of the point of a body that sits at the end of an arm (m/s).
+
+    point_velocity = velocity + cross(angular_velocity, arm)
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        arm: Lever arm, from the centre of mass to the contact point, m
+
+    Source: DD9, srs/definitions.md:71.
+    """
+    velocity_x, velocity_y = velocity
+    arm_x, arm_y = arm
+    return (velocity_x - angular_velocity * arm_y, velocity_y + angular_velocity * arm_x)
+
+
+def torque(arm: Vector, force: Vector) -> Scalar:
+    """Applied torque about the centre of mass, positive counter-clockwise (N*m).
+
+    torque = cross(arm, force)
+
+    Args:
+        arm: Lever arm, from the centre of mass to the contact point, m
+        force: Applied force on a body, without its weight, N
+
+    Source: DD13, srs/definitions.md:88.
+    """
+    arm_x, arm_y = arm
+    force_x, force_y = force
+    return arm_x * force_y - arm_y * force_x
+
+
+def inertia_disc(mass: Scalar, radius: Scalar) -> Scalar:
+    """Moment of inertia about the centre of mass; of a uniform disc (kg*m^2).
+
+    inertia_disc = mass*radius**2/2
+
+    Args:
+        mass: Mass of a body, kg
+        radius: Radius of a disc, m
+
+    Source: DD18, srs/definitions.md:116.
+    """
+    return mass * radius * radius / 2
+
+
+def inertia_box(mass: Scalar, width: Scalar, height: Scalar) -> Scalar:
+    """Moment of inertia about the centre of mass; of a uniform box (kg*m^2).
+
+    inertia_box = mass*(width**2 + height**2)/12
+
+    Args:
+        mass: Mass of a body, kg
+        width: Extent of a box along its own x axis, m
+        height: Extent of a box along its own y axis, m
+
+    Source: DD18, srs/definitions.md:117.
+    """
+    return mass * (width * width + height * height) / 12
+
+
+def inertia_polygon(mass: Scalar, vertex_i: Vector, vertex_j: Vector) -> Scalar:
+    """Moment of inertia about the centre of mass; of a uniform polygon (kg*m^2).
+
+    inertia_polygon = mass/6*sum(cross(vertex_i, vertex_j)*(dot(vertex_i, vertex_i) +
+    dot(vertex_i, vertex_j) + dot(vertex_j, vertex_j)))/sum(cross(vertex_i, vertex_j))
+
+    Args:
+        mass: Mass of a body, kg
+        vertex_i: Corner of a polygon; corners are counted counter-clockwise; of each particle,
+            body or vertex in turn, m
+        vertex_j: Corner of a polygon; corners are counted counter-clockwise; of the one after
+            it, m
+
+    Source: DD18, srs/definitions.md:118.
+    """
+    vertex_i_x, vertex_i_y = vertex_i
+    vertex_j_x, vertex_j_y = vertex_j
+    return (
+        mass
+        / 6
+        * total(
+            (vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x)
+            * (
+                vertex_i_x * vertex_i_x
+                + vertex_i_y * vertex_i_y
+                + vertex_i_x * vertex_j_x
+                + vertex_i_y * vertex_j_y
+                + vertex_j_x * vertex_j_x
+                + vertex_j_y * vertex_j_y
+            )
+        )
+        / total(vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x)
+    )
+
+
+def area_polygon(vertex_i: Vector, vertex_j: Vector) -> Scalar:
+    """Area of a shape; of a uniform polygon (m^2).
+
+    area_polygon = sum(cross(vertex_i, vertex_j))/2
+
+    Args:
+        vertex_i: Corner of a polygon; corners are counted counter-clockwise; of each particle,
+            body or vertex in turn, m
+        vertex_j: Corner of a polygon; corners are counted counter-clockwise; of the one after
+            it, m
+
+    Source: DD18, srs/definitions.md:122.
+    """
+    vertex_i_x, vertex_i_y = vertex_i
+    vertex_j_x, vertex_j_y = vertex_j
+    return total(vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x) / 2
+
+
+def centroid_polygon(vertex_i: Vector, vertex_j: Vector) -> Vector:
+    """Centre of a shape's area; of a uniform polygon (m).
+
+    centroid_polygon = sum((vertex_i + vertex_j)*cross(vertex_i,
+    vertex_j))/(3*sum(cross(vertex_i, vertex_j)))
+
+    Args:
+        vertex_i: Corner of a polygon; corners are counted counter-clockwise; of each particle,
+            body or vertex in turn, m
+        vertex_j: Corner of a polygon; corners are counted counter-clockwise; of the one after
+            it, m
+
+    Source: DD18, srs/definitions.md:123.
+    """
+    vertex_i_x, vertex_i_y = vertex_i
+    vertex_j_x, vertex_j_y = vertex_j
+    return (
+        total((vertex_i_x + vertex_j_x) * (vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x))
+        / (3 * total(vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x)),
+        total((vertex_i_y + vertex_j_y) * (vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x))
+        / (3 * total(vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x)),
+    )
+
+
+def momentum(mass: Scalar, velocity: Vector) -> Vector:
+    """Mass times velocity (kg*m/s).
+
+    momentum = mass*velocity
+
+    Args:
+        mass: Mass of a body, kg
+        velocity: Velocity of the centre of mass, m/s
+
+    Source: DD21, srs/definitions.md:198.
+    """
+    velocity_x, velocity_y = velocity
+    return (mass * velocity_x, mass * velocity_y)
+
+
+def angular_momentum(
+    mass: Scalar, position: Vector, velocity: Vector, inertia: Scalar, angular_velocity: Scalar
+) -> Scalar:
+    """Moment of momentum about the origin (kg*m^2/s).
+
+    angular_momentum = mass*cross(position, velocity) + inertia*angular_velocity
+
+    Args:
+        mass: Mass of a body, kg
+        position: Position of the centre of mass, m
+        velocity: Velocity of the centre of mass, m/s
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+
+    Source: DD21, srs/definitions.md:199.
+    """
+    position_x, position_y = position
+    velocity_x, velocity_y = velocity
+    return mass * (position_x * velocity_y - position_y * velocity_x) + inertia * angular_velocity
+
+
+def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
+    """The coefficient of restitution that holds between two bodies (1).
+
+    pair_restitution = min(restitution_a, restitution_b)
+
+    Args:
+        restitution_a: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost); body A, from which the normal points, 1
+        restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost); body B, to which the normal points, 1
+
+    Source: DD17, srs/definitions.md:294.
+    """
+    return least(restitution_a, restitution_b)
+
+
+def kinetic_energy(
+    mass: Scalar, velocity: Vector, inertia: Scalar, angular_velocity: Scalar
+) -> Scalar:
+    """Energy of motion, turning included (J).
+
+    kinetic_energy = mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2
+
+    Args:
+        mass: Mass of a body, kg
+        velocity: Velocity of the centre of mass, m/s
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+
+    Source: DD15, srs/definitions.md:312.
+    """
+    velocity_x, velocity_y = velocity
+    return (
+        mass * (velocity_x * velocity_x + velocity_y * velocity_y) / 2
+        + inertia * angular_velocity * angular_velocity / 2
+    )
+
+
+def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
+    """Energy of a body in the gravity field, zero at the origin (J).
+
+    potential_energy = (-mass)*dot(gravity, position)
+
+    Args:
+        mass: Mass of a body, kg
+        gravity: Gravitational acceleration, the same for all bodies, m/s^2
+        position: Position of the centre of mass, m
+
+    Source: DD16, srs/definitions.md:326.
+    """
+    gravity_x, gravity_y = gravity
+    position_x, position_y = position
+    return (-mass) * (gravity_x * position_x + gravity_y * position_y)

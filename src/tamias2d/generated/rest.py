@@ -1,0 +1,56 @@
+"""Rest: Resting contact.
+
+Generated from srs/models/rest.md
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tamias2d.spec.functions import Scalar, Vector
+
+
+def normal_acceleration(
+    acceleration_a: Vector,
+    angular_acceleration_a: Scalar,
+    arm_a: Vector,
+    acceleration_b: Vector,
+    angular_acceleration_b: Scalar,
+    arm_b: Vector,
+    normal: Vector,
+) -> Scalar:
+    """Rate of change of the normal velocity of a contact that rests (m/s^2).
+
+    normal_acceleration = dot(acceleration_b + cross(angular_acceleration_b, arm_b) -
+    acceleration_a - cross(angular_acceleration_a, arm_a), normal)
+
+    Args:
+        acceleration_a: Acceleration of the centre of mass; body A, from which the normal
+            points, m/s^2
+        angular_acceleration_a: Rate of change of the angular velocity; body A, from which the
+            normal points, rad/s^2
+        arm_a: Lever arm, from the centre of mass to the contact point; body A, from which the
+            normal points, m
+        acceleration_b: Acceleration of the centre of mass; body B, to which the normal points,
+            m/s^2
+        angular_acceleration_b: Rate of change of the angular velocity; body B, to which the
+            normal points, rad/s^2
+        arm_b: Lever arm, from the centre of mass to the contact point; body B, to which the
+            normal points, m
+        normal: Unit normal of a contact, from body A to body B, 1
+
+    Source: GD3, srs/models/rest.md:22.
+    """
+    acceleration_a_x, acceleration_a_y = acceleration_a
+    arm_a_x, arm_a_y = arm_a
+    acceleration_b_x, acceleration_b_y = acceleration_b
+    arm_b_x, arm_b_y = arm_b
+    normal_x, normal_y = normal
+    return (
+        acceleration_b_x
+        - angular_acceleration_b * arm_b_y
+        - acceleration_a_x
+        + angular_acceleration_a * arm_a_y
+    ) * normal_x + (
+        acceleration_b_y
+        + angular_acceleration_b * arm_b_x
+        - acceleration_a_y
+        - angular_acceleration_a * arm_a_x
+    ) * normal_y

@@ -1,0 +1,301 @@
+"""Whether each step of a derivation follows from the one before, and a closed form solves.
+
+Serves: the reader. Hides: how an equation is tried out. The proof is numerical: values are
+drawn from the symbols' ranges, one unknown is chosen so that the earlier equation holds, and
+the later one must then hold too. Each later equation must also be able to fail.
+"""
+
+import math
+import random
+from collections.abc import Iterator
+
+import numpy as np
+
+from tamias2d.spec.chapter import Item
+from tamias2d.spec.check import infer
+from tamias2d.spec.derivative import differentiate
+from tamias2d.spec.equations import Report, parsed, placed, relation, substitute, typed
+from tamias2d.spec.evaluate import Value, evaluate
+from tamias2d.spec.expression import Binary, Call, Name, Node, Relation, names, walk
+from tamias2d.spec.messages import Code, SpecFault
+from tamias2d.spec.symbols import Range, SymbolTable
+from tamias2d.spec.tex import plain
+
+POINTS = 24
+_TOLERANCE = 1e-9  # of the largest term: far above rounding, far below any wrong factor
+_PARTICLES = 5
+
+Values = dict[str, Value]
+
+
+def check_derivation(item: Item, table: SymbolTable, report: Report) -> None:
+    """Report each step that does not follow, and a last step that is not the item's equation."""
+    before: Relation | None = None
+    for number, step in enumerate(item.data.get("derivation", [])):
+        where = ("derivation", number)
+        now = relation(item, step["equation"], table, report, *where, "equation")
+        given = _substitutions(item, step.get("where", {}), table, report, where)
+        if now is None or given is None:
+            return
+        if before is not None and not _implies(before, now, given, table):
+            text = f"'{plain(now)}' does not follow from '{plain(before)}'. Correct the step or say in 'where' what is put in"
+            report(item.diagnostic(Code.DERIVATION_GAP, text, *where, "equation"))
+            return
+        before = now
+    if before is not None:
+        _check_end(item, before, table, report)
+
+
+def _substitutions(
+    item: Item,
+    where: dict[str, str],
+    table: SymbolTable,
+    report: Report,
+    path: tuple[str | int, ...],
+) -> dict[str, Node] | None:
+    found: dict[str, Node] = {}
+    for name, text in where.items():
+        key = parsed(item, name, report, *path, "where", name, "key")
+        node = parsed(item, text, report, *path, "where", name)
+        if key is None or node is None:
+            return None
+        if typed(item, Relation("==", key, node), table, report, *path, "where", name) is None:
+            return None
+        found[plain(key)] = node
+    return found
+
+
+def _check_end(item: Item, last: Relation, table: SymbolTable, report: Report) -> None:
+    targets = [Relation("==", Name(name), tree) for name, tree in _own_equations(item, report)]
+    if text := item.data.get("equation"):
+        own = relation(item, text, table, report, "equation")
+        targets += [own] if own else []
+    if targets and not any(_implies(last, target, {}, table) for target in targets):
+        text = f"the last step '{plain(last)}' does not give the item's equation. Finish the derivation"
+        report(item.diagnostic(Code.DERIVATION_GAP, text, "derivation"))
+
+
+def _own_equations(item: Item, report: Report) -> Iterator[tuple[str, Node]]:
+    for name, text in item.data.get("equations", {}).items():
+        node = parsed(item, text, report, "equations", name)
+        if node is not None and not isinstance(node, Relation) and name != "overlap":
+            yield name, node
+
+
+def _implies(before: Relation, now: Relation, given: dict[str, Node], table: SymbolTable) -> bool:
+    """Whether every tried solution of one equation solves the other, which is no identity."""
+    atoms: dict[str, Node] = {}
+    first, second = (_prepared(equation, given, atoms) for equation in (before, now))
+    generator = random.Random(plain(before) + plain(now))
+    tried, can_fail = 0, False
+    for _ in range(4 * POINTS):
+        values = {name: _draw(node, table, generator) for name, node in atoms.items()}
+        _link_next(values)
+        can_fail = can_fail or not _holds(second, values)
+        solved = _solve(first, values, names(second))
+        if solved is None or not all(map(_finite, solved.values())):
+            continue
+        if not _holds(second, solved):
+            return False
+        tried += 1
+        if tried == POINTS:
+            return can_fail
+    return False
+
+
+def _prepared(equation: Relation, given: dict[str, Node], atoms: dict[str, Node]) -> Relation:
+    """The equation after substitution, with derivatives and integrals as unknowns of their own."""
+    tree = _atomic(equation, given, atoms, 0)
+    assert isinstance(tree, Relation)  # noqa: S101 - _atomic keeps the outermost node
+    for name in names(tree):
+        atoms.setdefault(name, Name(name))
+    return tree
+
+
+def _atomic(node: Node, given: dict[str, Node], atoms: dict[str, Node], depth: int) -> Node:
+    text = plain(node)
+    if text in given and depth < 8:
+        return _atomic(given[text], {k: v for k, v in given.items() if k != text}, atoms, depth + 1)
+    if isinstance(node, Call) and node.function in ("d", "integral"):
+        atoms[text] = node
+        return Name(text)
+    if isinstance(node, Name):
+        return node
+    replaced: dict[str, Node] = {}
+    marked = _mark_parts(node, replaced)
+    return substitute(
+        marked, {name: _atomic(part, given, atoms, depth) for name, part in replaced.items()}
+    )
+
+
+def _mark_parts(node: Node, replaced: dict[str, Node]) -> Node:
+    from dataclasses import fields, replace
+
+    changes: dict[str, object] = {}
+    for f in fields(node):
+        value = getattr(node, f.name)
+        many = value if isinstance(value, tuple) else (value,)
+        if any(isinstance(part, Node) for part in many):
+            marks = []
+            for part in many:
+                name = f"part {len(replaced)}"
+                replaced[name] = part
+                marks.append(Name(name))
+            changes[f.name] = tuple(marks) if isinstance(value, tuple) else marks[0]
+    return replace(node, **changes) if changes else node  # type: ignore[arg-type]
+
+
+def _draw(node: Node, table: SymbolTable, generator: random.Random) -> Value:
+    found = infer(node, table)
+    reference = table.resolve(node.name) if isinstance(node, Name) else None
+    limits = reference.symbol.range if reference else Range()
+    many = reference is not None and any(index.name in "ij" for index in reference.indices)
+
+    def component() -> Value:
+        if many:
+            return np.array([_number(limits, generator) for _ in range(_PARTICLES)])
+        return _number(limits, generator)
+
+    return (component(), component()) if found.shape == "vector" else component()
+
+
+def _number(limits: Range, generator: random.Random) -> float:
+    if math.isfinite(limits.low) and math.isfinite(limits.high):
+        return generator.uniform(limits.low, limits.high)
+    size = 10 ** generator.uniform(-0.5, 0.5)
+    if math.isfinite(limits.low):
+        return limits.low + size
+    return generator.choice((-1, 1)) * size
+
+
+def _link_next(values: Values) -> None:
+    """Index j is the next particle after i."""
+    for name in values:
+        if name.endswith("_j") and f"{name[:-2]}_i" in values:
+            own = values[f"{name[:-2]}_i"]
+            values[name] = (
+                tuple(np.roll(c, -1) for c in own) if isinstance(own, tuple) else np.roll(own, -1)
+            )
+
+
+def _components(equation: Relation, values: Values) -> list[tuple[float, float]]:
+    left, right = evaluate(equation.left, values), evaluate(equation.right, values)
+    lefts = left if isinstance(left, tuple) else (left,)
+    rights = right if isinstance(right, tuple) else (right,) * len(lefts)
+    if len(lefts) < len(rights):
+        lefts = lefts * len(rights)
+    return list(zip(lefts, rights, strict=True))
+
+
+def _holds(equation: Relation, values: Values) -> bool:
+    try:
+        pairs = _components(equation, values)
+        scale = _scale(equation, values)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        return False
+    return all(bool(np.all(np.abs(a - b) <= _TOLERANCE * scale)) for a, b in pairs)
+
+
+def _scale(equation: Relation, values: Values) -> float:
+    """The largest size among the terms of both sides, so that cancellation is not held against it."""
+    sizes = [1e-300]
+    for side in (equation.left, equation.right):
+        for node in walk(side):
+            if node is side or isinstance(node, Binary):
+                value = evaluate(node, values)
+                sizes += [
+                    float(np.max(np.abs(c)))
+                    for c in (value if isinstance(value, tuple) else (value,))
+                ]
+    return max(sizes)
+
+
+def _residual(equation: Relation, values: Values) -> np.ndarray:  # type: ignore[type-arg]
+    return np.array([float(np.sum(a - b)) for a, b in _components(equation, values)])
+
+
+def _solve(equation: Relation, values: Values, wanted: tuple[str, ...]) -> Values | None:
+    """Change one unknown so that the equation holds; it must enter linearly."""
+    inside = names(equation)
+    for name in (*(n for n in inside if n in wanted), *(n for n in inside if n not in wanted)):
+        try:
+            solved = _solve_for(equation, values, name)
+        except (ValueError, ZeroDivisionError, OverflowError, np.linalg.LinAlgError):
+            continue
+        if solved is not None and _holds(equation, solved):
+            return solved
+    return None
+
+
+def _solve_for(equation: Relation, values: Values, name: str) -> Values | None:
+    value = values[name]
+    parts = value if isinstance(value, tuple) else (value,)
+    if any(isinstance(part, np.ndarray) for part in parts):
+        return None
+
+    def with_parts(changed: list[float]) -> Values:
+        new = tuple(changed) if isinstance(value, tuple) else changed[0]
+        return {**values, name: new}
+
+    zero = _residual(equation, with_parts([0.0] * len(parts)))
+    unit = [[float(k == m) for m in range(len(parts))] for k in range(len(parts))]
+    matrix = np.array([_residual(equation, with_parts(row)) - zero for row in unit]).T
+    if not np.any(matrix):
+        return None
+    solution = np.linalg.lstsq(matrix, -zero, rcond=None)[0]
+    return with_parts([float(s) for s in solution])
+
+
+def _finite(value: Value) -> bool:
+    return all(
+        bool(np.all(np.isfinite(c))) for c in (value if isinstance(value, tuple) else (value,))
+    )
+
+
+def check_closed_form(item: Item, table: SymbolTable, report: Report) -> None:
+    """Report a closed form whose time derivative or start is not the state's."""
+    forms = {
+        name: node
+        for name, text in item.data.get("closed_form", {}).items()
+        if name != "when" and (node := parsed(item, text, report, "closed_form", name)) is not None
+    }
+    for name, form in forms.items():
+        rate = parsed(item, item.data.get("states", {}).get(name, "0"), report, "states", name)
+        if rate is None:
+            continue
+        try:
+            infer(form, table)
+            solves = _same(differentiate(form, "time"), substitute(rate, forms), table)
+            starts = _same(form, Name(f"{name}_start"), table, time=0.0)
+        except SpecFault as fault:
+            report(placed(item, fault, "closed_form", name))
+            continue
+        except ValueError:
+            solves = starts = False
+        if not (solves and starts):
+            what = (
+                "its time derivative is not the rate of the state"
+                if starts
+                else f"at time 0 it is not {name}_start"
+            )
+            report(
+                item.diagnostic(
+                    Code.CLOSED_FORM,
+                    f"closed form of {name}: {what}. Correct it",
+                    "closed_form",
+                    name,
+                )
+            )
+
+
+def _same(left: Node, right: Node, table: SymbolTable, time: float | None = None) -> bool:
+    """Whether two expressions agree at random points."""
+    generator = random.Random(plain(left) + plain(right))
+    equation = Relation("==", left, right)
+    for _ in range(POINTS):
+        values = {name: _draw(Name(name), table, generator) for name in names(equation)}
+        if time is not None:
+            values["time"] = time
+        if not _holds(equation, values):
+            return False
+    return True

@@ -1,0 +1,178 @@
+"""The executable equations of an item: parsed, checked, with their arguments.
+
+Serves: the generator and the derivation check. Hides: which names become arguments of a
+function and which become named intermediate quantities inside it.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from tamias2d.spec.chapter import Item
+from tamias2d.spec.check import TRUTH, Type, expect, infer
+from tamias2d.spec.expression import Name, Node, Relation, names, parse
+from tamias2d.spec.messages import Code, Diagnostic, SpecFault
+from tamias2d.spec.symbols import SymbolTable
+
+Report = Callable[[Diagnostic], None]
+
+
+@dataclass(frozen=True)
+class Function:
+    """One executable equation: `name(arguments) = expression`, with intermediates before it."""
+
+    name: str
+    arguments: tuple[str, ...]
+    intermediates: tuple[tuple[str, Node], ...]
+    expression: Node
+    says: str
+    item: Item
+    key: str
+
+
+def parsed(item: Item, text: str, report: Report, *path: str | int) -> Node | None:
+    """The tree of a text in an item; a fault is reported at its place."""
+    try:
+        return parse(text)
+    except SpecFault as fault:
+        report(placed(item, fault, *path))
+        return None
+
+
+def placed(item: Item, fault: SpecFault, *path: str | int) -> Diagnostic:
+    """A fault of a text as a diagnostic in the item that holds the text."""
+    return item.diagnostic(fault.code, fault.message, *path, offset=fault.offset)
+
+
+def typed(
+    item: Item, node: Node, table: SymbolTable, report: Report, *path: str | int
+) -> Type | None:
+    """The type of a tree in an item; a fault is reported at its place."""
+    try:
+        return infer(node, table)
+    except SpecFault as fault:
+        report(placed(item, fault, *path))
+        return None
+
+
+def relation(
+    item: Item, text: str, table: SymbolTable, report: Report, *path: str | int
+) -> Relation | None:
+    """A checked equation `lhs == rhs`, or None with a report."""
+    node = parsed(item, text, report, *path)
+    if node is None or typed(item, node, table, report, *path) is None:
+        return None
+    if not (isinstance(node, Relation) and node.operator == "=="):
+        report(
+            item.diagnostic(
+                Code.BAD_VALUE, f"'{text}' must be an equation 'left == right'. Write it so", *path
+            )
+        )
+        return None
+    return node
+
+
+def functions(item: Item, table: SymbolTable, report: Report) -> list[Function]:
+    """The functions that an item defines; faults are reported at their places."""
+    found: list[Function] = []
+    for key in ("equations", "closed_form"):
+        trees = dict(_trees(item, key, table, report))
+        for name, arguments in item.data.get("arguments", {}).items():
+            if name in trees:
+                function = _function(item, key, name, arguments, trees, report)
+                found.extend([function] if function else [])
+    _check_argument_keys(item, report)
+    return found
+
+
+def _check_argument_keys(item: Item, report: Report) -> None:
+    known = {**item.data.get("equations", {}), **item.data.get("closed_form", {})}
+    for name in item.data.get("arguments", {}):
+        if name not in known:
+            text = f"'arguments' names '{name}', which no equation defines. Correct the name"
+            report(item.diagnostic(Code.UNKNOWN_NAME, text, "arguments", name, "key"))
+
+
+def _trees(item: Item, key: str, table: SymbolTable, report: Report) -> Iterator[tuple[str, Node]]:
+    for name, text in item.data.get(key, {}).items():
+        if name == "when":
+            continue
+        node = parsed(item, text, report, key, name)
+        if node is not None and _fits(item, key, name, node, table, report):
+            yield name, node
+
+
+def _fits(item: Item, key: str, name: str, node: Node, table: SymbolTable, report: Report) -> bool:
+    try:
+        found = infer(node, table)
+        if found != TRUTH:
+            symbol = table.resolve(name).symbol
+            expect(node, table, Type(symbol.shape, symbol.dimension))
+    except SpecFault as fault:
+        where = (
+            (key, name, "key")
+            if fault.code is Code.UNKNOWN_NAME and f"'{name}'" in fault.message
+            else (key, name)
+        )
+        report(placed(item, fault, *where))
+        return False
+    return True
+
+
+def _function(
+    item: Item, key: str, name: str, arguments: list[str], trees: dict[str, Node], report: Report
+) -> Function | None:
+    order: dict[str, Node] = {}
+    missing = _collect(trees[name], {name, *arguments}, trees, order)
+    unused = [
+        a for a in arguments if not any(a in names(tree) for tree in (*order.values(), trees[name]))
+    ]
+    for wrong, why in (
+        *((m, "is neither an argument nor an equation of this item") for m in missing),
+        *((u, "is an argument that no term uses") for u in unused),
+    ):
+        report(
+            item.diagnostic(
+                Code.UNKNOWN_NAME,
+                f"'{wrong}' of {name} {why}. Correct 'arguments'",
+                "arguments",
+                name,
+            )
+        )
+    if missing or unused:
+        return None
+    intermediates = tuple(order.items())
+    return Function(name, tuple(arguments), intermediates, trees[name], item.title, item, key)
+
+
+def _collect(
+    node: Node, known: set[str], trees: dict[str, Node], order: dict[str, Node]
+) -> list[str]:
+    """Put the intermediates that a tree needs into order; return names that nothing defines."""
+    missing: list[str] = []
+    for name in names(node):
+        if name in known or name in order:
+            continue
+        if name not in trees:
+            missing.append(name)
+            continue
+        missing += _collect(trees[name], known | {name}, trees, order)
+        order[name] = trees[name]
+    return missing
+
+
+def substitute(node: Node, values: dict[str, Node]) -> Node:
+    """The tree with some names replaced by trees."""
+    from dataclasses import fields, replace
+
+    if isinstance(node, Name):
+        return values.get(node.name, node)
+    changes: dict[str, object] = {}
+    for f in fields(node):
+        value = getattr(node, f.name)
+        if isinstance(value, Node):
+            changes[f.name] = substitute(value, values)
+        elif isinstance(value, tuple):
+            changes[f.name] = tuple(
+                substitute(v, values) if isinstance(v, Node) else v for v in value
+            )
+    return replace(node, **changes) if changes else node  # type: ignore[arg-type]

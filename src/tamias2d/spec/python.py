@@ -1,0 +1,162 @@
+"""Expressions as Python source, component by component.
+
+Serves: the generator. Hides: how vectors become pairs, and that whole powers become products,
+because `**` rounds differently in compiled code.
+"""
+
+from fractions import Fraction
+
+from tamias2d.spec.check import infer
+from tamias2d.spec.expression import (
+    Binary,
+    Both,
+    Call,
+    Measure,
+    Name,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Relation,
+)
+from tamias2d.spec.symbols import SymbolTable
+
+_HELPERS = {
+    "sqrt": "sqrt", "sin": "sin", "cos": "cos", "tan": "tan", "exp": "exp", "log": "log",
+    "atan2": "atan2", "min": "least", "max": "largest", "sum": "total",
+}  # fmt: skip
+
+
+class PythonPrinter:
+    """Prints expressions and remembers which helper functions they call."""
+
+    def __init__(self, table: SymbolTable) -> None:
+        self.table = table
+        self.helpers: set[str] = set()
+
+    def is_vector(self, node: Node) -> bool:
+        """Whether the expression is a vector."""
+        return infer(node, self.table).shape == "vector"
+
+    def value(self, node: Node) -> str:
+        """Source of the whole value: a pair for a vector."""
+        if self.is_vector(node):
+            return f"({self.component(node, 'x')}, {self.component(node, 'y')})"
+        return self.scalar(node)
+
+    def component(self, node: Node, axis: str) -> str:
+        """Source of one component of a vector."""
+        match node:
+            case Name(name=name):
+                return f"{name}_{axis}"
+            case Negative(operand=operand):
+                return f"-{self.tight(operand, axis)}"
+            case Binary(operator="+" | "-" as operator, left=left, right=right):
+                return self.part(left, axis) + self.added(operator, right, axis)
+            case Binary(operator=operator, left=left, right=right):
+                return f"{self.tight(left, axis)} {operator} {self.tight(right, axis, operator)}"
+            case Call(function="vector", arguments=arguments):
+                return self.scalar(arguments["xy".index(axis)])
+            case Call(function="perp", arguments=(inner,)):
+                return f"-{self.tight(inner, 'y')}" if axis == "x" else self.component(inner, "x")
+            case Call(function="cross", arguments=(turn, arm)):
+                other = self.tight(arm, "y" if axis == "x" else "x")
+                return f"{'-' if axis == 'x' else ''}{self.tight(turn)} * {other}"
+            case Call(function="sum", arguments=(inner,)):
+                return self.helper("sum", self.component(inner, axis))
+        raise TypeError(node)
+
+    def scalar(self, node: Node) -> str:
+        """Source of a scalar or a condition."""
+        match node:
+            case Number(value=value):
+                return number(value)
+            case Measure(value=value, unit=unit):
+                return repr(float(value) * unit.factor)
+            case Name(name=name):
+                return name
+            case Negative(operand=operand):
+                return f"-{self.tight(operand)}"
+            case Binary(operator="+" | "-" as operator, left=left, right=right):
+                return self.part(left) + self.added(operator, right)
+            case Binary(operator=operator, left=left, right=right):
+                return f"{self.tight(left)} {operator} {self.tight(right, '', operator)}"
+            case Power(base=base, exponent=exponent):
+                return self.power(base, exponent)
+            case Relation(operator=operator, left=left, right=right):
+                return f"{self.scalar(left)} {operator} {self.scalar(right)}"
+            case Both(parts=conditions):
+                return " and ".join(self.scalar(condition) for condition in conditions)
+            case Call(function=function, arguments=arguments):
+                return self.call(function, arguments)
+        raise TypeError(node)
+
+    def part(self, node: Node, axis: str = "") -> str:
+        scalar = not axis or not self.is_vector(node)
+        return self.scalar(node) if scalar else self.component(node, axis)
+
+    def added(self, operator: str, node: Node, axis: str = "") -> str:
+        """Source of a further term with its sign; a minus of its own joins with the sign."""
+        text = self.part(node, axis)
+        if text.startswith("-") and not self.is_sum(node):
+            return f" {'-' if operator == '+' else '+'} {text[1:]}"
+        return (
+            f" {operator} ({text})"
+            if operator == "-" and self.is_sum(node)
+            else f" {operator} {text}"
+        )
+
+    def tight(self, node: Node, axis: str = "", operator: str = "*") -> str:
+        """Source of a factor, in brackets where it needs them."""
+        text = self.part(node, axis)
+        chain = isinstance(node, Binary) and node.operator in "*/" and operator == "/"
+        powers = isinstance(node, Power) and operator == "/" and " " in text
+        turned = isinstance(node, Call) and node.function in ("cross", "perp") and bool(axis)
+        loose = self.is_sum(node) or isinstance(node, Negative) or turned
+        return f"({text})" if loose or chain or powers else text
+
+    def is_sum(self, node: Node) -> bool:
+        """Whether the source is a sum; scalar products are printed as sums."""
+        if isinstance(node, Call) and node.function in ("dot", "cross"):
+            return not self.is_vector(node)
+        return isinstance(node, Binary) and node.operator in "+-"
+
+    def power(self, base: Node, exponent: Fraction) -> str:
+        count = abs(exponent.numerator)
+        if isinstance(base, Name) and count <= 3:
+            whole = " * ".join([base.name] * count)
+        else:
+            whole = self.helper("power", f"{self.scalar(base)}, {count}")
+        if exponent.denominator == 2:
+            whole = self.helper("sqrt", whole)
+        return f"(1 / ({whole}))" if exponent < 0 else whole
+
+    def helper(self, function: str, inner: str) -> str:
+        name = _HELPERS.get(function, function)
+        self.helpers.add(name)
+        return f"{name}({inner})"
+
+    def call(self, function: str, arguments: tuple[Node, ...]) -> str:
+        match function, arguments:
+            case "dot", (a, b):
+                terms = (f"{self.tight(a, axis)} * {self.tight(b, axis)}" for axis in "xy")
+                return " + ".join(terms)
+            case "cross", (a, b):
+                first, second = (
+                    (self.tight(a, "x"), self.tight(b, "y")),
+                    (self.tight(a, "y"), self.tight(b, "x")),
+                )
+                return f"{' * '.join(first)} - {' * '.join(second)}"
+            case "norm", (a,):
+                squares = (f"{self.tight(a, axis)} * {self.tight(a, axis)}" for axis in "xy")
+                return self.helper("sqrt", " + ".join(squares))
+            case (("x" | "y"), (a,)):
+                return self.tight(a, function)
+            case "abs", (a,):
+                return f"abs({self.scalar(a)})"
+        return self.helper(function, ", ".join(self.scalar(argument) for argument in arguments))
+
+
+def number(value: Fraction) -> str:
+    """A rational as source: whole numbers stay whole, others are the nearest float."""
+    return str(value.numerator) if value.denominator == 1 else repr(float(value))

@@ -1,0 +1,227 @@
+"""Reads srs/ into a checked specification.
+
+Serves: generator, docs, tests. Hides: the order of the checks. All faults of all chapters are
+collected and reported together, each as `file:line:column: code: message`.
+"""
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+
+from tamias2d.errors import SpecError
+from tamias2d.spec.chapter import Chapter, Item, read_chapter
+from tamias2d.spec.derivation import check_closed_form, check_derivation
+from tamias2d.spec.equations import functions, parsed, relation, typed
+from tamias2d.spec.kinds import KINDS
+from tamias2d.spec.messages import Code, Diagnostic, SpecFault
+from tamias2d.spec.scheme import check_order
+from tamias2d.spec.specification import Specification
+from tamias2d.spec.symbols import Index, Range, Symbol, SymbolTable, parse_range
+from tamias2d.spec.units import parse_unit
+
+_BIB_KEY = re.compile(r"@\w+\{\s*([^,\s]+)\s*,")
+
+
+def read(folder: Path) -> Specification:
+    """Read and check all chapters below a folder.
+
+    Raises:
+        SpecError: at least one fault; its text has a line for each, in the order of the files.
+    """
+    return _Reader(folder).read()
+
+
+class _Reader:
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.faults: list[Diagnostic] = []
+
+    def report(self, fault: Diagnostic) -> None:
+        self.faults.append(fault)
+
+    def read(self) -> Specification:
+        chapters = [
+            read_chapter(path, self.name(path)) for path in sorted(self.folder.rglob("*.md"))
+        ]
+        if not chapters:
+            where = str(self.folder)
+            self.report(
+                Diagnostic(
+                    where,
+                    1,
+                    1,
+                    Code.UNREADABLE.code,
+                    "no chapter (*.md) is here. Name the folder of the specification",
+                )
+            )
+        self.faults += [fault for chapter in chapters for fault in chapter.faults]
+        items = [item for chapter in chapters for item in chapter.items if self.has_schema(item)]
+        specification = self.assemble(items, chapters)
+        self.check_links(specification)
+        self.check_sources(specification)
+        for item in specification.items.values():
+            self.check_formulas(item, specification.table)
+        if self.faults:
+            raise SpecError("\n".join(str(fault) for fault in sorted(set(self.faults))))
+        return specification
+
+    def name(self, path: Path) -> str:
+        return f"{self.folder.name}/{path.relative_to(self.folder).as_posix()}"
+
+    def has_schema(self, item: Item) -> bool:
+        validator = jsonschema.Draft202012Validator(KINDS[item.kind].schema)
+        errors = list(validator.iter_errors(item.data))
+        for error in errors:
+            self.report(_schema_fault(item, error))
+        return not errors
+
+    def assemble(self, items: Iterable[Item], chapters: list[Chapter]) -> Specification:
+        by_id: dict[str, Item] = {}
+        symbols: dict[str, Symbol] = {}
+        indices: dict[str, Index] = {}
+        for item in items:
+            if item.kind == "symbols":
+                self.declare(item, symbols, self.symbol)
+            elif item.kind == "indices":
+                self.declare(item, indices, self.index)
+            elif item.id in by_id:
+                first = by_id[item.id]
+                text = (
+                    f"'{item.id}' stands already in {first.file}:{first.line}. Give it another id"
+                )
+                self.report(item.diagnostic(Code.DUPLICATE_ID, text))
+            else:
+                by_id[item.id] = item
+        table = SymbolTable(symbols.values(), indices.values())
+        titles = {chapter.file: chapter.title for chapter in chapters}
+        return Specification(by_id, table, titles, [role for c in chapters for role in c.roles])
+
+    def declare(self, item: Item, found: dict[str, Any], make: Any) -> None:
+        for name, data in item.data.items():
+            if name in found:
+                self.report(
+                    item.diagnostic(
+                        Code.DUPLICATE_ID, f"'{name}' is declared twice. Remove one", name, "key"
+                    )
+                )
+            else:
+                found[name] = make(item, name, data)
+
+    def symbol(self, item: Item, name: str, data: dict[str, Any]) -> Symbol:
+        unit, limits = "1", Range()
+        try:
+            unit = parse_unit(data["unit"]).text
+        except SpecFault as fault:
+            self.report(
+                item.diagnostic(fault.code, fault.message, name, "unit", offset=fault.offset)
+            )
+        try:
+            limits = parse_range(data["range"]) if "range" in data else Range()
+        except SpecFault as fault:
+            self.report(item.diagnostic(fault.code, fault.message, name, "range"))
+        line = item.at(name, "key")[0]
+        typical = data.get("typical", "")
+        return Symbol(
+            name, unit, " ".join(data["says"].split()), data.get("shape", "scalar"), limits, data["tex"],
+            typical if isinstance(typical, str) else "(" + ", ".join(typical) + ")",
+            data.get("uncertainty", ""), item.file, line,
+        )  # fmt: skip
+
+    def index(self, _item: Item, name: str, data: dict[str, str]) -> Index:
+        return Index(name, data["tex"], data["says"], data.get("place", "sub"))
+
+    def check_links(self, specification: Specification) -> None:
+        known = specification.items
+        for item in known.values():
+            for key, ids in specification.links(item).items():
+                for number, id in enumerate(ids):
+                    if id not in known and not (key == "corrects" and id == "none"):
+                        text = f"'{id}' in '{key}' is no item. Correct the id or write the item"
+                        self.report(item.diagnostic(Code.UNKNOWN_ID, text, key, number))
+        for role in specification.roles:
+            if role.id not in known and role.id not in specification.table.symbols:
+                text = f"'{role.id}' is no item. Correct the id or write the item"
+                self.report(
+                    Diagnostic(role.file, role.line, role.column, Code.UNKNOWN_ID.code, text)
+                )
+
+    def check_sources(self, specification: Specification) -> None:
+        path = self.folder / "references.bib"
+        keys = set(_BIB_KEY.findall(path.read_text(encoding="utf-8"))) if path.exists() else set()
+        for item in specification.items.values():
+            sources = item.data.get("source", [])
+            for number, key in enumerate(sources if isinstance(sources, list) else []):
+                if key not in keys:
+                    text = (
+                        f"source '{key}' is not in references.bib. Add the entry or correct the key"
+                    )
+                    self.report(item.diagnostic(Code.UNKNOWN_ID, text, "source", number))
+
+    def check_formulas(self, item: Item, table: SymbolTable) -> None:
+        if item.kind == "scheme":
+            check_order(item, self.report)
+        if item.kind not in ("theory", "definition", "model", "property"):
+            return
+        before = len(self.faults)
+        if text := item.data.get("equation"):
+            relation(item, text, table, self.report, "equation")
+        functions(item, table, self.report)
+        for key in ("input", "output"):
+            for number, name in enumerate(item.data.get(key, [])):
+                self.check_name(item, name, table, key, number)
+        for name, text in item.data.get("states", {}).items():
+            node = parsed(item, text, self.report, "states", name)
+            rate = typed(item, node, table, self.report, "states", name) if node else None
+            self.check_rate(item, name, rate, table)
+        if len(self.faults) == before:  # a faulty formula would only be reported twice
+            check_derivation(item, table, self.report)
+            check_closed_form(item, table, self.report)
+
+    def check_name(self, item: Item, name: str, table: SymbolTable, *path: str | int) -> None:
+        try:
+            table.resolve(name)
+        except SpecFault as fault:
+            self.report(item.diagnostic(fault.code, fault.message, *path))
+
+    def check_rate(self, item: Item, name: str, rate: Any, table: SymbolTable) -> None:
+        try:
+            symbol = table.resolve(name).symbol
+        except SpecFault as fault:
+            self.report(item.diagnostic(fault.code, fault.message, "states", name, "key"))
+            return
+        wanted = symbol.dimension / parse_unit("s").dimension
+        if rate is not None and (rate.shape, rate.dimension) != (symbol.shape, wanted):
+            text = f"the rate of '{name}' is {rate}, a {symbol.shape} in {wanted} is wanted. Correct it"
+            self.report(item.diagnostic(Code.UNIT_MISMATCH, text, "states", name))
+
+
+def _schema_fault(item: Item, error: jsonschema.ValidationError) -> Diagnostic:
+    path = tuple(error.absolute_path)
+    if error.validator in ("required", "additionalProperties"):
+        named = next(_unknown_keys(error), None)
+        where = (*path, named, "key") if named else path
+        reason = f"'{named}' is no key here" if named else error.message
+        allowed = ", ".join(error.schema.get("properties", {})) or "a lower-case word"
+        return item.diagnostic(
+            Code.BAD_KEY, f"{reason}: must be of {allowed}. Correct the key", *where
+        )
+    found = error.instance if isinstance(error.instance, str) else type(error.instance).__name__
+    rule = f"{error.validator} {error.validator_value}"
+    return item.diagnostic(
+        Code.BAD_VALUE,
+        f"'{found}' is not what '{path[-1] if path else ''}' takes: {rule}. Correct it",
+        *path,
+    )
+
+
+def _unknown_keys(error: jsonschema.ValidationError) -> Iterator[str]:
+    if error.validator != "additionalProperties":
+        return
+    known = error.schema.get("properties", {})
+    patterns = error.schema.get("patternProperties", {})
+    for key in error.instance:
+        if key not in known and not any(re.search(p, key) for p in patterns):
+            yield key

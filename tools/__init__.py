@@ -1,0 +1,1 @@
+"""Tools of the house: they make and measure the product and are no part of it."""

@@ -1,0 +1,117 @@
+"""The generated module of integration schemes: one step function for each."""
+
+import math
+import textwrap
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import zip_longest
+
+from tamias2d.spec.chapter import Item
+from tamias2d.spec.scheme import Scheme, scheme_of
+from tamias2d.spec.specification import Specification
+
+HEADER = '''"""Integration schemes: one step of each.
+
+Generated from {sources} by `python -m tools.generate`. Edit the chapter, not this file.
+Positions and velocities are arrays of any one shape, angles and their rates among them; an
+acceleration is a function of time, position and velocity.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+Acceleration = Callable[[Any, Any, Any], Any]
+'''
+_STEP = "time: Any, time_step: Any, position: Any, velocity: Any, acceleration: Acceleration"
+_LEVELS = "time_step: Any, position: Any, velocity: Any, previous: Any, current: Any"
+
+
+def emit(specification: Specification) -> str:
+    """Source of the module, not yet formatted."""
+    items = specification.of_kind("scheme")
+    files = dict.fromkeys(item.file for item in items)
+    bodies = [_function(item) for item in items]
+    return "\n\n".join([HEADER.format(sources=",\n".join(files)), *bodies])
+
+
+def _function(item: Item) -> str:
+    scheme = scheme_of(item, print)
+    if scheme is None:
+        raise ValueError(item.id)
+    body = {"runge_kutta": _runge_kutta, "splitting": _splitting, "two_level": _two_level}
+    arguments = _LEVELS if scheme.family == "two_level" else _STEP
+    lines = [f"def {scheme.name}({arguments}) -> tuple[Any, Any]:"]
+    says = textwrap.wrap(" ".join(item.data["says"].split()) + ".", 92)
+    lines += [f'    """{item.title}, of order {scheme.order}.', ""]
+    lines += [
+        f"    {text[0].upper() + text[1:] if k == 0 else text}" for k, text in enumerate(says)
+    ]
+    lines += [
+        "",
+        f"    Source: {item.file}:{item.line}; {', '.join(item.data['source'])}.",
+        '    """',
+    ]
+    return "\n".join(lines + [f"    {line}" for line in body[scheme.family](scheme)])
+
+
+def _times(weight: Fraction, factor: str) -> str:
+    """weight * factor, as one writes it."""
+    above = factor if weight.numerator == 1 else f"{weight.numerator} * {factor}"
+    return above if weight.denominator == 1 else f"{above} / {weight.denominator}"
+
+
+def _at(moment: Fraction) -> str:
+    return "time" if moment == 0 else f"time + {_times(moment, 'time_step')}"
+
+
+def _splitting(scheme: Scheme) -> list[str]:
+    lines: list[str] = []
+    passed = Fraction(0)
+    for kick, drift in zip_longest(scheme.kick, scheme.drift, fillvalue=Fraction(0)):
+        if kick:
+            rate = f"acceleration({_at(passed)}, position, velocity)"
+            lines.append(f"velocity = velocity + {_times(kick, 'time_step')} * {rate}")
+        if drift:
+            lines.append(f"position = position + {_times(drift, 'time_step')} * velocity")
+        passed += drift
+    return [*lines, "return position, velocity"]
+
+
+def _runge_kutta(scheme: Scheme) -> list[str]:
+    lines: list[str] = []
+    for stage, (row, moment) in enumerate(zip(scheme.a, scheme.c, strict=True), start=1):
+        position = _moved("position", row, "velocity")
+        velocity = _moved("velocity", row, "rate")
+        lines.append(f"velocity_{stage} = {velocity}")
+        lines.append(f"rate_{stage} = acceleration({_at(moment)}, {position}, velocity_{stage})")
+    position = _moved("position", scheme.b, "velocity")
+    return [*lines, f"return {position}, {_moved('velocity', scheme.b, 'rate')}"]
+
+
+def _moved(start: str, weights: Sequence[Fraction], slope: str) -> str:
+    """start + time_step * (weighted sum of slopes), over a common denominator."""
+    common = math.lcm(*(weight.denominator for weight in weights)) if weights else 1
+    terms = [
+        f"{slope}_{k}" if weight * common == 1 else f"{weight * common} * {slope}_{k}"
+        for k, weight in enumerate(weights, start=1)
+        if weight
+    ]
+    if not terms:
+        return start
+    total = terms[0] if len(terms) == 1 else f"({' + '.join(terms)})"
+    step = "time_step" if common == 1 else f"time_step / {common}"
+    return f"{start} + {step} * {total}"
+
+
+def _two_level(scheme: Scheme) -> list[str]:
+    of_velocity, *of_acceleration = scheme.position
+    moves = [f"{_times(of_velocity, 'time_step')} * velocity"] if of_velocity else []
+    square = "time_step * time_step"
+    names = ("previous", "current")
+    moves += [
+        f"{_times(w, square)} * {n}" for w, n in zip(of_acceleration, names, strict=True) if w
+    ]
+    kicks = [
+        f"{_times(w, 'time_step')} * {n}" for w, n in zip(scheme.velocity, names, strict=True) if w
+    ]
+    return [f"return {' + '.join(['position', *moves])}, {' + '.join(['velocity', *kicks])}"]

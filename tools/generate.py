@@ -1,0 +1,125 @@
+"""Prints srs/ into code, data and tests: `python -m tools.generate [--check]`.
+
+Without arguments it writes what has changed and removes what no chapter asks for any more.
+With --check it writes nothing and exits with 1 where a file differs from a fresh generation,
+is missing, or is an orphan. A faulty chapter exits with 2.
+"""
+
+import argparse
+import difflib
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from tamias2d.errors import SpecError
+from tamias2d.spec.reader import read
+from tamias2d.spec.specification import Specification
+from tools import emit_data, emit_functions, emit_schemes, emit_tests
+
+ROOT = Path(__file__).resolve().parent.parent
+CODE = "src/tamias2d/generated"
+TESTS = "tests/generated"
+PACKAGE = '"""Where equations become code: printed from srs/ by `python -m tools.generate`."""\n'
+
+
+def outputs(specification: Specification) -> dict[str, str]:
+    """All generated files: path from the root, and text."""
+    by_module = emit_functions.functions_by_module(specification)
+    files = {
+        f"{CODE}/{module}.py": emit_functions.emit(module, made, specification)
+        for module, made in by_module.items()
+    }
+    files[f"{CODE}/__init__.py"] = PACKAGE
+    files[f"{CODE}/schemes.py"] = emit_schemes.emit(specification)
+    files[f"{CODE}/symbols.py"] = emit_data.emit_symbols(specification)
+    files |= {f"{TESTS}/{name}": text for name, text in emit_tests.emit(specification).items()}
+    files = {path: formatted(path, text) for path, text in files.items()}
+    owners = {
+        f"{CODE}/{module}.py": [(f.item.id, f.name) for f in made]
+        for module, made in by_module.items()
+    }
+    owners[f"{CODE}/schemes.py"] = [(item.id, item.id) for item in specification.of_kind("scheme")]
+    files[f"{CODE}/srs.json"] = emit_data.emit_json(specification, _places(owners, files))
+    return files
+
+
+def formatted(path: str, text: str) -> str:
+    """The text as the project's formatter lays it out."""
+    command = [sys.executable, "-m", "ruff", "format", "--stdin-filename", path, "-"]
+    done = subprocess.run(
+        command, input=text, capture_output=True, text=True, cwd=ROOT, check=False
+    )
+    if done.returncode:
+        raise RuntimeError(f"{path}: {done.stderr}")
+    return done.stdout
+
+
+def _places(owners: dict[str, list[tuple[str, str]]], files: dict[str, str]) -> emit_data.Code:
+    """Where the functions of each item stand, after formatting."""
+    found: dict[str, list[dict[str, Any]]] = {}
+    for path, made in owners.items():
+        starts = {
+            m.group(1): n
+            for n, line in enumerate(files[path].splitlines(), 1)
+            if (m := re.match(r"def (\w+)\(", line))
+        }
+        module = f"tamias2d.generated.{Path(path).stem}"
+        for id, name in made:
+            place = {"module": module, "function": name, "file": path, "line": starts[name]}
+            found.setdefault(id, []).append(place)
+    return found
+
+
+def differences(files: dict[str, str]) -> dict[str, str]:
+    """What differs on disk, by path: 'missing', 'orphan' or the first changed lines."""
+    found: dict[str, str] = {}
+    for path, text in files.items():
+        target = ROOT / path
+        if not target.exists():
+            found[path] = "missing"
+        elif (old := target.read_text(encoding="utf-8")) != text:
+            lines = difflib.unified_diff(
+                old.splitlines(), text.splitlines(), "on disk", "fresh", n=0, lineterm=""
+            )
+            found[path] = "\n    ".join(["differs", *list(lines)[2:8]])
+    for folder in (CODE, TESTS):
+        for path in sorted((ROOT / folder).rglob("*")):
+            name = path.relative_to(ROOT).as_posix()
+            if path.is_file() and "__pycache__" not in name and name not in files:
+                found[name] = "orphan"
+    return found
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the generator; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="python -m tools.generate", description=__doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing, report differences")
+    options = parser.parse_args(arguments)
+    try:
+        files = outputs(read(ROOT / "srs"))
+    except SpecError as error:
+        print(error, file=sys.stderr)
+        return 2
+    found = differences(files)
+    for path, what in found.items():
+        if options.check:
+            print(f"{path}: {what}. Run: python -m tools.generate", file=sys.stderr)
+        else:
+            _settle(path, files.get(path))
+            print(f"{'removed' if path not in files else 'wrote'} {path}")
+    return 1 if options.check and found else 0
+
+
+def _settle(path: str, text: str | None) -> None:
+    target = ROOT / path
+    if text is None:
+        target.unlink()
+        return
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
