@@ -1,9 +1,21 @@
 """Scenes: bodies, shapes, gravity and restitution, in Python and in YAML (R1 to R4)."""
 
+from tamias2d.scene import catalogue
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.reading import load
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
 from tamias2d.scene.writing import scene_text
 
-__all__ = ["Body", "Box", "Disc", "HalfPlane", "Polygon", "Scene", "Shape", "load", "scene_text"]
+__all__ = [
+    "Body",
+    "Box",
+    "Disc",
+    "HalfPlane",
+    "Polygon",
+    "Scene",
+    "Shape",
+    "catalogue",
+    "load",
+    "scene_text",
+]

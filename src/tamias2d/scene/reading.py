@@ -4,6 +4,7 @@ import difflib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path as FilePath
+from typing import Any
 
 from tamias2d.errors import SceneError
 from tamias2d.scene.quantities import Path, read_quantity, read_value, scalar_text
@@ -37,8 +38,9 @@ def load(source: str | FilePath) -> Scene:
         SceneError: the file or a value in it breaks a rule; the message says where.
     """
     if isinstance(source, str) and "\n" in source:
-        return _read(source, "scene")
-    return _read(_file_text(FilePath(source)), str(source))
+        return read_scene(source, file="scene")
+    path = FilePath(source)
+    return read_scene(_file_text(path), file=str(path), name=path.stem)
 
 
 def _file_text(path: FilePath) -> str:
@@ -58,13 +60,18 @@ def _file_text(path: FilePath) -> str:
         raise SceneError(f"{shown(str(path))}: {error} (R2). Give a file to read.") from None
 
 
-def _read(text: str, file: str) -> Scene:
+def read_scene(text: str, *, file: str, name: str = "") -> Scene:
+    """Return the scene of a text; `name` is its name unless the text gives one.
+
+    Raises:
+        SceneError: as `load`.
+    """
     try:
         tree, marks = compose(text, file=file)
     except MarkupError as error:
         raise SceneError(str(error)) from None
     try:
-        return _scene(tree)
+        return _scene(tree, name)
     except RuleError as error:
         line, column = _place(marks, error.path)
         raise SceneError(f"{file}:{line}:{column}: {error}") from None
@@ -87,17 +94,17 @@ def _within(*path: str | int) -> Iterator[None]:
         raise
 
 
-def _scene(tree: object) -> Scene:
+def _scene(tree: object, name: str) -> Scene:
     top = _mapping(tree, "a scene", must=("gravity",), may=_TOP_MAY)
     texts = {key: scalar_text(top[key], (key,)) for key in ("name", "says") if key in top}
     duration = (
         read_quantity(top["duration"], "duration", ("duration",)) if "duration" in top else None
     )
     gravity = read_value(top["gravity"], "gravity", ("gravity",))
-    scene = Scene(gravity=gravity, duration=duration, **texts)
-    for section, name, body in _in_order(top):
-        with _within(section, name):
-            _add(scene, section, name, body)
+    scene = Scene(gravity=gravity, duration=duration, **{"name": name, **texts})
+    for section, body, raw in _in_order(top):
+        with _within(section, body):
+            _add(scene, section, body, raw)
     with _within("restitution_of_pairs"):
         _set_pairs(scene, top.get("restitution_of_pairs", []))
     return scene
@@ -124,12 +131,12 @@ def _add(scene: Scene, section: str, name: str, raw: object) -> None:
     form = _form(raw, what)
     keys = _SHAPE_MUST[form]
     body = _mapping(raw, what, must=(*_MUST[section], *keys), may=_MAY[section])
-    values = {key: read_value(value, key, (key,)) for key, value in body.items() if key != "shape"}
-    shape = _shape(form, {key: values.pop(key) for key in keys})
-    if section == "bodies":
-        scene.add_body(shape, name=name, **values)  # type: ignore[arg-type]
-    else:
-        scene.add_static(shape, name=name, **values)  # type: ignore[arg-type]
+    values: dict[str, Any] = {
+        key: read_value(value, key, (key,)) for key, value in body.items() if key != "shape"
+    }
+    values["shape"] = _shape(form, {key: values.pop(key) for key in keys})
+    add = scene.add_body if section == "bodies" else scene.add_static
+    add(name=name, **values)
 
 
 def _form(raw: object, what: str) -> str:
@@ -148,16 +155,16 @@ def _form(raw: object, what: str) -> str:
     return form
 
 
-def _shape(form: str, values: dict[str, object]) -> Shape | None:
+def _shape(form: str, values: dict[str, Any]) -> Shape | None:
     match form:
         case "disc":
-            return Disc(**values)  # type: ignore[arg-type]
+            return Disc(**values)
         case "box":
-            return Box(**values)  # type: ignore[arg-type]
+            return Box(**values)
         case "polygon":
-            return Polygon(vertices=values["vertices"])
+            return Polygon(**values)
         case "half-plane":
-            return HalfPlane(**values)  # type: ignore[arg-type]
+            return HalfPlane(**values)
     return None
 
 
