@@ -1,0 +1,52 @@
+"""The Sphinx extension that weaves srs/ into pages.
+
+Serves: docs/conf.py. Hides: which directives and roles there are.
+"""
+
+from pathlib import Path
+from typing import Any
+
+from sphinx.application import Sphinx
+from sphinx.errors import ExtensionError
+
+from tamias2d.errors import SpecError
+
+from weave.chapter import IndicesDirective, ItemDirective, SymbolsDirective, item_kinds
+from weave.guide import CodesDirective, GuideDirective, InterfaceDirective
+from weave.links import ItemRole, ModuleRole, SymbolRole
+from weave.matrices import MatrixDirective, PlanTableDirective, RequirementsDirective
+from weave.mirror import on_builder_inited
+from weave.woven import weave
+
+
+_TABLES = {
+    "symbols": SymbolsDirective,
+    "indices": IndicesDirective,
+    "matrix": MatrixDirective,
+    "requirements-table": RequirementsDirective,
+    "plan-table": PlanTableDirective,
+    "module-guide": GuideDirective,
+    "interface": InterfaceDirective,
+    "error-codes": CodesDirective,
+}
+
+
+def _read(app: Sphinx) -> None:
+    try:
+        app.woven = weave(Path(app.srcdir).parent)  # type: ignore[attr-defined]
+    except SpecError as error:
+        raise ExtensionError(f"the specification has faults:\n{error}") from None
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register the mirror, a directive for each kind of fence, the tables and the checks."""
+    app.connect("builder-inited", _read)
+    app.connect("builder-inited", on_builder_inited)
+    for kind in item_kinds():
+        app.add_directive(kind, ItemDirective)
+    for name, directive in _TABLES.items():
+        app.add_directive(name, directive)
+    app.add_role("srs", ItemRole())
+    app.add_role("module", ModuleRole())
+    app.add_role("symbol", SymbolRole())
+    return {"version": "1", "parallel_read_safe": False, "parallel_write_safe": True}

@@ -1,0 +1,76 @@
+"""Links between items: the role in the prose, and ids that stand in plain text.
+
+Serves: chapters and tables. Hides: on which page an item stands.
+"""
+
+import re
+from typing import Any
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxRole
+
+from weave.woven import Woven
+
+_ID = re.compile(r"(?<![\w`-])(?:GS|TM|GD|DD|IM|NFR|LC|UC|TC|O[A-Z]|[APRE])\d+[a-z]?(?![\w`])")
+
+
+class ItemRole(SphinxRole):
+    """`` {srs}`IM1` `` links to the item, whose title shows when the pointer rests on it."""
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        woven: Woven = self.env.app.woven  # type: ignore[attr-defined]
+        item = woven.spec.items.get(self.text)
+        if item is None:
+            message = f"{self.text}: no such item. Correct the id"
+            return [nodes.literal("", self.text)], [self.inliner.reporter.warning(message)]
+        page = item.file.removesuffix(".md")
+        uri = self.env.app.builder.get_relative_uri(self.env.docname, page)
+        options: dict[str, Any] = {"internal": True, "classes": ["srs-link", item.kind]}
+        title = f"{item.title}. {item.data.get('says', '')}".strip()
+        return [
+            nodes.reference("", item.id, refuri=f"{uri}#{item.id}", reftitle=title, **options)
+        ], []
+
+
+def linked(text: str, woven: Woven) -> str:
+    """Plain text in which the id of every item has become a link."""
+
+    def link(match: re.Match[str]) -> str:
+        known = match.group() in woven.spec.items
+        return f"{{srs}}`{match.group()}`" if known else match.group()
+
+    return _ID.sub(link, " ".join(text.split()))
+
+
+def ids(names: list[str]) -> str:
+    """Links to several items, side by side."""
+    return " ".join(f"{{srs}}`{name}`" for name in names)
+
+
+class SymbolRole(SphinxRole):
+    """`` {symbol}`mass` `` is the name in the declaring table, with an anchor, else a link to it."""
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        woven: Woven = self.env.app.woven  # type: ignore[attr-defined]
+        symbol = woven.spec.table.resolve(self.text).symbol
+        page, anchor = symbol.file.removesuffix(".md"), f"symbol-{symbol.name}"
+        name = nodes.literal("", self.text)
+        if page == self.env.docname and symbol.name == self.text:
+            return [nodes.inline("", "", name, ids=[anchor])], []
+        uri = self.env.app.builder.get_relative_uri(self.env.docname, page)
+        return [nodes.reference("", "", name, refuri=f"{uri}#{anchor}", internal=True)], []
+
+
+class ModuleRole(SphinxRole):
+    """`` {module}`tamias2d.run` `` links to the module in the interface reference."""
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        uri = self.env.app.builder.get_relative_uri(self.env.docname, "interface")
+        target = f"{uri}#{module_anchor(self.text)}"
+        name = nodes.literal("", self.text)
+        return [nodes.reference("", "", name, refuri=target, internal=True)], []
+
+
+def module_anchor(name: str) -> str:
+    """The anchor of a module in the interface reference."""
+    return f"module-{name.replace('.', '-')}"

@@ -1,0 +1,70 @@
+"""The coefficients of a scheme, in the tableau in which the literature prints them.
+
+Serves: the page of a scheme. Hides: the families of schemes.
+"""
+
+from collections.abc import Iterator
+
+from tamias2d.spec.chapter import Item
+
+from weave.markdown import display
+
+
+def parts(item: Item) -> Iterator[str]:
+    """Order and coefficients, for a scheme; nothing for any other item."""
+    if item.kind != "scheme":
+        return
+    data = item.data
+    order = data["order"]
+    proof = "found from the coefficients by exact arithmetic when this page was built"
+    yield f"**Order {order}**, {proof}.\n" if order != "0" else f"**Inconsistent** (order 0), {proof}.\n"
+    yield display(_TABLEAUS[data["family"]](data))
+    if constant := data.get("error_constant"):
+        yield f"*Error constant:* {' '.join(constant.split())}.\n"
+
+
+def _butcher(data: dict) -> str:
+    rows = [
+        " & ".join([c, *row, *[""] * (len(data["b"]) - len(row))])
+        for c, row in zip(map(_fraction, data["c"]), ([_fraction(x) for x in row] for row in data["a"]), strict=True)
+    ]
+    last = " & ".join(["", *map(_fraction, data["b"])])
+    columns = "c|" + "c" * len(data["b"])
+    return rf"\begin{{array}}{{{columns}}} {_stack(rows)} \\ \hline {last} \end{{array}}"
+
+
+def _splitting(data: dict) -> str:
+    stages: list[str] = []
+    for n in range(max(len(data["kick"]), len(data["drift"]))):
+        for key, letter, rate in (("kick", "v", "a"), ("drift", "p", "v")):
+            if n < len(data[key]) and data[key][n] != "0":
+                weight = "" if data[key][n] == "1" else _fraction(data[key][n])
+                stages.append(
+                    rf"\boldsymbol{{{letter}}} &\leftarrow \boldsymbol{{{letter}}} + {weight} h\, \boldsymbol{{{rate}}}"
+                    rf" && \text{{({key})}}"
+                )
+    return rf"\begin{{aligned}} {_stack(stages)} \end{{aligned}}"
+
+
+def _two_level(data: dict) -> str:
+    p, v = data["position"], data["velocity"]
+    first = _sum((p["velocity"], r"h\,\boldsymbol{v}_k"), (p["previous"], r"h^2\boldsymbol{a}_{k-1}"), (p["current"], r"h^2\boldsymbol{a}_k"))
+    second = _sum((v["previous"], r"h\,\boldsymbol{a}_{k-1}"), (v["current"], r"h\,\boldsymbol{a}_k"))
+    lines = [rf"\boldsymbol{{p}}_{{k+1}} &= \boldsymbol{{p}}_k {first}", rf"\boldsymbol{{v}}_{{k+1}} &= \boldsymbol{{v}}_k {second}"]
+    return rf"\begin{{aligned}} {_stack(lines)} \end{{aligned}}"
+
+
+def _stack(lines: list[str]) -> str:
+    return r" \\ ".join(lines)
+
+
+def _sum(*terms: tuple[str, str]) -> str:
+    return " ".join(f"+ {'' if weight == '1' else _fraction(weight)} {letter}" for weight, letter in terms if weight != "0")
+
+
+def _fraction(text: str) -> str:
+    above, _, below = text.partition("/")
+    return rf"\tfrac{{{above}}}{{{below}}}" if below else text
+
+
+_TABLEAUS = {"runge_kutta": _butcher, "splitting": _splitting, "two_level": _two_level}
