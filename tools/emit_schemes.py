@@ -79,21 +79,27 @@ def _splitting(scheme: Scheme) -> list[str]:
 
 def _runge_kutta(scheme: Scheme) -> list[str]:
     lines: list[str] = []
+    velocities, rates = [], []
     for stage, (row, moment) in enumerate(zip(scheme.a, scheme.c, strict=True), start=1):
-        position = _moved("position", row, "velocity")
-        velocity = _moved("velocity", row, "rate")
-        lines.append(f"velocity_{stage} = {velocity}")
-        lines.append(f"rate_{stage} = acceleration({_at(moment)}, {position}, velocity_{stage})")
-    position = _moved("position", scheme.b, "velocity")
-    return [*lines, f"return {position}, {_moved('velocity', scheme.b, 'rate')}"]
+        velocity = "velocity"
+        if any(row):
+            velocity = f"velocity_{stage}"
+            lines.append(f"{velocity} = {_moved('velocity', row, rates)}")
+        position = _moved("position", row, velocities)
+        velocities.append(velocity)
+        rates.append(f"rate_{stage}")
+        lines.append(f"rate_{stage} = acceleration({_at(moment)}, {position}, {velocity})")
+    lines.append(f"position = {_moved('position', scheme.b, velocities)}")
+    lines.append(f"velocity = {_moved('velocity', scheme.b, rates)}")
+    return [*lines, "return position, velocity"]
 
 
-def _moved(start: str, weights: Sequence[Fraction], slope: str) -> str:
+def _moved(start: str, weights: Sequence[Fraction], slopes: Sequence[str]) -> str:
     """start + time_step * (weighted sum of slopes), over a common denominator."""
     common = math.lcm(*(weight.denominator for weight in weights)) if weights else 1
     terms = [
-        f"{slope}_{k}" if weight * common == 1 else f"{weight * common} * {slope}_{k}"
-        for k, weight in enumerate(weights, start=1)
+        slope if weight * common == 1 else f"{weight * common} * {slope}"
+        for weight, slope in zip(weights, slopes, strict=True)
         if weight
     ]
     if not terms:

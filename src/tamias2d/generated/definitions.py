@@ -73,8 +73,8 @@ def inertia_box(mass: Scalar, width: Scalar, height: Scalar) -> Scalar:
 def inertia_polygon(mass: Scalar, vertex_i: Vector, vertex_j: Vector) -> Scalar:
     """Moment of inertia about the centre of mass; of a uniform polygon (kg*m^2).
 
-    inertia_polygon = mass/6*sum(cross(vertex_i, vertex_j)*(dot(vertex_i, vertex_i) +
-    dot(vertex_i, vertex_j) + dot(vertex_j, vertex_j)))/sum(cross(vertex_i, vertex_j))
+    inertia_polygon = mass*sum(cross(vertex_i, vertex_j)*(dot(vertex_i, vertex_i) +
+    dot(vertex_i, vertex_j) + dot(vertex_j, vertex_j)))/(6*sum(cross(vertex_i, vertex_j)))
 
     Args:
         mass: Mass of a body, kg
@@ -89,7 +89,6 @@ def inertia_polygon(mass: Scalar, vertex_i: Vector, vertex_j: Vector) -> Scalar:
     vertex_j_x, vertex_j_y = vertex_j
     return (
         mass
-        / 6
         * total(
             (vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x)
             * (
@@ -101,7 +100,7 @@ def inertia_polygon(mass: Scalar, vertex_i: Vector, vertex_j: Vector) -> Scalar:
                 + vertex_j_y * vertex_j_y
             )
         )
-        / total(vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x)
+        / (6 * total(vertex_i_x * vertex_j_y - vertex_i_y * vertex_j_x))
     )
 
 
@@ -190,9 +189,9 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
 
     Args:
         restitution_a: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
-            energy is lost); body A, from which the normal points, 1
+            energy is lost); of body A, 1
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
-            energy is lost); body B, to which the normal points, 1
+            energy is lost); of body B, 1
 
     Source: DD17, srs/definitions.md:294.
     """

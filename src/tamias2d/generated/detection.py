@@ -21,14 +21,12 @@ def overlap(
     y(center_b)) <= (height_a + height_b)/2
 
     Args:
-        center_a: Centre of a box whose sides are parallel to the axes; body A, from which the
-            normal points, m
-        width_a: Extent of a box along its own x axis; body A, from which the normal points, m
-        height_a: Extent of a box along its own y axis; body A, from which the normal points, m
-        center_b: Centre of a box whose sides are parallel to the axes; body B, to which the
-            normal points, m
-        width_b: Extent of a box along its own x axis; body B, to which the normal points, m
-        height_b: Extent of a box along its own y axis; body B, to which the normal points, m
+        center_a: Centre of a box whose sides are parallel to the axes; of body A, m
+        width_a: Extent of a box along its own x axis; of body A, m
+        height_a: Extent of a box along its own y axis; of body A, m
+        center_b: Centre of a box whose sides are parallel to the axes; of body B, m
+        width_b: Extent of a box along its own x axis; of body B, m
+        height_b: Extent of a box along its own y axis; of body B, m
 
     Source: IM4, srs/models/detection.md:23.
     """

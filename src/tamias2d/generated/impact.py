@@ -22,16 +22,12 @@ def normal_velocity(
     cross(angular_velocity_a, arm_a), normal)
 
     Args:
-        velocity_a: Velocity of the centre of mass; body A, from which the normal points, m/s
-        angular_velocity_a: Rate of turning, positive counter-clockwise; body A, from which the
-            normal points, rad/s
-        arm_a: Lever arm, from the centre of mass to the contact point; body A, from which the
-            normal points, m
-        velocity_b: Velocity of the centre of mass; body B, to which the normal points, m/s
-        angular_velocity_b: Rate of turning, positive counter-clockwise; body B, to which the
-            normal points, rad/s
-        arm_b: Lever arm, from the centre of mass to the contact point; body B, to which the
-            normal points, m
+        velocity_a: Velocity of the centre of mass; of body A, m/s
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        velocity_b: Velocity of the centre of mass; of body B, m/s
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
     Source: IM3, srs/models/impact.md:51.
@@ -102,18 +98,14 @@ def inverse_effective_mass(
     inverse_mass_b + inverse_inertia_b*cross(arm_b, normal)**2
 
     Args:
-        inverse_mass_a: One over the mass, zero for a static body; body A, from which the normal
-            points, 1/kg
-        inverse_inertia_a: One over the inertia, zero for a body that cannot turn; body A, from
-            which the normal points, 1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to the contact point; body A, from which the
-            normal points, m
-        inverse_mass_b: One over the mass, zero for a static body; body B, to which the normal
-            points, 1/kg
-        inverse_inertia_b: One over the inertia, zero for a body that cannot turn; body B, to
-            which the normal points, 1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to the contact point; body B, to which the
-            normal points, m
+        inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
+        inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
+            1/(kg*m^2)
+        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
+        inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
+            1/(kg*m^2)
+        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
     Source: IM3, srs/models/impact.md:58.
@@ -149,17 +141,15 @@ def impulse(restitution: Scalar, normal_velocity: Scalar, inverse_effective_mass
 def velocity_a_after(
     velocity_a: Vector, impulse: Scalar, normal: Vector, inverse_mass_a: Scalar
 ) -> Vector:
-    """Velocity of the centre of mass; body A, from which the normal points; just after an impact
-    (m/s).
+    """Velocity of the centre of mass; of body A; just after the impact (m/s).
 
     velocity_a_after = velocity_a - impulse*inverse_mass_a*normal
 
     Args:
-        velocity_a: Velocity of the centre of mass; body A, from which the normal points, m/s
+        velocity_a: Velocity of the centre of mass; of body A, m/s
         impulse: Size of the impulse of a contact along its normal, N*s
         normal: Unit normal of a contact, from body A to body B, 1
-        inverse_mass_a: One over the mass, zero for a static body; body A, from which the normal
-            points, 1/kg
+        inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
 
     Source: IM3, srs/models/impact.md:62.
     """
@@ -178,21 +168,18 @@ def angular_velocity_a_after(
     normal: Vector,
     inverse_inertia_a: Scalar,
 ) -> Scalar:
-    """Rate of turning, positive counter-clockwise; body A, from which the normal points; just
-    after an impact (rad/s).
+    """Rate of turning, positive counter-clockwise; of body A; just after the impact (rad/s).
 
     angular_velocity_a_after = angular_velocity_a - impulse*inverse_inertia_a*cross(arm_a,
     normal)
 
     Args:
-        angular_velocity_a: Rate of turning, positive counter-clockwise; body A, from which the
-            normal points, rad/s
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
         impulse: Size of the impulse of a contact along its normal, N*s
-        arm_a: Lever arm, from the centre of mass to the contact point; body A, from which the
-            normal points, m
+        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
         normal: Unit normal of a contact, from body A to body B, 1
-        inverse_inertia_a: One over the inertia, zero for a body that cannot turn; body A, from
-            which the normal points, 1/(kg*m^2)
+        inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
+            1/(kg*m^2)
 
     Source: IM3, srs/models/impact.md:63.
     """
@@ -206,17 +193,15 @@ def angular_velocity_a_after(
 def velocity_b_after(
     velocity_b: Vector, impulse: Scalar, normal: Vector, inverse_mass_b: Scalar
 ) -> Vector:
-    """Velocity of the centre of mass; body B, to which the normal points; just after an impact
-    (m/s).
+    """Velocity of the centre of mass; of body B; just after the impact (m/s).
 
     velocity_b_after = velocity_b + impulse*inverse_mass_b*normal
 
     Args:
-        velocity_b: Velocity of the centre of mass; body B, to which the normal points, m/s
+        velocity_b: Velocity of the centre of mass; of body B, m/s
         impulse: Size of the impulse of a contact along its normal, N*s
         normal: Unit normal of a contact, from body A to body B, 1
-        inverse_mass_b: One over the mass, zero for a static body; body B, to which the normal
-            points, 1/kg
+        inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
 
     Source: IM3, srs/models/impact.md:65.
     """
@@ -235,21 +220,18 @@ def angular_velocity_b_after(
     normal: Vector,
     inverse_inertia_b: Scalar,
 ) -> Scalar:
-    """Rate of turning, positive counter-clockwise; body B, to which the normal points; just after
-    an impact (rad/s).
+    """Rate of turning, positive counter-clockwise; of body B; just after the impact (rad/s).
 
     angular_velocity_b_after = angular_velocity_b + impulse*inverse_inertia_b*cross(arm_b,
     normal)
 
     Args:
-        angular_velocity_b: Rate of turning, positive counter-clockwise; body B, to which the
-            normal points, rad/s
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
         impulse: Size of the impulse of a contact along its normal, N*s
-        arm_b: Lever arm, from the centre of mass to the contact point; body B, to which the
-            normal points, m
+        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
-        inverse_inertia_b: One over the inertia, zero for a body that cannot turn; body B, to
-            which the normal points, 1/(kg*m^2)
+        inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
+            1/(kg*m^2)
 
     Source: IM3, srs/models/impact.md:66.
     """

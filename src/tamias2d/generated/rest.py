@@ -22,18 +22,12 @@ def normal_acceleration(
     acceleration_a - cross(angular_acceleration_a, arm_a), normal)
 
     Args:
-        acceleration_a: Acceleration of the centre of mass; body A, from which the normal
-            points, m/s^2
-        angular_acceleration_a: Rate of change of the angular velocity; body A, from which the
-            normal points, rad/s^2
-        arm_a: Lever arm, from the centre of mass to the contact point; body A, from which the
-            normal points, m
-        acceleration_b: Acceleration of the centre of mass; body B, to which the normal points,
-            m/s^2
-        angular_acceleration_b: Rate of change of the angular velocity; body B, to which the
-            normal points, rad/s^2
-        arm_b: Lever arm, from the centre of mass to the contact point; body B, to which the
-            normal points, m
+        acceleration_a: Acceleration of the centre of mass; of body A, m/s^2
+        angular_acceleration_a: Rate of change of the angular velocity; of body A, rad/s^2
+        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        acceleration_b: Acceleration of the centre of mass; of body B, m/s^2
+        angular_acceleration_b: Rate of change of the angular velocity; of body B, rad/s^2
+        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
     Source: GD3, srs/models/rest.md:22.

@@ -37,9 +37,8 @@ def orientation(
 
     Args:
         orientation_start: Angle by which the body is turned counter-clockwise from its drawn
-            position, unbounded; at the start of the motion, rad
-        angular_velocity_start: Rate of turning, positive counter-clockwise; at the start of the
-            motion, rad/s
+            position, unbounded; at the start, rad
+        angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
         angular_acceleration: Rate of change of the angular velocity, rad/s^2
         time: Time since the start of the simulation, s
 
@@ -60,8 +59,7 @@ def angular_velocity(
     Valid when the torque does not change with time.
 
     Args:
-        angular_velocity_start: Rate of turning, positive counter-clockwise; at the start of the
-            motion, rad/s
+        angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
         angular_acceleration: Rate of change of the angular velocity, rad/s^2
         time: Time since the start of the simulation, s
 

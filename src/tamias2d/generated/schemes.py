@@ -23,9 +23,10 @@ def explicit_euler(
 
     Source: srs/schemes/euler.md:22; hairer1993.
     """
-    velocity_1 = velocity
-    rate_1 = acceleration(time, position, velocity_1)
-    return position + time_step * velocity_1, velocity + time_step * rate_1
+    rate_1 = acceleration(time, position, velocity)
+    position = position + time_step * velocity
+    velocity = velocity + time_step * rate_1
+    return position, velocity
 
 
 def semi_implicit_euler(
@@ -84,17 +85,16 @@ def runge_kutta_4(
 
     Source: srs/schemes/runge_kutta.md:8; kutta1901, hairer1993.
     """
-    velocity_1 = velocity
-    rate_1 = acceleration(time, position, velocity_1)
+    rate_1 = acceleration(time, position, velocity)
     velocity_2 = velocity + time_step / 2 * rate_1
-    rate_2 = acceleration(time + time_step / 2, position + time_step / 2 * velocity_1, velocity_2)
+    rate_2 = acceleration(time + time_step / 2, position + time_step / 2 * velocity, velocity_2)
     velocity_3 = velocity + time_step / 2 * rate_2
     rate_3 = acceleration(time + time_step / 2, position + time_step / 2 * velocity_2, velocity_3)
     velocity_4 = velocity + time_step * rate_3
     rate_4 = acceleration(time + time_step, position + time_step * velocity_3, velocity_4)
-    return position + time_step / 6 * (
-        velocity_1 + 2 * velocity_2 + 2 * velocity_3 + velocity_4
-    ), velocity + time_step / 6 * (rate_1 + 2 * rate_2 + 2 * rate_3 + rate_4)
+    position = position + time_step / 6 * (velocity + 2 * velocity_2 + 2 * velocity_3 + velocity_4)
+    velocity = velocity + time_step / 6 * (rate_1 + 2 * rate_2 + 2 * rate_3 + rate_4)
+    return position, velocity
 
 
 def velocity_verlet(

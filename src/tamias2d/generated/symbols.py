@@ -13,7 +13,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="t",
         file="srs/symbols.md",
-        line=19,
+        line=18,
     ),
     "time_step": Symbol(
         "time_step",
@@ -22,7 +22,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="h",
         file="srs/symbols.md",
-        line=24,
+        line=23,
     ),
     "duration": Symbol(
         "duration",
@@ -31,7 +31,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="T",
         file="srs/symbols.md",
-        line=29,
+        line=28,
     ),
     "mass": Symbol(
         "mass",
@@ -42,7 +42,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="56.2 kg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=43,
+        line=42,
     ),
     "inverse_mass": Symbol(
         "inverse_mass",
@@ -51,7 +51,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="m^{-1}",
         file="srs/symbols.md",
-        line=50,
+        line=49,
     ),
     "inertia": Symbol(
         "inertia",
@@ -62,7 +62,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="74.5 kg*m^2",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=55,
+        line=54,
     ),
     "inverse_inertia": Symbol(
         "inverse_inertia",
@@ -71,7 +71,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="I^{-1}",
         file="srs/symbols.md",
-        line=62,
+        line=61,
     ),
     "restitution": Symbol(
         "restitution",
@@ -82,7 +82,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.8",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=67,
+        line=66,
     ),
     "pair_restitution": Symbol(
         "pair_restitution",
@@ -91,7 +91,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="C_R",
         file="srs/symbols.md",
-        line=76,
+        line=75,
     ),
     "position": Symbol(
         "position",
@@ -102,7 +102,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0.412 m, 0.502 m]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=90,
+        line=89,
     ),
     "displacement": Symbol(
         "displacement",
@@ -111,7 +111,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=97,
+        line=96,
     ),
     "velocity": Symbol(
         "velocity",
@@ -122,7 +122,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[2.51 m/s, 0 m/s]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=102,
+        line=101,
     ),
     "acceleration": Symbol(
         "acceleration",
@@ -131,7 +131,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=109,
+        line=108,
     ),
     "orientation": Symbol(
         "orientation",
@@ -141,7 +141,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="90 deg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=114,
+        line=113,
     ),
     "angular_displacement": Symbol(
         "angular_displacement",
@@ -149,7 +149,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of orientation since the start",
         tex="\\theta",
         file="srs/symbols.md",
-        line=122,
+        line=121,
     ),
     "angular_velocity": Symbol(
         "angular_velocity",
@@ -159,7 +159,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="2.1 rad/s",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=126,
+        line=125,
     ),
     "angular_acceleration": Symbol(
         "angular_acceleration",
@@ -167,7 +167,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the angular velocity",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=132,
+        line=131,
     ),
     "point_velocity": Symbol(
         "point_velocity",
@@ -176,7 +176,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}^P",
         file="srs/symbols.md",
-        line=136,
+        line=135,
     ),
     "force": Symbol(
         "force",
@@ -187,7 +187,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[98.1 N, 0 N]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=149,
+        line=148,
     ),
     "torque": Symbol(
         "torque",
@@ -197,7 +197,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="200 N*m",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=156,
+        line=155,
     ),
     "gravity": Symbol(
         "gravity",
@@ -208,7 +208,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0 m/s^2, -9.81 m/s^2]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=162,
+        line=161,
     ),
     "gravitational_constant": Symbol(
         "gravitational_constant",
@@ -217,7 +217,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
-        line=169,
+        line=168,
     ),
     "normal": Symbol(
         "normal",
@@ -226,7 +226,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=183,
+        line=182,
     ),
     "direction": Symbol(
         "direction",
@@ -234,7 +234,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=188,
+        line=187,
     ),
     "arm": Symbol(
         "arm",
@@ -243,7 +243,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=192,
+        line=191,
     ),
     "separation": Symbol(
         "separation",
@@ -251,7 +251,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=197,
+        line=196,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -259,7 +259,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=201,
+        line=200,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -267,7 +267,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=207,
+        line=206,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -276,7 +276,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=211,
+        line=210,
     ),
     "coupling": Symbol(
         "coupling",
@@ -284,7 +284,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=216,
+        line=215,
     ),
     "impulse": Symbol(
         "impulse",
@@ -293,7 +293,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=222,
+        line=221,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -302,7 +302,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=227,
+        line=226,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -311,7 +311,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=232,
+        line=231,
     ),
     "overlap": Symbol(
         "overlap",
@@ -319,7 +319,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=237,
+        line=236,
     ),
     "momentum": Symbol(
         "momentum",
@@ -328,7 +328,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=246,
+        line=245,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -336,24 +336,24 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=251,
+        line=250,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
         "J",
         "energy of motion, turning included",
         range=Range(">= 0", low=0.0, low_open=False),
-        tex="E_k",
+        tex="K",
         file="srs/symbols.md",
-        line=255,
+        line=254,
     ),
     "potential_energy": Symbol(
         "potential_energy",
         "J",
         "energy of a body in the gravity field, zero at the origin",
-        tex="E_p",
+        tex="U",
         file="srs/symbols.md",
-        line=260,
+        line=259,
     ),
     "energy": Symbol(
         "energy",
@@ -361,7 +361,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=264,
+        line=263,
     ),
     "radius": Symbol(
         "radius",
@@ -370,7 +370,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=273,
+        line=272,
     ),
     "width": Symbol(
         "width",
@@ -379,16 +379,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=278,
+        line=277,
     ),
     "height": Symbol(
         "height",
         "m",
         "extent of a box along its own y axis",
         range=Range("> 0", low=0.0),
-        tex="h_b",
+        tex="H",
         file="srs/symbols.md",
-        line=283,
+        line=282,
     ),
     "vertex": Symbol(
         "vertex",
@@ -397,7 +397,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=288,
+        line=287,
     ),
     "center": Symbol(
         "center",
@@ -406,7 +406,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=293,
+        line=292,
     ),
     "offset": Symbol(
         "offset",
@@ -414,7 +414,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=298,
+        line=297,
     ),
     "area": Symbol(
         "area",
@@ -423,7 +423,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=302,
+        line=301,
     ),
     "centroid": Symbol(
         "centroid",
@@ -432,6 +432,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=307,
+        line=306,
     ),
 }

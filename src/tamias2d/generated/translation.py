@@ -34,8 +34,8 @@ def position(
     Valid when force and gravity do not change with time.
 
     Args:
-        position_start: Position of the centre of mass; at the start of the motion, m
-        velocity_start: Velocity of the centre of mass; at the start of the motion, m/s
+        position_start: Position of the centre of mass; at the start, m
+        velocity_start: Velocity of the centre of mass; at the start, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
         time: Time since the start of the simulation, s
 
@@ -58,7 +58,7 @@ def velocity(velocity_start: Vector, acceleration: Vector, time: Scalar) -> Vect
     Valid when force and gravity do not change with time.
 
     Args:
-        velocity_start: Velocity of the centre of mass; at the start of the motion, m/s
+        velocity_start: Velocity of the centre of mass; at the start, m/s
         acceleration: Acceleration of the centre of mass, m/s^2
         time: Time since the start of the simulation, s
 

@@ -35,7 +35,7 @@ class Item:
 
     def at(self, *path: str | int) -> Place:
         """Line and column of the value at a path, or of the fence."""
-        return self.marks.get(path, (self.line, 1))
+        return self.marks.get(path, (self.line, 1)) if path else (self.line, 1)
 
     def diagnostic(self, code: Code, message: str, *path: str | int, offset: int = 0) -> Diagnostic:
         """A fault in this item, at the value under a path."""

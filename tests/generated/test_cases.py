@@ -1,0 +1,211 @@
+"""Each case of the specification passes.
+
+Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tests.support import passes
+
+
+def test_tc10_bodies_of_the_same_mass_that_never_meet() -> None:
+    """TC10, srs/verification/impact.md:12; verifies R1, R2, R3, R4, R5, R7."""
+    passes("TC10")
+
+
+def test_tc10b_bodies_of_the_same_mass_that_meet() -> None:
+    """TC10b, srs/verification/impact.md:56; verifies R1, R2, R3, R4, R7, R8."""
+    passes("TC10b")
+
+
+def test_tc11_a_dynamic_body_dropped_on_a_static_one() -> None:
+    """TC11, srs/verification/impact.md:104; verifies R1, R2, R3, R4, R7, R8."""
+    passes("TC11")
+
+
+def test_tc12_usability_survey() -> None:
+    """TC12, srs/verification/nonfunctional.md:11; verifies NFR3, NFR4."""
+    passes("TC12")
+
+
+def test_tc13_agreement_with_independent_programs() -> None:
+    """TC13, srs/verification/nonfunctional.md:42; verifies NFR2, R5, R6, R7, R8."""
+    passes("TC13")
+
+
+def test_tc14_stress_scene_of_2018() -> None:
+    """TC14, srs/verification/nonfunctional.md:66; verifies NFR1."""
+    passes("TC14")
+
+
+def test_ob1_oblique_impact_of_two_spinning_bodies() -> None:
+    """OB1, srs/verification/oracles_impact.md:13; verifies R8."""
+    passes("OB1")
+
+
+def test_ob2_central_impact_at_mass_ratios_from_1e_12_to_1e12() -> None:
+    """OB2, srs/verification/oracles_impact.md:52; verifies R3, R7, R8."""
+    passes("OB2")
+
+
+def test_ob3_off_centre_impacts_of_discs() -> None:
+    """OB3, srs/verification/oracles_impact.md:166; verifies R3, R7, R8."""
+    passes("OB3")
+
+
+def test_ob4_spinning_square_that_hits_a_floor_with_a_corner() -> None:
+    """OB4, srs/verification/oracles_impact.md:236; verifies R3, R7, R8."""
+    passes("OB4")
+
+
+def test_ob6a_bouncing_ball_with_restitution_0_5() -> None:
+    """OB6a, srs/verification/oracles_impact.md:285; verifies R3, R7, R8."""
+    passes("OB6a")
+
+
+def test_ob6b_bouncing_ball_with_restitution_0_8() -> None:
+    """OB6b, srs/verification/oracles_impact.md:360; verifies R3, R7, R8."""
+    passes("OB6b")
+
+
+def test_ob6c_bouncing_ball_with_restitution_0_9() -> None:
+    """OB6c, srs/verification/oracles_impact.md:435; verifies R3, R7, R8."""
+    passes("OB6c")
+
+
+def test_ob6d_bouncing_ball_with_restitution_1_for_100_s() -> None:
+    """OB6d, srs/verification/oracles_impact.md:513; verifies R3, R7, R8."""
+    passes("OB6d")
+
+
+def test_ob12_bodies_at_rest_on_a_floor() -> None:
+    """OB12, srs/verification/oracles_impact.md:563; verifies R3, R7, R8."""
+    passes("OB12")
+
+
+def test_ob8a_3_impacts_for_a_mass_ratio_of_1() -> None:
+    """OB8a, srs/verification/oracles_impact.md:605; verifies R3, R7, R8."""
+    passes("OB8a")
+
+
+def test_ob8b_31_impacts_for_a_mass_ratio_of_100() -> None:
+    """OB8b, srs/verification/oracles_impact.md:650; verifies R3, R7, R8."""
+    passes("OB8b")
+
+
+def test_ob8c_314_impacts_for_a_mass_ratio_of_10000() -> None:
+    """OB8c, srs/verification/oracles_impact.md:697; verifies R3, R7, R8."""
+    passes("OB8c")
+
+
+def test_ob8d_3141_impacts_for_a_mass_ratio_of_1000000() -> None:
+    """OB8d, srs/verification/oracles_impact.md:744; verifies R3, R7, R8."""
+    passes("OB8d")
+
+
+def test_oa1_constant_force() -> None:
+    """OA1, srs/verification/oracles_motion.md:15; verifies R2, R5."""
+    passes("OA1")
+
+
+def test_oa2_throws_in_eight_directions() -> None:
+    """OA2, srs/verification/oracles_motion.md:76; verifies R2, R5."""
+    passes("OA2")
+
+
+def test_oa3_constant_torque() -> None:
+    """OA3, srs/verification/oracles_motion.md:207; verifies R2, R6."""
+    passes("OA3")
+
+
+def test_oa4_free_body_that_spins_fast() -> None:
+    """OA4, srs/verification/oracles_motion.md:259; verifies R5, R6."""
+    passes("OA4")
+
+
+def test_oa14_motion_made_to_measure() -> None:
+    """OA14, srs/verification/oracles_motion.md:301; verifies R2, R5, R6."""
+    passes("OA14")
+
+
+def test_oa5_linear_damping() -> None:
+    """OA5, srs/verification/oracles_motion.md:360; verifies R5."""
+    passes("OA5")
+
+
+def test_oa7_fall_against_quadratic_drag() -> None:
+    """OA7, srs/verification/oracles_motion.md:377; verifies R5."""
+    passes("OA7")
+
+
+def test_oa9_spring() -> None:
+    """OA9, srs/verification/oracles_motion.md:400; verifies R5."""
+    passes("OA9")
+
+
+def test_od1_overlap_of_axis_parallel_boxes() -> None:
+    """OD1, srs/verification/quantities.md:14; verifies R7."""
+    passes("OD1")
+
+
+def test_od2_inertia_area_and_centre_of_simple_shapes() -> None:
+    """OD2, srs/verification/quantities.md:79; verifies R2."""
+    passes("OD2")
+
+
+def test_od3_quantities_of_one_body() -> None:
+    """OD3, srs/verification/quantities.md:117; verifies R8."""
+    passes("OD3")
+
+
+def test_oc1_inputs_outside_their_ranges() -> None:
+    """OC1, srs/verification/refusals.md:7; verifies R2, R3, R4."""
+    passes("OC1")
+
+
+def test_tc8_rotation_about_the_own_axis() -> None:
+    """TC8, srs/verification/rotation.md:11; verifies R1, R2, R4, R6."""
+    passes("TC8")
+
+
+def test_tc9_angular_velocity_under_constant_torque() -> None:
+    """TC9, srs/verification/rotation.md:34; verifies R1, R2, R4, R6."""
+    passes("TC9")
+
+
+def test_os1_showcase() -> None:
+    """OS1, srs/verification/showcase.md:19; verifies R1, R2, R3, R5, R6, R7, R8."""
+    passes("OS1")
+
+
+def test_tc1_translation_without_force() -> None:
+    """TC1, srs/verification/translation.md:20; verifies R1, R2, R4, R5."""
+    passes("TC1")
+
+
+def test_tc2_constant_acceleration_to_the_right() -> None:
+    """TC2, srs/verification/translation.md:49; verifies R1, R2, R4, R5."""
+    passes("TC2")
+
+
+def test_tc3_constant_acceleration_to_the_left() -> None:
+    """TC3, srs/verification/translation.md:76; verifies R1, R2, R4, R5."""
+    passes("TC3")
+
+
+def test_tc4_free_fall_of_three_bodies() -> None:
+    """TC4, srs/verification/translation.md:115; verifies R1, R2, R4, R5."""
+    passes("TC4")
+
+
+def test_tc5_floating_bodies_under_forces() -> None:
+    """TC5, srs/verification/translation.md:182; verifies R1, R2, R4, R5."""
+    passes("TC5")
+
+
+def test_tc6_projectile_launched_at_45_degrees() -> None:
+    """TC6, srs/verification/translation.md:245; verifies R1, R2, R4, R5."""
+    passes("TC6")
+
+
+def test_tc7_projectile_launched_at_60_degrees() -> None:
+    """TC7, srs/verification/translation.md:287; verifies R1, R2, R4, R5."""
+    passes("TC7")

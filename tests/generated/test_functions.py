@@ -1,0 +1,319 @@
+"""Each generated function gives what its equation says.
+
+Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from hypothesis import given
+from tamias2d.generated import definitions, detection, impact, rest, rotation, translation
+from tests.support import Value, agrees, values
+
+
+@given(velocity=values("velocity"), angular_velocity=values("angular_velocity"), arm=values("arm"))
+def test_point_velocity_is_dd9(**given: Value) -> None:
+    """DD9, srs/definitions.md:66."""
+    agrees(definitions.point_velocity, "velocity + cross(angular_velocity, arm)", given)
+
+
+@given(arm=values("arm"), force=values("force"))
+def test_torque_is_dd13(**given: Value) -> None:
+    """DD13, srs/definitions.md:83."""
+    agrees(definitions.torque, "cross(arm, force)", given)
+
+
+@given(mass=values("mass"), radius=values("radius"))
+def test_inertia_disc_is_dd18(**given: Value) -> None:
+    """DD18, srs/definitions.md:110."""
+    agrees(definitions.inertia_disc, "mass*radius**2/2", given)
+
+
+@given(mass=values("mass"), width=values("width"), height=values("height"))
+def test_inertia_box_is_dd18(**given: Value) -> None:
+    """DD18, srs/definitions.md:110."""
+    agrees(definitions.inertia_box, "mass*(width**2 + height**2)/12", given)
+
+
+@given(mass=values("mass"), vertex_i=values("vertex_i"), vertex_j=values("vertex_j"))
+def test_inertia_polygon_is_dd18(**given: Value) -> None:
+    """DD18, srs/definitions.md:110."""
+    agrees(
+        definitions.inertia_polygon,
+        "mass*sum(cross(vertex_i, vertex_j)*(dot(vertex_i, vertex_i) + dot(vertex_i, vertex_j) + dot(vertex_j, vertex_j)))/(6*sum(cross(vertex_i, vertex_j)))",
+        given,
+    )
+
+
+@given(vertex_i=values("vertex_i"), vertex_j=values("vertex_j"))
+def test_area_polygon_is_dd18(**given: Value) -> None:
+    """DD18, srs/definitions.md:110."""
+    agrees(definitions.area_polygon, "sum(cross(vertex_i, vertex_j))/2", given)
+
+
+@given(vertex_i=values("vertex_i"), vertex_j=values("vertex_j"))
+def test_centroid_polygon_is_dd18(**given: Value) -> None:
+    """DD18, srs/definitions.md:110."""
+    agrees(
+        definitions.centroid_polygon,
+        "sum((vertex_i + vertex_j)*cross(vertex_i, vertex_j))/(3*sum(cross(vertex_i, vertex_j)))",
+        given,
+    )
+
+
+@given(mass=values("mass"), velocity=values("velocity"))
+def test_momentum_is_dd21(**given: Value) -> None:
+    """DD21, srs/definitions.md:192."""
+    agrees(definitions.momentum, "mass*velocity", given)
+
+
+@given(
+    mass=values("mass"),
+    position=values("position"),
+    velocity=values("velocity"),
+    inertia=values("inertia"),
+    angular_velocity=values("angular_velocity"),
+)
+def test_angular_momentum_is_dd21(**given: Value) -> None:
+    """DD21, srs/definitions.md:192."""
+    agrees(
+        definitions.angular_momentum,
+        "mass*cross(position, velocity) + inertia*angular_velocity",
+        given,
+    )
+
+
+@given(restitution_a=values("restitution_a"), restitution_b=values("restitution_b"))
+def test_pair_restitution_is_dd17(**given: Value) -> None:
+    """DD17, srs/definitions.md:288."""
+    agrees(definitions.pair_restitution, "min(restitution_a, restitution_b)", given)
+
+
+@given(
+    mass=values("mass"),
+    velocity=values("velocity"),
+    inertia=values("inertia"),
+    angular_velocity=values("angular_velocity"),
+)
+def test_kinetic_energy_is_dd15(**given: Value) -> None:
+    """DD15, srs/definitions.md:307."""
+    agrees(
+        definitions.kinetic_energy,
+        "mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2",
+        given,
+    )
+
+
+@given(mass=values("mass"), gravity=values("gravity"), position=values("position"))
+def test_potential_energy_is_dd16(**given: Value) -> None:
+    """DD16, srs/definitions.md:321."""
+    agrees(definitions.potential_energy, "(-mass)*dot(gravity, position)", given)
+
+
+@given(
+    center_a=values("center_a"),
+    width_a=values("width_a"),
+    height_a=values("height_a"),
+    center_b=values("center_b"),
+    width_b=values("width_b"),
+    height_b=values("height_b"),
+)
+def test_overlap_is_im4(**given: Value) -> None:
+    """IM4, srs/models/detection.md:15."""
+    agrees(
+        detection.overlap,
+        "abs(x(center_a) - x(center_b)) <= (width_a + width_b)/2 and abs(y(center_a) - y(center_b)) <= (height_a + height_b)/2",
+        given,
+    )
+
+
+@given(
+    velocity_a=values("velocity_a"),
+    angular_velocity_a=values("angular_velocity_a"),
+    arm_a=values("arm_a"),
+    velocity_b=values("velocity_b"),
+    angular_velocity_b=values("angular_velocity_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+)
+def test_normal_velocity_is_im3(**given: Value) -> None:
+    """IM3, srs/models/impact.md:26."""
+    agrees(
+        impact.normal_velocity,
+        "dot(velocity_b + cross(angular_velocity_b, arm_b) - velocity_a - cross(angular_velocity_a, arm_a), normal)",
+        given,
+    )
+
+
+@given(
+    inverse_mass=values("inverse_mass"),
+    inverse_inertia=values("inverse_inertia"),
+    arm_first=values("arm_first"),
+    normal_first=values("normal_first"),
+    arm_second=values("arm_second"),
+    normal_second=values("normal_second"),
+)
+def test_coupling_is_im3(**given: Value) -> None:
+    """IM3, srs/models/impact.md:26."""
+    agrees(
+        impact.coupling,
+        "inverse_mass*dot(normal_first, normal_second) + inverse_inertia*cross(arm_first, normal_first)*cross(arm_second, normal_second)",
+        given,
+    )
+
+
+@given(
+    inverse_mass_a=values("inverse_mass_a"),
+    inverse_inertia_a=values("inverse_inertia_a"),
+    arm_a=values("arm_a"),
+    inverse_mass_b=values("inverse_mass_b"),
+    inverse_inertia_b=values("inverse_inertia_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+)
+def test_inverse_effective_mass_is_im3(**given: Value) -> None:
+    """IM3, srs/models/impact.md:26."""
+    agrees(
+        impact.inverse_effective_mass,
+        "inverse_mass_a + inverse_inertia_a*cross(arm_a, normal)**2 + inverse_mass_b + inverse_inertia_b*cross(arm_b, normal)**2",
+        given,
+    )
+
+
+@given(
+    restitution=values("restitution"),
+    normal_velocity=values("normal_velocity"),
+    inverse_effective_mass=values("inverse_effective_mass"),
+)
+def test_impulse_is_im3(**given: Value) -> None:
+    """IM3, srs/models/impact.md:26."""
+    agrees(impact.impulse, "(-(1 + restitution))*normal_velocity/inverse_effective_mass", given)
+
+
+@given(
+    velocity_a=values("velocity_a"),
+    impulse=values("impulse"),
+    normal=values("normal"),
+    inverse_mass_a=values("inverse_mass_a"),
+)
+def test_velocity_a_after_is_im3(**given: Value) -> None:
+    """IM3, srs/models/impact.md:26."""
+    agrees(impact.velocity_a_after, "velocity_a - impulse*inverse_mass_a*normal", given)
+
+
+@given(
+    angular_velocity_a=values("angular_velocity_a"),
+    impulse=values("impulse"),
+    arm_a=values("arm_a"),
+    normal=values("normal"),
+    inverse_inertia_a=values("inverse_inertia_a"),
+)
+def test_angular_velocity_a_after_is_im3(**given: Value) -> None:
+    """IM3, srs/models/impact.md:26."""
+    agrees(
+        impact.angular_velocity_a_after,
+        "angular_velocity_a - impulse*inverse_inertia_a*cross(arm_a, normal)",
+        given,
+    )
+
+
+@given(
+    velocity_b=values("velocity_b"),
+    impulse=values("impulse"),
+    normal=values("normal"),
+    inverse_mass_b=values("inverse_mass_b"),
+)
+def test_velocity_b_after_is_im3(**given: Value) -> None:
+    """IM3, srs/models/impact.md:26."""
+    agrees(impact.velocity_b_after, "velocity_b + impulse*inverse_mass_b*normal", given)
+
+
+@given(
+    angular_velocity_b=values("angular_velocity_b"),
+    impulse=values("impulse"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+    inverse_inertia_b=values("inverse_inertia_b"),
+)
+def test_angular_velocity_b_after_is_im3(**given: Value) -> None:
+    """IM3, srs/models/impact.md:26."""
+    agrees(
+        impact.angular_velocity_b_after,
+        "angular_velocity_b + impulse*inverse_inertia_b*cross(arm_b, normal)",
+        given,
+    )
+
+
+@given(
+    acceleration_a=values("acceleration_a"),
+    angular_acceleration_a=values("angular_acceleration_a"),
+    arm_a=values("arm_a"),
+    acceleration_b=values("acceleration_b"),
+    angular_acceleration_b=values("angular_acceleration_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+)
+def test_normal_acceleration_is_gd3(**given: Value) -> None:
+    """GD3, srs/models/rest.md:14."""
+    agrees(
+        rest.normal_acceleration,
+        "dot(acceleration_b + cross(angular_acceleration_b, arm_b) - acceleration_a - cross(angular_acceleration_a, arm_a), normal)",
+        given,
+    )
+
+
+@given(torque=values("torque"), inertia=values("inertia"))
+def test_angular_acceleration_is_im2(**given: Value) -> None:
+    """IM2, srs/models/rotation.md:27."""
+    agrees(rotation.angular_acceleration, "torque/inertia", given)
+
+
+@given(
+    orientation_start=values("orientation_start"),
+    angular_velocity_start=values("angular_velocity_start"),
+    angular_acceleration=values("angular_acceleration"),
+    time=values("time"),
+)
+def test_orientation_is_im2(**given: Value) -> None:
+    """IM2, srs/models/rotation.md:27."""
+    agrees(
+        rotation.orientation,
+        "orientation_start + angular_velocity_start*time + angular_acceleration*time**2/2",
+        given,
+    )
+
+
+@given(
+    angular_velocity_start=values("angular_velocity_start"),
+    angular_acceleration=values("angular_acceleration"),
+    time=values("time"),
+)
+def test_angular_velocity_is_im2(**given: Value) -> None:
+    """IM2, srs/models/rotation.md:27."""
+    agrees(rotation.angular_velocity, "angular_velocity_start + angular_acceleration*time", given)
+
+
+@given(gravity=values("gravity"), force=values("force"), mass=values("mass"))
+def test_acceleration_is_im1(**given: Value) -> None:
+    """IM1, srs/models/translation.md:22."""
+    agrees(translation.acceleration, "gravity + force/mass", given)
+
+
+@given(
+    position_start=values("position_start"),
+    velocity_start=values("velocity_start"),
+    acceleration=values("acceleration"),
+    time=values("time"),
+)
+def test_position_is_im1(**given: Value) -> None:
+    """IM1, srs/models/translation.md:22."""
+    agrees(
+        translation.position, "position_start + velocity_start*time + acceleration*time**2/2", given
+    )
+
+
+@given(
+    velocity_start=values("velocity_start"),
+    acceleration=values("acceleration"),
+    time=values("time"),
+)
+def test_velocity_is_im1(**given: Value) -> None:
+    """IM1, srs/models/translation.md:22."""
+    agrees(translation.velocity, "velocity_start + acceleration*time", given)

@@ -1,0 +1,38 @@
+"""Each scheme converges with the order that it claims.
+
+Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+import pytest
+from tamias2d.generated import schemes
+from tests.support import observed_order, observed_order_of_levels
+
+
+def test_explicit_euler_has_order_1() -> None:
+    """srs/schemes/euler.md:22."""
+    assert observed_order(schemes.explicit_euler) == pytest.approx(1, abs=0.1)
+
+
+def test_semi_implicit_euler_has_order_1() -> None:
+    """srs/schemes/euler.md:47."""
+    assert observed_order(schemes.semi_implicit_euler) == pytest.approx(1, abs=0.1)
+
+
+def test_legacy_2018_translation_has_order_0() -> None:
+    """srs/schemes/legacy.md:19."""
+    assert observed_order_of_levels(schemes.legacy_2018_translation) == pytest.approx(0, abs=0.1)
+
+
+def test_legacy_2018_rotation_has_order_1() -> None:
+    """srs/schemes/legacy.md:35."""
+    assert observed_order_of_levels(schemes.legacy_2018_rotation) == pytest.approx(1, abs=0.1)
+
+
+def test_runge_kutta_4_has_order_4() -> None:
+    """srs/schemes/runge_kutta.md:8."""
+    assert observed_order(schemes.runge_kutta_4) == pytest.approx(4, abs=0.1)
+
+
+def test_velocity_verlet_has_order_2() -> None:
+    """srs/schemes/verlet.md:7."""
+    assert observed_order(schemes.velocity_verlet) == pytest.approx(2, abs=0.1)

@@ -1,0 +1,178 @@
+"""Each symbol admits the values of its range and no others.
+
+Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from math import inf, nan
+from tamias2d.generated.symbols import SYMBOLS
+
+
+def test_range_of_time() -> None:
+    """srs/symbols.md:18: >= 0."""
+    symbol = SYMBOLS["time"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_time_step() -> None:
+    """srs/symbols.md:23: > 0."""
+    symbol = SYMBOLS["time_step"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_duration() -> None:
+    """srs/symbols.md:28: > 0."""
+    symbol = SYMBOLS["duration"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_mass() -> None:
+    """srs/symbols.md:42: > 0."""
+    symbol = SYMBOLS["mass"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_inverse_mass() -> None:
+    """srs/symbols.md:49: >= 0."""
+    symbol = SYMBOLS["inverse_mass"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_inertia() -> None:
+    """srs/symbols.md:54: > 0."""
+    symbol = SYMBOLS["inertia"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_inverse_inertia() -> None:
+    """srs/symbols.md:61: >= 0."""
+    symbol = SYMBOLS["inverse_inertia"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_restitution() -> None:
+    """srs/symbols.md:66: [0, 1]."""
+    symbol = SYMBOLS["restitution"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
+def test_range_of_pair_restitution() -> None:
+    """srs/symbols.md:75: [0, 1]."""
+    symbol = SYMBOLS["pair_restitution"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
+def test_range_of_inverse_effective_mass() -> None:
+    """srs/symbols.md:210: > 0."""
+    symbol = SYMBOLS["inverse_effective_mass"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_impulse() -> None:
+    """srs/symbols.md:221: >= 0."""
+    symbol = SYMBOLS["impulse"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_contact_force() -> None:
+    """srs/symbols.md:231: >= 0."""
+    symbol = SYMBOLS["contact_force"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_kinetic_energy() -> None:
+    """srs/symbols.md:254: >= 0."""
+    symbol = SYMBOLS["kinetic_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_radius() -> None:
+    """srs/symbols.md:272: > 0."""
+    symbol = SYMBOLS["radius"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_width() -> None:
+    """srs/symbols.md:277: > 0."""
+    symbol = SYMBOLS["width"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_height() -> None:
+    """srs/symbols.md:282: > 0."""
+    symbol = SYMBOLS["height"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_area() -> None:
+    """srs/symbols.md:301: > 0."""
+    symbol = SYMBOLS["area"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
