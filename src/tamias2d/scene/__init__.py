@@ -2,6 +2,7 @@
 
 from tamias2d.scene import catalogue
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.needs import Need, Needs, needs
 from tamias2d.scene.reading import load
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
@@ -12,10 +13,13 @@ __all__ = [
     "Box",
     "Disc",
     "HalfPlane",
+    "Need",
+    "Needs",
     "Polygon",
     "Scene",
     "Shape",
     "catalogue",
     "load",
+    "needs",
     "scene_text",
 ]

@@ -1,0 +1,159 @@
+"""What a scene needs: states, terms, models and methods, each with the reason for or against it.
+
+A scene pays only for the physics that it needs, and can say why.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from tamias2d.scene.bodies import Body
+from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.scene.rules import number
+from tamias2d.scene.scene import Scene
+from tamias2d.scene.shapes import Disc
+
+Kind = Literal["state", "term", "model", "method"]
+
+
+@dataclass(frozen=True)
+class Need:
+    """One thing that physics offers, and why a scene needs it or does not."""
+
+    what: str
+    kind: Kind
+    needed: bool
+    reason: str
+
+
+@dataclass(frozen=True)
+class Needs:
+    """All that a scene was asked about, and the pairs of bodies whose bounds can meet."""
+
+    entries: tuple[Need, ...]
+    pairs: tuple[tuple[int, int], ...]
+
+    def __contains__(self, what: object) -> bool:
+        """Whether something is needed, by its name: ``"rotation (IM2)" in needs(scene)``."""
+        return any(entry.what == what and entry.needed for entry in self.entries)
+
+
+def needs(scene: Scene, duration: float | None = None) -> Needs:
+    """Return what a scene needs within a duration in s (the scene's own unless given).
+
+    Raises:
+        InputError: neither states a duration.
+    """
+    remedy = "Give a positive duration in s."
+    span = scene.duration if duration is None else duration
+    span = number(span, "duration", "the scene", remedy, at=("duration",))
+    pairs = tuple(pairs_that_can_meet(scene, span))
+    return Needs(tuple(_Inquiry(scene, span, pairs).entries()), pairs)
+
+
+@dataclass(frozen=True)
+class _Inquiry:
+    scene: Scene
+    duration: float
+    pairs: tuple[tuple[int, int], ...]
+
+    def entries(self) -> Iterator[Need]:
+        yield from self.states()
+        yield from self.terms()
+        yield from self.models()
+        yield from self.methods()
+
+    def states(self) -> Iterator[Need]:
+        yield Need("position, velocity", "state", *self.moves())
+        yield Need("orientation, angular velocity", "state", *self.turns())
+
+    def terms(self) -> Iterator[Need]:
+        gravity = self.scene.gravity != (0, 0)
+        felt = gravity and bool(self.moving)
+        why = "no body moves" if gravity else "the scene has no gravity"
+        x, y = self.scene.gravity
+        yield Need("gravity (GD2)", "term", felt, f"({x:g}, {y:g}) m/s^2 acts" if felt else why)
+        pushed = [body for body in self.moving if body.force != (0, 0)]
+        yield _about("applied force", "term", pushed, "pushed", "no force is applied to any body")
+        twisted = [body for body in self.moving if body.torque != 0]
+        yield _about(
+            "applied torque", "term", twisted, "twisted", "no torque is applied to any body"
+        )
+
+    def models(self) -> Iterator[Need]:
+        yield Need("translation (IM1)", "model", *self.moves())
+        yield Need("rotation (IM2)", "model", *self.turns())
+        solid = [body for body in self.scene.bodies if body.shape is not None]
+        compared = len(solid) > 1 and any(body.dynamic for body in solid)
+        yield Need("detection (IM4)", "model", compared, self.compared(len(solid)))
+        yield Need("impact (IM3)", "model", bool(self.pairs), self.meeting())
+        yield Need("resting contact (GD3)", "model", *self.rests())
+
+    def methods(self) -> Iterator[Need]:
+        varying = [body for body in self.moving if not body.constant]
+        constant = "every force and torque is constant" if self.moving else "no body moves"
+        yield Need(
+            "closed form",
+            "method",
+            bool(self.moving) and not varying,
+            constant if not varying else f"{_named(varying)} under a force or torque of time",
+        )
+        yield _about(
+            "integration of the equations of motion", "method", varying, "driven", constant
+        )
+        yield Need("location of impacts", "method", bool(self.pairs), self.meeting())
+
+    @property
+    def moving(self) -> list[Body]:
+        return [body for body in self.scene.bodies if body.dynamic]
+
+    def moves(self) -> tuple[bool, str]:
+        count = len(self.moving)
+        return count > 0, f"{count} of {len(self.scene)} bodies can move"
+
+    def turns(self) -> tuple[bool, str]:
+        spun = [body for body in self.moving if body.angular_velocity != 0 or body.torque != 0]
+        if spun:
+            return True, f"{_named(spun)} spun or twisted from the start"
+        cornered = [
+            body
+            for body in self.moving
+            if body.shape is not None and not isinstance(body.shape, Disc)
+        ]
+        if self.pairs and cornered:
+            return True, f"{_named(cornered)} turned when hit beside the centre of mass"
+        idle = "no body has a torque or a spin"
+        if not self.pairs:
+            return False, f"{idle}, and none can be hit"
+        return False, f"{idle}, and a disc is hit through its centre (no friction, A6)"
+
+    def compared(self, solid: int) -> str:
+        if solid < 2:
+            return f"{solid} body has a shape: there is no pair" if solid else "no body has a shape"
+        return f"{solid} bodies have shapes"
+
+    def meeting(self) -> str:
+        if not self.pairs:
+            return f"no two bounds meet within {self.duration:g} s"
+        i, j = self.pairs[0]
+        names = f"'{self.scene.bodies[i].name}' and '{self.scene.bodies[j].name}'"
+        more = f" and {len(self.pairs) - 1} pairs more" if len(self.pairs) > 1 else ""
+        return f"the bounds of {names}{more} meet within {self.duration:g} s"
+
+    def rests(self) -> tuple[bool, str]:
+        loaded = self.scene.gravity != (0, 0) or any(body.force != (0, 0) for body in self.moving)
+        if not self.pairs:
+            return False, self.meeting()
+        if not loaded:
+            return False, "no gravity and no force presses bodies together"
+        return True, "bodies that can meet are pressed together by gravity or a force"
+
+
+def _about(what: str, kind: Kind, bodies: list[Body], verb: str, otherwise: str) -> Need:
+    return Need(what, kind, bool(bodies), f"{_named(bodies)} {verb}" if bodies else otherwise)
+
+
+def _named(bodies: list[Body]) -> str:
+    """Name one body, count the others, and add the verb: ``'crate' and 3 more are``."""
+    first = f"'{bodies[0].name}'"
+    return f"{first} is" if len(bodies) == 1 else f"{first} and {len(bodies) - 1} more are"

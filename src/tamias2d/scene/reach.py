@@ -1,0 +1,129 @@
+"""Which bodies can meet: the bounds that their free motion sweeps within a duration.
+
+A pair whose swept bounds stay apart cannot be the first to meet. If no bounds meet, nothing does,
+and all motion is free to the end. Bounds may be too large, never too small: a pair too many costs
+time, a pair too few an impact.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from tamias2d.generated import detection, translation
+from tamias2d.scene.bodies import Body
+from tamias2d.scene.rules import Vector
+from tamias2d.scene.scene import Scene
+from tamias2d.scene.shapes import Disc, HalfPlane
+
+_MARGIN = 1e-12  # of all lengths involved: more than rounding can do to a bound
+_X, _Y = (1.0, 0.0), (0.0, 1.0)
+
+
+@dataclass(frozen=True)
+class _Bounds:
+    """An axis-parallel box, as IM4 takes it."""
+
+    index: int
+    center: Vector
+    width: float
+    height: float
+
+    @property
+    def left(self) -> float:
+        return self.center[0] - self.width / 2
+
+    @property
+    def right(self) -> float:
+        return self.center[0] + self.width / 2
+
+
+def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
+    """Return all pairs (i, j), i < j, of which one body moves and whose swept bounds meet."""
+    bodies = [(k, body) for k, body in enumerate(scene.bodies) if body.shape is not None]
+    walls = [(k, body) for k, body in bodies if isinstance(body.shape, HalfPlane)]
+    bounded = [(k, body) for k, body in bodies if not isinstance(body.shape, HalfPlane)]
+    found = {
+        (min(j, k), max(j, k))
+        for j, wall in walls
+        for k, body in bounded
+        if body.dynamic and _reaches(body, wall.shape, scene.gravity, duration)
+    }
+    bounds = [_swept(k, body, scene.gravity, duration) for k, body in bounded]
+    found.update(pair for pair in _overlaps(bounds) if _moves(scene, pair))
+    return sorted(found)
+
+
+def _moves(scene: Scene, pair: tuple[int, int]) -> bool:
+    return any(scene.bodies[k].dynamic for k in pair)
+
+
+def _overlaps(bounds: list[_Bounds]) -> Iterator[tuple[int, int]]:
+    """Find all overlaps; a box is compared with those that start before it ends (along x)."""
+    ordered = sorted(bounds, key=lambda box: box.left)
+    for k, a in enumerate(ordered):
+        for b in ordered[k + 1 :]:
+            if b.left > a.right:
+                break
+            if detection.overlap(a.center, a.width, a.height, b.center, b.width, b.height):
+                yield min(a.index, b.index), max(a.index, b.index)
+
+
+def _swept(index: int, body: Body, gravity: Vector, duration: float) -> _Bounds:
+    left, right = _shadow(body, gravity, duration, _X)
+    low, high = _shadow(body, gravity, duration, _Y)
+    center = ((left + right) / 2, (low + high) / 2)
+    if not all(map(math.isfinite, center)):  # without bound: everywhere
+        return _Bounds(index, body.position, math.inf, math.inf)
+    return _Bounds(index, center, right - left, high - low)
+
+
+def _reaches(body: Body, wall: object, gravity: Vector, duration: float) -> bool:
+    if not isinstance(wall, HalfPlane):
+        return False
+    low, _ = _shadow(body, gravity, duration, wall.normal)
+    return not low > wall.offset + _MARGIN * abs(wall.offset)
+
+
+def _shadow(body: Body, gravity: Vector, duration: float, axis: Vector) -> tuple[float, float]:
+    """Return the interval of an axis over which a body sweeps."""
+    below, above = _extent(body, axis)
+    if not body.dynamic:
+        start = _dot(body.position, axis)
+        margin = _MARGIN * (abs(start) + above - below)
+        return start + below - margin, start + above + margin
+    if not body.constant:
+        return -math.inf, math.inf
+    path = _path(body, gravity, duration, axis)
+    if not all(map(math.isfinite, path)):
+        return -math.inf, math.inf
+    margin = _MARGIN * (max(map(abs, path)) + above - below)
+    return min(path) + below - margin, max(path) + above + margin
+
+
+def _path(body: Body, gravity: Vector, duration: float, axis: Vector) -> list[float]:
+    """Return where a centre starts, ends and turns back, along an axis."""
+    start, speed = _dot(body.position, axis), _dot(body.velocity, axis)
+    push = _dot(translation.acceleration(gravity, body.force_at(0.0), body.mass), axis)
+    times = [0.0, duration]
+    if push and 0 < -speed / push < duration:
+        times.append(-speed / push)
+    return [
+        translation.position((start, 0.0), (speed, 0.0), (push, 0.0), time)[0] for time in times
+    ]
+
+
+def _extent(body: Body, axis: Vector) -> tuple[float, float]:
+    """Return how far a shape reaches against and along an axis from its centre of mass."""
+    shape = body.shape
+    if shape is None:
+        return 0.0, 0.0
+    if isinstance(shape, Disc) or body.angular_velocity != 0 or body.torque != 0:
+        return -shape.bounding_radius, shape.bounding_radius
+    cos, sin = math.cos(body.orientation), math.sin(body.orientation)
+    own = (cos * axis[0] + sin * axis[1], cos * axis[1] - sin * axis[0])
+    reaches = [_dot(vertex, own) for vertex in shape.vertices]
+    return min(reaches), max(reaches)
+
+
+def _dot(a: Vector, b: Vector) -> float:
+    return a[0] * b[0] + a[1] * b[1]
