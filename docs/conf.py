@@ -14,6 +14,7 @@ extensions = ["myst_parser", "sphinx_design", "sphinxcontrib.bibtex", "weave"]
 exclude_patterns = ["_static", "extensions"]
 source_suffix = {".md": "markdown"}
 nitpicky = True
+primary_domain = None  # the Python domain would take the fence "property" for itself
 
 myst_enable_extensions = ["attrs_inline", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
@@ -28,6 +29,7 @@ html_css_files = ["tamias2d.css"]
 html_copy_source = False
 html_show_sourcelink = False
 html_show_sphinx = False
+html_show_copyright = False
 html_theme_options = {
     "light_css_variables": {
         "color-brand-primary": "#8a3d0f",

@@ -12,6 +12,7 @@ from sphinx.errors import ExtensionError
 from tamias2d.errors import SpecError
 
 from weave.chapter import IndicesDirective, ItemDirective, SymbolsDirective, item_kinds
+from weave.checks import on_build_finished
 from weave.guide import CodesDirective, GuideDirective, InterfaceDirective
 from weave.links import ItemRole, ModuleRole, SymbolRole
 from weave.matrices import MatrixDirective, PlanTableDirective, RequirementsDirective
@@ -42,6 +43,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the mirror, a directive for each kind of fence, the tables and the checks."""
     app.connect("builder-inited", _read)
     app.connect("builder-inited", on_builder_inited)
+    app.connect("build-finished", on_build_finished)
     for kind in item_kinds():
         app.add_directive(kind, ItemDirective)
     for name, directive in _TABLES.items():

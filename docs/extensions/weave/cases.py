@@ -8,11 +8,13 @@ from collections.abc import Iterator
 
 from tamias2d.spec.chapter import Item
 
+from weave.links import rank
 from weave.markdown import code, fence, table
 from weave.woven import Woven
 
 NO_RESULTS = "No results on this machine: `tamias2d verify` makes them."
 _ORDER = ("fail", "stale", "uncovered", "pass")
+_SIGNS = {"fail": "✗", "stale": "≠", "uncovered": "○", "pass": "✓"}
 
 
 def parts(item: Item, woven: Woven) -> Iterator[str]:
@@ -26,7 +28,8 @@ def parts(item: Item, woven: Woven) -> Iterator[str]:
 
 def cases_of(id: str, woven: Woven) -> list[str]:
     """The cases that verify an item or use it."""
-    return [name for name in woven.used_by.get(id, []) if woven.spec.items[name].kind == "case"]
+    found = [name for name in woven.used_by.get(id, []) if woven.spec.items[name].kind == "case"]
+    return sorted(found, key=rank)
 
 
 def _comparisons(item: Item, woven: Woven) -> Iterator[str]:
@@ -48,6 +51,12 @@ def verdict(id: str, woven: Woven) -> str:
 def badge(id: str, woven: Woven) -> str:
     """The verdict of a case as a coloured word."""
     return mark(verdict(id, woven))
+
+
+def checked(ids: list[str], woven: Woven) -> str:
+    """Links to cases, each with a sign of its last result."""
+    signs = ((id, verdict(id, woven)) for id in ids)
+    return " ".join(f"{{srs}}`{id}`[{_SIGNS[word]}]{{.sign .{word}}}" for id, word in signs)
 
 
 def mark(word: str) -> str:

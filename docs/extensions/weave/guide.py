@@ -31,7 +31,7 @@ class InterfaceDirective(WovenDirective):
 
     def _section(self, module: Module) -> nodes.section:
         section = nodes.section(ids=[module_anchor(module.name)], classes=["srs-module"])
-        section += nodes.title("", "", nodes.literal("", module.name))
+        section += nodes.title("", "", nodes.literal("", module.name.removeprefix("tamias2d.")))
         self.parse(described(module.tree), section)
         if ".generated." not in module.name:
             self.parse("\n".join(reference(module)), section)

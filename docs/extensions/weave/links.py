@@ -4,6 +4,7 @@ Serves: chapters and tables. Hides: on which page an item stands.
 """
 
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from docutils import nodes
@@ -11,6 +12,7 @@ from sphinx.util.docutils import SphinxRole
 
 from weave.woven import Woven
 
+_PREFIXES = "GS A TM GD DD IM P R NFR LC UC E TC OA OB OC OD".split()
 _ID = re.compile(r"(?<![\w`-])(?:GS|TM|GD|DD|IM|NFR|LC|UC|TC|O[A-Z]|[APRE])\d+[a-z]?(?![\w`])")
 
 
@@ -42,9 +44,17 @@ def linked(text: str, woven: Woven) -> str:
     return _ID.sub(link, " ".join(text.split()))
 
 
-def ids(names: list[str]) -> str:
-    """Links to several items, side by side."""
-    return " ".join(f"{{srs}}`{name}`" for name in names)
+def ids(names: Iterable[str]) -> str:
+    """Links to several items, side by side, in order."""
+    return " ".join(f"{{srs}}`{name}`" for name in sorted(names, key=rank))
+
+
+def rank(id: str) -> tuple[int, int, str]:
+    """Sorts ids by kind and number: R2 before R10, models before cases."""
+    prefix = re.match(r"[A-Z]*", id).group()  # type: ignore[union-attr]
+    digits = re.search(r"\d+", id)
+    place = _PREFIXES.index(prefix) if prefix in _PREFIXES else len(_PREFIXES)
+    return place, int(digits.group()) if digits else 0, id
 
 
 class SymbolRole(SphinxRole):

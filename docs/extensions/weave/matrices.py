@@ -6,9 +6,9 @@ Serves: `{matrix}`, `{requirements}` and `{plan-table}`. Hides: how a chain of l
 from docutils import nodes
 from tamias2d.spec.chapter import Item
 
-from weave.cases import badge, cases_of
+from weave.cases import badge, cases_of, checked
 from weave.chapter import WovenDirective
-from weave.links import ids
+from weave.links import ids, rank
 from weave.markdown import table
 from weave.woven import Woven
 
@@ -25,9 +25,10 @@ class MatrixDirective(WovenDirective):
 
 def matrix(row_kinds: list[str], column_kinds: list[str], woven: Woven) -> str:
     """The links between kinds of item; empty rows and columns are left out."""
-    rows = [i for i in woven.spec.of_kind(*row_kinds) if _names(i, column_kinds, woven)]
+    kept = (i for i in woven.spec.of_kind(*row_kinds) if _names(i, column_kinds, woven))
+    rows = sorted(kept, key=lambda item: rank(item.id))
     used = {id for row in rows for id in _names(row, column_kinds, woven)}
-    columns = [i.id for i in woven.spec.of_kind(*column_kinds) if i.id in used]
+    columns = sorted(used, key=rank)
     head = ["", *(f"{{srs}}`{id}`" for id in columns)]
     cells = (
         [f"{{srs}}`{row.id}`", *("●" if id in woven.spec.linked(row) else "" for id in columns)]
@@ -54,7 +55,7 @@ def _requirement_row(item: Item, woven: Woven) -> list[str]:
     uses = item.data.get("uses", [])
     code = [f"`{c.function}`" for id in uses for c in woven.code.get(id, [])]
     by_people = "judged by people" if item.data.get("judged") else "none"
-    checks = " ".join(f"{{srs}}`{id}` {badge(id, woven)}" for id in cases_of(item.id, woven))
+    checks = checked(cases_of(item.id, woven), woven)
     return [f"{{srs}}`{item.id}`", item.title, ids(uses), " ".join(code), checks or by_people]
 
 
@@ -64,7 +65,7 @@ class PlanTableDirective(WovenDirective):
     def run(self) -> list[nodes.Node]:
         box = nodes.container()
         cases = [i for i in self.woven.spec.of_kind("case") if i.id.startswith("TC")]
-        rows = [_plan_row(case, self.woven) for case in sorted(cases, key=_number)]
+        rows = [_plan_row(case, self.woven) for case in sorted(cases, key=lambda case: rank(case.id))]
         self.parse(table(["", "case", "models", "requirements", "last result"], rows), box)
         return [box]
 
@@ -74,7 +75,3 @@ def _plan_row(case: Item, woven: Woven) -> list[str]:
     requirements = [id for id in case.data["verifies"] if id.startswith(("R", "NFR"))]
     return [f"{{srs}}`{case.id}`", case.title, ids(models), ids(requirements), badge(case.id, woven)]
 
-
-def _number(case: Item) -> tuple[int, str]:
-    digits = "".join(filter(str.isdigit, case.id))
-    return int(digits), case.id

@@ -16,6 +16,7 @@ _GUIDE = re.compile(
 )
 
 
+PARTS = ("", "scene", "motion", "contact", "record", "verify", "spec", "generated")
 WIDTH = 84  # letters of code beside each other
 
 
@@ -40,16 +41,14 @@ class Module:
 
     @property
     def summary(self) -> str:
-        """The docstring's first paragraph."""
-        return " ".join(self.docstring.split("\n\n")[0].split())
+        """The docstring's first sentence."""
+        return sentence(self.docstring.split("\n\n")[0])
 
     @property
-    def service_and_secret(self) -> tuple[str, str] | None:
-        """What the module does for others, and what they need not know; None if unsaid."""
+    def service_and_secret(self) -> tuple[str, str]:
+        """What the module does for others, and what they need not know; empty if unsaid."""
         found = _GUIDE.search(self.docstring)
-        if not found:
-            return None
-        return sentence(found["service"]), sentence(found["secret"])
+        return (sentence(found["service"]), sentence(found["secret"])) if found else ("", "")
 
 
 def sentence(text: str) -> str:
@@ -58,22 +57,27 @@ def sentence(text: str) -> str:
 
 
 def modules(package: Path) -> Iterator[Module]:
-    """Every module of a package, in the order of its dotted name."""
-    for path in sorted(package.rglob("*.py")):
+    """Every module of a package: first what a user calls, then the parts, in the order of PARTS."""
+    for path in sorted(package.rglob("*.py"), key=lambda p: _place(p.relative_to(package))):
         parts = [package.name, *path.relative_to(package).with_suffix("").parts]
         name = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
         yield Module(name, path, ast.parse(path.read_text("utf-8")))
+
+
+def _place(path: Path) -> tuple[int, str]:
+    first = path.parts[0] if len(path.parts) > 1 else ""
+    return (PARTS.index(first) if first in PARTS else len(PARTS)), str(path)
 
 
 def guide(package: Path) -> str:
     """A table of services and secrets for each part of the package."""
     parts: dict[str, list[list[str]]] = {}
     for module in modules(package):
-        service, secret = module.service_and_secret or (module.summary, "")
+        says = [module.summary, *module.service_and_secret]
         link = f"{{module}}`{module.name}`"
-        parts.setdefault(module.part, []).append([link, _markdown(service), _markdown(secret)])
+        parts.setdefault(module.part, []).append([link, *map(_markdown, says)])
     return "\n".join(
-        f"**{name}**\n\n" + table(["module", "serves", "hides"], rows, style="guide")
+        f"**{name}**\n\n" + table(["module", "what it is", "serves", "hides"], rows, style="guide")
         for name, rows in parts.items()
     )
 

@@ -8,12 +8,16 @@ from collections.abc import Iterator
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.derivation import POINTS
 from tamias2d.spec.symbols import Index, Symbol
+from tamias2d.spec.tex import unit_tex
 
 from weave import cases, schemes
 from weave.formulas import equation, named, rate, relation, stack
 from weave.links import ids, linked
 from weave.markdown import bullets, code, display, fence, table
 from weave.woven import Woven
+
+
+_DOCUMENTS = {"SRS": "SRS of 2018", "Drasil": "specification by Drasil", "plan": "verification plan", "code": "program", "report": "reports"}
 
 
 def body(item: Item, woven: Woven) -> str:
@@ -33,6 +37,8 @@ def body(item: Item, woven: Woven) -> str:
 
 
 def _statement(item: Item, woven: Woven) -> Iterator[str]:
+    if document := item.data.get("document"):
+        yield f"*In the {_DOCUMENTS.get(document, document)}*\n"
     for key, lead in (
         ("says", ""),
         ("because", "*Why:* "),
@@ -102,14 +108,13 @@ def _symbol_row(name: str, woven: Woven) -> list[str]:
     reference = woven.spec.table.resolve(name)
     symbol = reference.symbol
     meaning = linked(symbol.says, woven) + "".join(_index_words(i) for i in reference.indices)
-    typical = f" ({symbol.typical} ± {symbol.uncertainty})" if symbol.typical and symbol.uncertainty else ""
-    return [
-        f"${woven.letter(name)}$",
-        f"{{symbol}}`{name}`",
-        f"{meaning}{typical}",
-        symbol.unit,
-        _admissible(symbol),
-    ]
+    typical = f"; typically {symbol.typical}" if symbol.typical else ""
+    letter, word = f"${woven.letter(name)}$", f"{{symbol}}`{name}`"
+    return [letter, word, f"{meaning}{typical}", _unit(symbol.unit), _admissible(symbol)]
+
+
+def _unit(text: str) -> str:
+    return "" if text == "1" else rf"$\mathrm{{{unit_tex(text)}}}$"
 
 
 def _index_words(index: Index) -> str:
@@ -117,8 +122,9 @@ def _index_words(index: Index) -> str:
 
 
 def _admissible(symbol: Symbol) -> str:
-    kind = "vector" if symbol.shape == "vector" else "any"
-    return f"`{symbol.range.text}`" if symbol.range.text else kind
+    text = symbol.range.text
+    signs = text.replace(">=", r"\ge").replace("<=", r"\le").replace("*pi", r"\pi")
+    return f"${signs}$" if text else ("vector" if symbol.shape == "vector" else "any")
 
 
 def index_table(woven: Woven) -> str:
@@ -153,15 +159,13 @@ def _code(item: Item, woven: Woven) -> Iterator[str]:
     functions = woven.code.get(item.id, [])
     if not functions:
         return
-    written = code("yaml", woven.source(item))
     printed = "\n".join(
         fence("literalinclude", f"/../{f.file}", "", language="python", pyobject=f.function)
         for f in functions
     )
-    sides = fence("grid-item", "", f"**Written** in `{item.file}:{item.line}`\n\n{written}", depth=5)
-    sides += fence("grid-item", "", f"**Printed** into `{functions[0].file}`\n\n{printed}", depth=5)
-    grid = fence("grid", "1 1 1 2", sides, depth=6, gutter="3")
-    yield fence("dropdown", "Source and generated code", grid, depth=7, color="light")
+    tabs = fence("tab-item", f"Printed into {functions[0].file}", printed, depth=5)
+    tabs += fence("tab-item", f"Written in {item.file}", code("yaml", woven.source(item)), depth=5)
+    yield fence("dropdown", "Generated code", fence("tab-set", "", tabs, depth=6), depth=7, color="light")
 
 
 def _relations(item: Item, woven: Woven) -> Iterator[str]:
