@@ -1,0 +1,31 @@
+"""Smooth motion: how bodies move while nothing touches them, or while what touches them lasts.
+
+Service: the path of a body from a state and a time on, as a function of time with bounds on its
+derivatives. Secret: how that path is found (closed form, a scheme, scipy).
+"""
+
+from tamias2d.motion.methods import (
+    ClosedForm,
+    ExplicitEuler,
+    Legacy2018,
+    Method,
+    Reference,
+    RungeKutta4,
+    SemiImplicitEuler,
+    VelocityVerlet,
+)
+from tamias2d.motion.piece import Bounds, Motion, Piece
+
+__all__ = [
+    "Bounds",
+    "ClosedForm",
+    "ExplicitEuler",
+    "Legacy2018",
+    "Method",
+    "Motion",
+    "Piece",
+    "Reference",
+    "RungeKutta4",
+    "SemiImplicitEuler",
+    "VelocityVerlet",
+]

@@ -1,0 +1,89 @@
+"""Motion by integration: paths from whatever steps an integrator takes."""
+
+from collections.abc import Iterator, Sequence
+from typing import Protocol
+
+import numpy as np
+
+from tamias2d.motion.closed_form import Uniform
+from tamias2d.motion.loads import Field, Loads, coordinates, start_states
+from tamias2d.motion.piece import Piece
+from tamias2d.motion.polynomial import Chain, Stretch
+from tamias2d.scene import Scene
+from tamias2d.state import Array, History, Hold, State
+
+
+class Integrator(Protocol):
+    """A scheme, with its choice of steps."""
+
+    def step(
+        self, field: Field, start: float, limit: float, position: Array, velocity: Array
+    ) -> Stretch:
+        """Step coordinates and rates (n, 3) from `start` towards `limit`, s, and not past it."""
+
+
+class IntegratedMotion:
+    """Paths by an integrator; what is static stands still."""
+
+    def __init__(self, scene: Scene, duration: float, integrator: Integrator) -> None:
+        self._scene = scene
+        self._duration = duration
+        self._integrator = integrator
+        self._loads = Loads(scene)
+        self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+
+    def segment(
+        self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
+    ) -> tuple[float, list[Piece]]:
+        """Return the end of one step and the path of every body to it."""
+        field = self._loads.field(self._moving, [holds[i] for i in self._moving])
+        q, rate = coordinates([states[i] for i in self._moving])
+        stretch = self._integrator.step(field, start, self._duration, q, rate)
+        moving = {body: stretch.piece(k) for k, body in enumerate(self._moving)}
+        still = (0.0, 0.0, 0.0)
+        pieces: list[Piece] = [
+            moving.get(i) or Uniform(start=start, end=stretch.end, state=state, acceleration=still)
+            for i, state in enumerate(states)
+        ]
+        return stretch.end, pieces
+
+    def restart(
+        self, body: int, start: float, state: State, end: float, hold: Hold | None
+    ) -> Piece:
+        """Return the path of one body from `start` to `end`, s."""
+        field = self._loads.field([body], [hold])
+        steps = list(self._stretches(field, start, end, *coordinates([state])))
+        pieces = [stretch.piece(0) for stretch in steps]
+        return pieces[0] if len(pieces) == 1 else Chain(pieces)
+
+    def history(self, times: Array) -> History:
+        """Return the states at sorted times (k,), s: all bodies at once."""
+        states = coordinates(start_states(self._scene))
+        rows = np.repeat(np.stack(states)[None], len(times), axis=0)
+        field = self._loads.field(self._moving, [None] * len(self._moving))
+        moving = (states[0][self._moving], states[1][self._moving])
+        done = int(np.searchsorted(times, 0.0, side="right"))
+        for stretch in self._stretches(field, 0.0, self._duration, *moving):
+            until = int(np.searchsorted(times, stretch.end, side="right"))
+            for k in range(done, until):
+                rows[k, :, self._moving] = np.stack(stretch.at(float(times[k])), axis=1)
+            done = until
+        return history_of(rows)
+
+    def _stretches(
+        self, field: Field, start: float, end: float, position: Array, velocity: Array
+    ) -> Iterator[Stretch]:
+        while start < end:
+            stretch = self._integrator.step(field, start, end, position, velocity)
+            yield stretch
+            start, (position, velocity) = stretch.end, stretch.last
+
+
+def history_of(rows: Array) -> History:
+    """Return coordinates and rates (k, 2, n, 3) as a history."""
+    return History(
+        rows[:, 0, :, :2].copy(),
+        rows[:, 0, :, 2].copy(),
+        rows[:, 1, :, :2].copy(),
+        rows[:, 1, :, 2].copy(),
+    )

@@ -1,0 +1,62 @@
+"""What accelerates the bodies of a scene: gravity, applied forces and torques (IM1, IM2)."""
+
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
+
+import numpy as np
+
+from tamias2d.generated import rotation, translation
+from tamias2d.scene import Body, Scene
+from tamias2d.state import Acceleration, Array, Hold, State
+
+Field: TypeAlias = Callable[[float, Array, Array], Array]
+"""Accelerations (n, 3) from a time, the coordinates (n, 3) and their rates (n, 3)."""
+
+_STILL: Acceleration = (0.0, 0.0, 0.0)
+
+
+class Loads:
+    """The accelerations of a scene's bodies, free or held by lasting contacts."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.bodies = scene.bodies
+        self._gravity = scene.gravity
+        self._constant = [self._at(body, 0.0) if body.constant else None for body in scene.bodies]
+
+    def acceleration(self, body: int, time: float, hold: Hold | None = None) -> Acceleration:
+        """Return the acceleration of one body at a time in s."""
+        free = self._constant[body]
+        if free is None:
+            free = self._at(self.bodies[body], time)
+        return hold(free) if hold else free
+
+    def field(self, bodies: Sequence[int], holds: Sequence[Hold | None]) -> Field:
+        """Return the accelerations of some bodies as a function, for the schemes."""
+        if all(self._constant[i] is not None for i in bodies):
+            fixed = self._rows(bodies, holds, 0.0)
+            return lambda time, position, velocity: fixed  # noqa: ARG005
+        return lambda time, position, velocity: self._rows(bodies, holds, time)  # noqa: ARG005
+
+    def _rows(self, bodies: Sequence[int], holds: Sequence[Hold | None], time: float) -> Array:
+        return np.array(
+            [self.acceleration(i, time, hold) for i, hold in zip(bodies, holds, strict=True)]
+        ).reshape(-1, 3)
+
+    def _at(self, body: Body, time: float) -> Acceleration:
+        if not body.dynamic:
+            return _STILL
+        x, y = translation.acceleration(self._gravity, body.force_at(time), body.mass)
+        turn = rotation.angular_acceleration(body.torque_at(time), body.inertia)
+        return float(x), float(y), float(turn)
+
+
+def start_states(scene: Scene) -> list[State]:
+    """Return the states in which the bodies of a scene start."""
+    return [State(b.position, b.orientation, b.velocity, b.angular_velocity) for b in scene.bodies]
+
+
+def coordinates(states: Sequence[State]) -> tuple[Array, Array]:
+    """Return states as coordinates (n, 3), x y orientation, and their rates (n, 3)."""
+    position = [(*state.position, state.orientation) for state in states]
+    velocity = [(*state.velocity, state.angular_velocity) for state in states]
+    return np.array(position).reshape(-1, 3), np.array(velocity).reshape(-1, 3)

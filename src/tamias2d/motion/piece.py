@@ -1,0 +1,57 @@
+"""A piece of a body's path: what whoever looks for contacts may ask of it."""
+
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
+
+from tamias2d.state import Acceleration, Array, History, Hold, State, Vector
+
+
+class Bounds(NamedTuple):
+    """What holds at every time of a window."""
+
+    acceleration: Vector
+    """The acceleration in the middle of the window's range, m/s^2."""
+    deviation: float
+    """How far any acceleration of the window is from it at most, m/s^2."""
+    speed: float
+    """At most, m/s."""
+    angular_speed: float
+    """At most, rad/s."""
+    angular_acceleration: float
+    """Its size at most, rad/s^2."""
+
+
+class Piece(Protocol):
+    """The path of one body between two times, with continuous velocity."""
+
+    start: float
+    end: float
+
+    def at(self, time: float) -> State:
+        """Return the state at a time of the piece, s; at `start` to the bit as it was given."""
+
+    def acceleration(self, time: float) -> Acceleration:
+        """Return the acceleration at a time of the piece, s."""
+
+    def bounds(self, first: float, last: float) -> Bounds:
+        """Return what holds from the time `first` to the time `last`, s."""
+
+    def sample(self, times: Array) -> Array:
+        """Return (k, 6): position, orientation, velocity, angular velocity at times (k,), s."""
+
+
+class Motion(Protocol):
+    """One way of finding paths, for the bodies of one scene up to the end of one run."""
+
+    def segment(
+        self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
+    ) -> tuple[float, list[Piece]]:
+        """Return a time and the path of every body from `start` (s) to that time."""
+
+    def restart(
+        self, body: int, start: float, state: State, end: float, hold: Hold | None
+    ) -> Piece:
+        """Return the path of one body from a new state at `start` to `end`, s."""
+
+    def history(self, times: Array) -> History:
+        """Return the states at sorted times (k,), s, where nothing touches."""

@@ -1,0 +1,208 @@
+"""Paths as polynomials of time, through what a scheme says at the ends of its step.
+
+The coordinates are x, y and orientation. The polynomial of the coordinates is the one truth: the
+velocity is its derivative, so that what touches and how fast it meets cannot disagree.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from tamias2d.motion.piece import Bounds, Piece
+from tamias2d.state import Acceleration, Array, State
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """One step of n bodies: coordinates and rates (n, 3) at both ends, and what lies between.
+
+    `coefficients` (m, n, 3) are those of the powers of x, which goes from -1 at the start to 1 at
+    the end.
+    """
+
+    start: float
+    end: float
+    first: tuple[Array, Array]
+    last: tuple[Array, Array]
+    coefficients: Array
+
+    def at(self, time: float) -> tuple[Array, Array]:
+        """Return coordinates and rates (n, 3) at a time in s, to the bit at both ends."""
+        if time == self.start:
+            return self.first
+        if time == self.end:
+            return self.last
+        half, x = _place(self, time)
+        value, slope = np.zeros_like(self.first[0]), np.zeros_like(self.first[0])
+        for c in self.coefficients[::-1]:
+            slope = slope * x + value
+            value = value * x + c
+        return value, slope / half
+
+    def piece(self, body: int) -> "Polynomial":
+        """Return the path of one of the bodies."""
+        return Polynomial(
+            self.start,
+            self.end,
+            _state(self.first[0][body], self.first[1][body]),
+            _state(self.last[0][body], self.last[1][body]),
+            self.coefficients[:, body].tolist(),
+        )
+
+
+def hermite(
+    start: float,
+    end: float,
+    first: tuple[Array, Array, Array],
+    last: tuple[Array, Array, Array],
+) -> Stretch:
+    """Return the quintic with given coordinates, rates and accelerations (n, 3) at both ends."""
+    half = (end - start) / 2
+    value, slope, bend = (  # of the even part and of the odd one, at x = 1
+        ((end_ + start_) / 2 * scale, (end_ - start_) / 2 * scale)
+        for start_, end_, scale in zip(first, last, (1.0, half, half * half), strict=True)
+    )
+    fourth = (bend[0] - slope[1]) / 8
+    second = slope[1] / 2 - 2 * fourth
+    fifth = (bend[1] - 3 * (slope[0] - value[1])) / 8
+    third = (slope[0] - value[1]) / 2 - 2 * fifth
+    powers = [
+        value[0] - second - fourth,
+        value[1] - third - fifth,
+        second,
+        third,
+        fourth,
+        fifth,
+    ]
+    return Stretch(start, end, first[:2], last[:2], np.stack(powers))
+
+
+class Polynomial:
+    """The path of one body over one step."""
+
+    def __init__(
+        self,
+        start: float,
+        end: float,
+        first: State,
+        last: State,
+        coefficients: list[list[float]],
+    ) -> None:
+        self.start = start
+        self.end = end
+        self._first = first
+        self._last = last
+        self._coefficients = coefficients
+        self._falling = coefficients[::-1]
+
+    def at(self, time: float) -> State:
+        """Return the state at a time in s, to the bit at both ends."""
+        if time == self.start:
+            return self._first
+        if time == self.end:
+            return self._last
+        half, s = _place(self, time)
+        x = y = turn = u = v = spin = 0.0
+        for cx, cy, ct in self._falling:
+            u, v, spin = u * s + x, v * s + y, spin * s + turn
+            x, y, turn = x * s + cx, y * s + cy, turn * s + ct
+        return State((x, y), turn, (u / half, v / half), spin / half)
+
+    def acceleration(self, time: float) -> Acceleration:
+        """Return the acceleration at a time in s."""
+        half, s = _place(self, time)
+        x = y = turn = 0.0
+        for k in range(len(self._coefficients) - 1, 1, -1):
+            cx, cy, ct = self._coefficients[k]
+            weight = k * (k - 1)
+            x, y, turn = x * s + weight * cx, y * s + weight * cy, turn * s + weight * ct
+        return x / half**2, y / half**2, turn / half**2
+
+    def bounds(self, first: float, last: float) -> Bounds:  # noqa: ARG002
+        """Return what holds over the whole step: x is within 1."""
+        return self._bounds
+
+    @cached_property
+    def _bounds(self) -> Bounds:
+        half = (self.end - self.start) / 2
+        rates = np.abs(_derivative(self._coefficients, 1)).sum(axis=0) / half
+        second = _derivative(self._coefficients, 2) / half**2
+        spread = np.abs(second[1:]).sum(axis=0)
+        x, y, angular = second[0].tolist()
+        return Bounds(
+            (x, y),
+            float(np.hypot(spread[0], spread[1])),
+            float(np.hypot(rates[0], rates[1])),
+            float(rates[2]),
+            abs(angular) + float(spread[2]),
+        )
+
+    def sample(self, times: Array) -> Array:
+        """Return (k, 6) at times (k,), s."""
+        return sampled(self, times)
+
+
+class Chain:
+    """Pieces that follow each other, as one."""
+
+    def __init__(self, pieces: Sequence[Piece]) -> None:
+        self.start = pieces[0].start
+        self.end = pieces[-1].end
+        self._pieces = pieces
+
+    def _piece(self, time: float) -> Piece:
+        return next((p for p in self._pieces if time <= p.end), self._pieces[-1])
+
+    def at(self, time: float) -> State:
+        """Return the state at a time in s."""
+        return self._piece(time).at(time)
+
+    def acceleration(self, time: float) -> Acceleration:
+        """Return the acceleration at a time in s."""
+        return self._piece(time).acceleration(time)
+
+    def bounds(self, first: float, last: float) -> Bounds:
+        """Return what holds from `first` to `last`, s."""
+        inside = [p.bounds(first, last) for p in self._pieces if p.start <= last and p.end >= first]
+        x, y = inside[0].acceleration
+        return Bounds(
+            (x, y),
+            max(
+                b.deviation + math.hypot(b.acceleration[0] - x, b.acceleration[1] - y)
+                for b in inside
+            ),
+            *(max(column) for column in zip(*(b[2:] for b in inside), strict=True)),
+        )
+
+    def sample(self, times: Array) -> Array:
+        """Return (k, 6) at times (k,), s."""
+        return sampled(self, times)
+
+
+def sampled(piece: Piece, times: Array) -> Array:
+    """Return (k, 6) of a piece at times (k,), s, one by one."""
+    states = [piece.at(time) for time in times.tolist()]
+    rows = [(*p, turn, *v, spin) for p, turn, v, spin in states]
+    return np.array(rows).reshape(-1, 6)
+
+
+def _state(q: Array, rate: Array) -> State:
+    x, y, orientation = q.tolist()
+    u, v, angular_velocity = rate.tolist()
+    return State((x, y), orientation, (u, v), angular_velocity)
+
+
+def _place(step: "Stretch | Polynomial", time: float) -> tuple[float, float]:
+    """Return half the length of a step in s, and the x of a time."""
+    half = (step.end - step.start) / 2
+    return half, (time - step.start) / half - 1
+
+
+def _derivative(coefficients: list[list[float]], order: int) -> Array:
+    powers = np.array(coefficients)
+    for _ in range(order):
+        powers = powers[1:] * np.arange(1, len(powers))[:, None]
+    return powers

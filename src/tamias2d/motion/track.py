@@ -1,0 +1,32 @@
+"""The whole path of each body, from the pieces that it went through."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from tamias2d.motion.piece import Piece
+from tamias2d.state import Array, History
+
+
+def sample(tracks: Sequence[Sequence[Piece]], times: Array) -> History:
+    """Return the states of n bodies at sorted times (k,), s, from their pieces in order of time.
+
+    At the instant at which one piece gives way to the next, the next one speaks.
+    """
+    rows = np.empty((len(times), len(tracks), 6))
+    for body, pieces in enumerate(tracks):
+        rows[:, body] = _along(pieces, times)
+    return History(
+        rows[..., :2].copy(), rows[..., 2].copy(), rows[..., 3:5].copy(), rows[..., 5].copy()
+    )
+
+
+def _along(pieces: Sequence[Piece], times: Array) -> Array:
+    starts = np.array([piece.start for piece in pieces])
+    which = np.searchsorted(starts, times, side="right") - 1
+    rows = np.empty((len(times), 6))
+    edges = np.flatnonzero(np.diff(which)) + 1
+    for chosen in np.split(np.arange(len(times)), edges):
+        if len(chosen):
+            rows[chosen] = pieces[which[chosen[0]]].sample(times[chosen])
+    return rows

@@ -1,0 +1,96 @@
+"""What a simulation gives back: the history of a scene, its impacts and its balance."""
+
+import hashlib
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.errors import InputError
+from tamias2d.motion import Method
+from tamias2d.scene import Scene
+from tamias2d.state import Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Impacts:
+    """The m impacts of a run, in the order in which they happened.
+
+    A pair that meets with a whole side gives one entry for each end of what touches, with the
+    same time.
+    """
+
+    time: Array
+    """(m,), s"""
+    bodies: NDArray[np.int64]
+    """(m, 2), indices of bodies A and B"""
+    point: Array
+    """(m, 2), where they touched, m"""
+    normal: Array
+    """(m, 2), unit, from A to B"""
+    impulse: Array
+    """(m,), along the normal, on B, N s"""
+    normal_velocity: Array
+    """(m,), just before, m/s; negative"""
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Run:
+    """The history of n bodies, static ones too and in the scene's order, at k times. SI units."""
+
+    scene: Scene
+    method: Method
+    duration: float
+    """s"""
+    time_step: float | None
+    """s; None where the method chooses for itself"""
+    times: Array
+    """(k,), s; at the instant of an impact the state is the one after it"""
+    position: Array
+    """(k, n, 2), of the centres of mass, m"""
+    orientation: Array
+    """(k, n), counter-clockwise, unbounded, rad"""
+    velocity: Array
+    """(k, n, 2), m/s"""
+    angular_velocity: Array
+    """(k, n), rad/s"""
+    impacts: Impacts
+    energy: Array
+    """(k,), kinetic, and potential in gravity, J"""
+    momentum: Array
+    """(k, 2), kg m/s"""
+    angular_momentum: Array
+    """(k,), about the origin, kg m^2/s"""
+    notes: tuple[str, ...]
+    """Which way was taken and why; which bodies came to rest on which, and when."""
+
+    def digest(self) -> str:
+        """Return the SHA-256 of all numbers of the run: equal runs have equal digests."""
+        total = hashlib.sha256()
+        for part in (self, self.impacts):
+            for field in fields(part):
+                value = getattr(part, field.name)
+                if isinstance(value, np.ndarray):
+                    total.update(f"{field.name}{value.shape}".encode())
+                    total.update(np.ascontiguousarray(value).tobytes())
+        return total.hexdigest()
+
+    def save(self, path: str | Path) -> None:
+        """Write the run as a recording (.rrd) or as plain arrays (.npz).
+
+        Raises:
+            InputError: the name ends in neither.
+            RecordingError: it cannot be written.
+        """
+        path = Path(path)
+        if path.suffix not in (".rrd", ".npz"):
+            raise InputError(
+                f"{path}: a run is saved as .rrd or .npz (R5). Give the name one of these endings."
+            )
+        from tamias2d.record import save
+
+        save(self, path)

@@ -1,0 +1,208 @@
+"""From a scene to its run: choose the way, go it, and say which it was (R5, R6, R8)."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.contact import Located, Refusal
+from tamias2d.errors import InputError, SimulationError
+from tamias2d.generated import definitions
+from tamias2d.motion import ClosedForm, Legacy2018, Method, Reference
+from tamias2d.motion.legacy import legacy_history
+from tamias2d.motion.stepped import grid
+from tamias2d.motion.track import sample
+from tamias2d.run import Impacts, Run
+from tamias2d.scene import Scene
+from tamias2d.scene.rules import number, sequence
+from tamias2d.state import Array, History
+
+_FRAMES = 60  # samples in a second, where nothing else is asked
+
+
+class Interrupted(SimulationError):  # noqa: N818
+    """The user stopped a run; `run` is what there was of it."""
+
+    code = "interrupted"
+
+    def __init__(self, run: Run) -> None:
+        super().__init__(
+            f"run of {run.duration:g} s: interrupted at {run.times[-1]:.6g} s. What was computed "
+            "is in the error's `run`."
+        )
+        self.run = run
+
+
+class _Plan(NamedTuple):
+    scene: Scene
+    method: Method
+    duration: float
+    time_step: float | None
+    times: Array
+    notes: tuple[str, ...]
+
+
+def simulate(
+    scene: Scene,
+    *,
+    duration: float,
+    method: Method | None = None,
+    time_step: float | None = None,
+    times: Iterable[float] | None = None,
+    progress: bool = False,
+) -> Run:
+    """Simulate a scene for a duration in s, and return its history.
+
+    Impacts are located: the path of the method is followed to the instant at which a pair meets,
+    and IM3 says how it parts. Without a `method` it is the closed form if every force and torque
+    is constant, and the reference otherwise. `times` are those of the samples, s, sorted and
+    within the run; without them it is 60 a second, or every step (`time_step`, s) of a stepped
+    method. `progress` shows a bar.
+
+    Raises:
+        InputError: an argument breaks a rule.
+        SceneError: bodies overlap at the start, or a pair that meets has no restitution.
+        SimulationError: the answer is not unique, or not within the models; the message says
+            when, and the error's `run` is the history up to there.
+        Interrupted: the user stopped it; likewise with its `run`.
+    """
+    plan = _plan(scene, duration, method, time_step, times)
+    if isinstance(plan.method, Legacy2018):
+        return _legacy(plan)
+    motion = plan.method.motion(scene, plan.duration, plan.time_step or plan.duration)
+    located = Located(scene, motion)
+    if not located.can_meet:
+        return _finished(plan, motion.history(plan.times), _no_impacts(), ())
+    try:
+        _go(located, plan.duration, progress)
+    except Refusal as refusal:
+        refusal.run = _collected(plan, located)
+        raise
+    except KeyboardInterrupt:
+        raise Interrupted(_collected(plan, located)) from None
+    return _collected(plan, located)
+
+
+def _plan(
+    scene: Scene,
+    duration: float,
+    method: Method | None,
+    time_step: float | None,
+    times: Iterable[float] | None,
+) -> _Plan:
+    duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
+    chosen, note = _method(scene, method)
+    if chosen.stepped != (time_step is not None):
+        need = "needs" if chosen.stepped else "chooses its own steps and takes no"
+        remedy = "Give time_step in s." if chosen.stepped else "Leave time_step out."
+        raise InputError(f"time_step {time_step!r}: {chosen} {need} time step (R5). {remedy}")
+    if time_step is not None:
+        time_step = number(time_step, "time_step", "the run", "Give it in s.", at=("time_step",))
+    steps = grid(duration, time_step or 1 / _FRAMES) if times is None else _samples(times, duration)
+    return _Plan(scene, chosen, duration, time_step, steps, (note,))
+
+
+def _method(scene: Scene, method: Method | None) -> tuple[Method, str]:
+    if method is None:
+        varying = [body.name for body in scene.bodies if not body.constant]
+        if varying:
+            return Reference(), f"Reference(): the loads of '{varying[0]}' vary with time"
+        return ClosedForm(), "ClosedForm(): every force and torque is constant"
+    if not isinstance(method, Method):
+        raise InputError(
+            f"method {method!r}: must be a method of motion (R5). Give one such as ClosedForm() "
+            "or VelocityVerlet(), with its brackets."
+        )
+    return method, f"{method}: as asked"
+
+
+def _samples(times: Iterable[float], duration: float) -> Array:
+    remedy = "Give sorted times in s, from 0 to the duration."
+    values = sequence(times, "the run", remedy, at=("times",))
+    steps = [
+        number(value, "time", "the run", remedy, at=("times", k)) for k, value in enumerate(values)
+    ]
+    for k, (before, after) in enumerate(zip(steps, [*steps[1:], duration], strict=True)):
+        if after < before:
+            raise InputError(
+                f"times[{k}] {before!r} s of the run: {after!r} s follows: must be sorted, and "
+                f"within the duration of {duration!r} s (R5). {remedy}"
+            )
+    if not steps:
+        raise InputError(f"times of the run: found none: must be one or more (R5). {remedy}")
+    return np.array(steps)
+
+
+def _legacy(plan: _Plan) -> Run:
+    times, history = legacy_history(plan.scene, plan.duration, plan.time_step or plan.duration)
+    return _finished(plan._replace(times=times), history, _no_impacts(), ())
+
+
+def _go(located: Located, duration: float, progress: bool) -> None:
+    if not progress:
+        located.go(duration)
+        return
+    from rich.progress import Progress
+
+    with Progress() as bar:
+        task = bar.add_task("simulating", total=duration)
+        located.go(duration, told=lambda time: bar.update(task, completed=time))
+
+
+def _collected(plan: _Plan, located: Located) -> Run:
+    """Return the run up to the time that was reached."""
+    reached = plan.times[plan.times <= located.time]
+    plan = plan._replace(times=reached if len(reached) else plan.times[:1])
+    return _finished(
+        plan, sample(located.tracks, plan.times), Impacts(**located.impacts()), located.notes
+    )
+
+
+def _finished(plan: _Plan, history: History, impacts: Impacts, notes: tuple[str, ...]) -> Run:
+    energy, momentum, angular_momentum = _balance(plan.scene, history)
+    return Run(
+        scene=plan.scene,
+        method=plan.method,
+        duration=plan.duration,
+        time_step=plan.time_step,
+        times=plan.times,
+        **history._asdict(),
+        impacts=impacts,
+        energy=energy,
+        momentum=momentum,
+        angular_momentum=angular_momentum,
+        notes=plan.notes + notes,
+    )
+
+
+def _balance(scene: Scene, history: History) -> tuple[Array, Array, Array]:
+    """Return energy (k,), momentum (k, 2) and angular momentum (k,) of all that moves."""
+    moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+    mass = np.array([scene.bodies[i].mass for i in moving])
+    inertia = np.array([scene.bodies[i].inertia for i in moving])
+    inertia[~np.isfinite(inertia)] = 0.0  # it cannot turn, and 0 times infinity is nothing
+    position = (history.position[:, moving, 0], history.position[:, moving, 1])
+    velocity = (history.velocity[:, moving, 0], history.velocity[:, moving, 1])
+    spin = history.angular_velocity[:, moving]
+    kinetic = definitions.kinetic_energy(mass, velocity, inertia, spin)
+    potential = definitions.potential_energy(mass, scene.gravity, position)
+    momentum = definitions.momentum(mass, velocity)
+    turning = definitions.angular_momentum(mass, position, velocity, inertia, spin)
+    return (
+        (kinetic + potential).sum(axis=-1),
+        np.stack([part.sum(axis=-1) for part in momentum], axis=-1),
+        turning.sum(axis=-1),
+    )
+
+
+def _no_impacts() -> Impacts:
+    none = np.empty(0)
+    pairs = np.empty((0, 2))
+    return Impacts(
+        time=none,
+        bodies=pairs.astype(np.int64),
+        point=pairs,
+        normal=pairs,
+        impulse=none,
+        normal_velocity=none,
+    )
