@@ -17,6 +17,7 @@ from weave.guide import CodesDirective, GuideDirective, InterfaceDirective
 from weave.links import ItemRole, ModuleRole, SymbolRole
 from weave.matrices import MatrixDirective, PlanTableDirective, RequirementsDirective
 from weave.mirror import on_builder_inited
+from weave.verification import PublishedDirective, ResultsDirective
 from weave.woven import weave
 
 
@@ -25,6 +26,8 @@ _TABLES = {
     "indices": IndicesDirective,
     "matrix": MatrixDirective,
     "requirements-table": RequirementsDirective,
+    "published-tables": PublishedDirective,
+    "all-results": ResultsDirective,
     "plan-table": PlanTableDirective,
     "module-guide": GuideDirective,
     "interface": InterfaceDirective,

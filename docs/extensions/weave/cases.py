@@ -5,11 +5,14 @@ are worded.
 """
 
 from collections.abc import Iterator
+from typing import Any
 
 from tamias2d.spec.chapter import Item
 
-from weave.links import rank
-from weave.markdown import code, fence, table
+from weave import published
+from weave.formulas import equation, stack
+from weave.links import linked, rank
+from weave.markdown import bullets, code, display, fence, table
 from weave.woven import Woven
 
 NO_RESULTS = "No results on this machine: `tamias2d verify` makes them."
@@ -20,26 +23,56 @@ _SIGNS = {"fail": "✗", "stale": "≠", "uncovered": "○", "pass": "✓"}
 def parts(item: Item, woven: Woven) -> Iterator[str]:
     """The comparisons of a case, or the cases of any other item."""
     if item.kind == "case":
-        yield from _comparisons(item, woven)
+        yield from _case(item, woven)
     elif about := cases_of(item.id, woven):
         rows = [[f"{{srs}}`{id}`", woven.spec.items[id].title, badge(id, woven)] for id in about]
-        yield fence("dropdown", f"Cases ({len(rows)})", table(["", "case", "last result"], rows, style="cases"), depth=6, color="light")
+        listing = table(["", "case", "last result"], rows, style="cases")
+        yield fence("dropdown", f"Cases ({len(rows)})", listing, depth=6, color="light")
+
+
+def _case(item: Item, woven: Woven) -> Iterator[str]:
+    data = item.data
+    if scene := data.get("scene"):
+        time = f", {data['duration']}" if "duration" in data else ""
+        yield f"Scene `{scene}`{time}.\n"
+    if exact := data.get("exact", {}).get("bodies"):
+        yield display(stack(_exact_lines(exact, woven)))
+    yield bullets(_judged(name, part, woven) for name, part in data.items() if _is_judged(part))
+    yield _results(item, woven)
+    if shown := published.part(item):
+        yield fence("dropdown", "Published, reproduced and exact", shown, depth=6, color="light")
+    yield fence("dropdown", "As written", code("yaml", woven.source(item)), depth=6, color="light")
+
+
+def _exact_lines(bodies: dict[str, dict[str, str]], woven: Woven) -> Iterator[str]:
+    for body, quantities in bodies.items():
+        for name, text in quantities.items():
+            label = rf"\text{{{body.replace('_', ' ')}: }}" if len(bodies) > 1 else ""
+            yield label + equation(woven, name, text)
+
+
+def _is_judged(part: Any) -> bool:
+    return isinstance(part, dict) and "tolerance" in part
+
+
+def _judged(name: str, part: dict[str, Any], woven: Woven) -> str:
+    source = f" Source: {linked(part['source'], woven)}." if "source" in part else ""
+    because = f", because {linked(part['because'], woven)}" if "because" in part else ""
+    return f"**{name}** within `{part['tolerance']}`{because}.{source}"
+
+
+def _results(item: Item, woven: Woven) -> str:
+    results = woven.results.get(item.id)
+    if not results:
+        return f"*{NO_RESULTS}*\n"
+    rows = [[r.quantity, f"{r.error:.2g}", f"{r.tolerance:.2g}", mark(r.verdict)] for r in results]
+    return table(["compared", "error", "tolerance", ""], rows, style="results")
 
 
 def cases_of(id: str, woven: Woven) -> list[str]:
     """The cases that verify an item or use it."""
     found = [name for name in woven.used_by.get(id, []) if woven.spec.items[name].kind == "case"]
     return sorted(found, key=rank)
-
-
-def _comparisons(item: Item, woven: Woven) -> Iterator[str]:
-    yield fence("dropdown", "As written", code("yaml", woven.source(item)), depth=6, color="light")
-    results = woven.results.get(item.id)
-    if not results:
-        yield f"*{NO_RESULTS}*\n"
-        return
-    rows = [[r.quantity, f"{r.error:.2g}", f"{r.tolerance:.2g}", mark(r.verdict)] for r in results]
-    yield table(["compared", "error", "tolerance", ""], rows, style="results")
 
 
 def verdict(id: str, woven: Woven) -> str:

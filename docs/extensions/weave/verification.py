@@ -1,0 +1,38 @@
+"""The page of verification results.
+
+Serves: `{published-tables}` and `{all-results}`. Hides: how cases are summed up.
+"""
+
+from docutils import nodes
+
+from weave import published
+from weave.cases import NO_RESULTS, mark
+from weave.chapter import WovenDirective
+from weave.links import rank
+from weave.markdown import table
+
+
+class PublishedDirective(WovenDirective):
+    """How the tables of 2018 are reproduced."""
+
+    def run(self) -> list[nodes.Node]:
+        box = nodes.container()
+        cases = sorted(self.woven.spec.of_kind("case"), key=lambda case: rank(case.id))
+        self.parse(published.summary(cases), box)
+        return [box]
+
+
+class ResultsDirective(WovenDirective):
+    """Every comparison of the last run of the cases."""
+
+    def run(self) -> list[nodes.Node]:
+        box = nodes.container()
+        results = self.woven.results
+        rows = [
+            [f"{{srs}}`{id}`", r.quantity, f"{r.error:.2g}", f"{r.tolerance:.2g}", mark(r.verdict)]
+            for id in sorted(results, key=rank)
+            for r in results[id]
+        ]
+        head = ["case", "compared", "error", "tolerance", "verdict"]
+        self.parse(table(head, rows, style="results") if rows else NO_RESULTS, box)
+        return [box]
