@@ -89,9 +89,8 @@ def solve(states: Mapping[str, str], given: Mapping[str, Value]) -> dict[str, Va
 
     def rate(_time: float, flat: Any) -> Any:
         known = {**given, **unpack(flat)}
-        return np.concatenate(
-            [np.atleast_1d(np.array(evaluate(rates[name], known))) for name in states]
-        )
+        slopes = [np.atleast_1d(np.array(evaluate(rates[name], known))) for name in states]
+        return given["time"] * np.concatenate(slopes)
 
     start = np.concatenate(
         [np.atleast_1d(np.array(given[f"{name}_start"], float)) for name in states]

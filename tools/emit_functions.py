@@ -1,11 +1,14 @@
 """Generated modules of the executable equations: one function for each."""
 
 import re
+import textwrap
 from collections import defaultdict
 from pathlib import PurePosixPath
 
 from tamias2d.spec.chapter import Item
+from tamias2d.spec.check import TRUTH, infer
 from tamias2d.spec.equations import Function, functions
+from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.python import PythonPrinter
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import SymbolTable
@@ -58,8 +61,6 @@ def emit(module: str, made: list[Function], specification: Specification) -> str
 
 
 def _wrapped(text: str) -> str:
-    import textwrap
-
     return "\n".join(textwrap.wrap(text, 96))
 
 
@@ -85,15 +86,11 @@ def _type(name: str, table: SymbolTable) -> str:
 
 
 def _result(function: Function, printer: PythonPrinter) -> str:
-    from tamias2d.spec.check import TRUTH, infer
-
     found = infer(function.expression, printer.table)
     return "bool" if found == TRUTH else found.shape.capitalize()
 
 
 def _docstring(function: Function, table: SymbolTable) -> list[str]:
-    import textwrap
-
     says, unit = describe(function.name, table)
     item = function.item
     line = item.at(function.key, function.name, "key")[0]
@@ -119,8 +116,6 @@ def _docstring(function: Function, table: SymbolTable) -> list[str]:
 
 def describe(name: str, table: SymbolTable) -> tuple[str, str]:
     """What a name means, with its indices, and its unit; a condition has no unit."""
-    from tamias2d.spec.messages import SpecFault
-
     try:
         reference = table.resolve(name)
     except SpecFault:

@@ -79,7 +79,8 @@ def _splitting(scheme: Scheme) -> list[str]:
 
 def _runge_kutta(scheme: Scheme) -> list[str]:
     lines: list[str] = []
-    velocities, rates = [], []
+    velocities: list[str] = []
+    rates: list[str] = []
     for stage, (row, moment) in enumerate(zip(scheme.a, scheme.c, strict=True), start=1):
         velocity = "velocity"
         if any(row):

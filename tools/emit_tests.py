@@ -14,7 +14,13 @@ from tamias2d.spec.symbols import Symbol
 from tamias2d.spec.tex import plain
 from tools.emit_functions import functions_by_module, module_of
 
-HEADER = '"""{title}\n\nGenerated from srs/ by `python -m tools.generate`. Edit the chapter, not this file.\n"""\n\n{imports}\n'
+HEADER = '''"""{title}
+
+Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+{imports}
+'''
 
 
 def emit(specification: Specification) -> dict[str, str]:
@@ -121,7 +127,8 @@ def _symbols(specification: Specification) -> str:
 
 def _symbol(symbol: Symbol) -> str:
     limits = symbol.range
-    inside, outside = [], ["inf", "-inf", "nan"]
+    inside: list[str] = []
+    outside = ["inf", "-inf", "nan"]
     for bound, is_open, away in (
         (limits.low, limits.low_open, -math.inf),
         (limits.high, limits.high_open, math.inf),
@@ -149,6 +156,6 @@ def _cases(specification: Specification) -> str:
 def _case(item: Item) -> str:
     words = re.sub(r"[^a-z0-9]+", "_", item.title.lower()).strip("_")
     verified = ", ".join(item.data["verifies"])
-    head = f"{item.id}, {item.file}:{item.line}" + (f"; verifies {verified}." if verified else ".")
+    head = f"{item.id}, {item.file}:{item.line}; verifies {verified or 'no requirement'}."
     text = textwrap.shorten(head, 90)
     return f'def test_{item.id.lower()}_{words}() -> None:\n    """{text}"""\n    passes("{item.id}")\n'

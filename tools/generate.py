@@ -46,14 +46,14 @@ def outputs(specification: Specification) -> dict[str, str]:
 
 
 def formatted(path: str, text: str) -> str:
-    """The text as the project's formatter lays it out."""
-    command = [sys.executable, "-m", "ruff", "format", "--stdin-filename", path, "-"]
-    done = subprocess.run(
-        command, input=text, capture_output=True, text=True, cwd=ROOT, check=False
-    )
-    if done.returncode:
-        raise RuntimeError(f"{path}: {done.stderr}")
-    return done.stdout
+    """The text as the project's formatter lays it out, imports sorted."""
+    for command in (["check", "--select=I", "--fix", "--quiet"], ["format"]):
+        call = [sys.executable, "-m", "ruff", *command, "--stdin-filename", path, "-"]
+        done = subprocess.run(
+            call, input=text, capture_output=True, text=True, cwd=ROOT, check=True
+        )
+        text = done.stdout
+    return text
 
 
 def _places(owners: dict[str, list[tuple[str, str]]], files: dict[str, str]) -> emit_data.Code:
@@ -85,9 +85,9 @@ def differences(files: dict[str, str]) -> dict[str, str]:
             )
             found[path] = "\n    ".join(["differs", *list(lines)[2:8]])
     for folder in (CODE, TESTS):
-        for path in sorted((ROOT / folder).rglob("*")):
-            name = path.relative_to(ROOT).as_posix()
-            if path.is_file() and "__pycache__" not in name and name not in files:
+        for file in sorted((ROOT / folder).rglob("*")):
+            name = file.relative_to(ROOT).as_posix()
+            if file.is_file() and "__pycache__" not in name and name not in files:
                 found[name] = "orphan"
     return found
 

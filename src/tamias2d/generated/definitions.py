@@ -223,7 +223,7 @@ def kinetic_energy(
 def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
     """Energy of a body in the gravity field, zero at the origin (J).
 
-    potential_energy = (-mass)*dot(gravity, position)
+    potential_energy = -mass*dot(gravity, position)
 
     Args:
         mass: Mass of a body, kg

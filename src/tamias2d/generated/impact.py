@@ -124,7 +124,7 @@ def inverse_effective_mass(
 def impulse(restitution: Scalar, normal_velocity: Scalar, inverse_effective_mass: Scalar) -> Scalar:
     """Size of the impulse of a contact along its normal (N*s).
 
-    impulse = (-(1 + restitution))*normal_velocity/inverse_effective_mass
+    impulse = -(1 + restitution)*normal_velocity/inverse_effective_mass
 
     Args:
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no

@@ -87,45 +87,43 @@ def read_chapter(path: Path, file: str) -> Chapter:
 
 
 def _read_fence(chapter: Chapter, token: Any, lines: list[str]) -> None:
-    start, end = token.map
     heading = _FENCE.fullmatch(token.info.strip())
     if heading is None or heading.group(1) in _PROSE_DIRECTIVES:
         return
-    line = start + 1
-
-    def fault(code: Code, message: str) -> None:
-        chapter.faults.append(Diagnostic(chapter.file, line, 1, code.code, message))
-
-    if not lines[end - 1].lstrip().startswith(token.markup) or end - 1 == start:
-        return fault(Code.YAML, "the fence is not closed. Close it with the same backticks")
-    kind = KINDS.get(heading.group(1))
-    if kind is None:
-        known = ", ".join(KINDS)
-        return fault(
-            Code.UNKNOWN_KIND,
-            f"'{heading.group(1)}' is no kind of item: must be one of {known}. Correct it",
-        )
+    start, end = token.map
+    closed = end - 1 > start and lines[end - 1].lstrip().startswith(token.markup)
     name, _, title = heading.group(2).strip().partition(" ")
-    if kind.ids is None and name:
-        return fault(
-            Code.BAD_HEADING, f"a table of {kind.name} has neither id nor title. Remove '{name}'"
-        )
-    if kind.ids is not None and not (kind.takes_id(name) and title.strip()):
-        return fault(
-            Code.BAD_HEADING,
-            f"'{name} {title}': a {kind.name} needs an id like {kind.ids} and a title. Give both",
-        )
+    fault = _heading_fault(heading.group(1), name, title.strip(), closed)
+    if fault:
+        chapter.faults.append(Diagnostic(chapter.file, start + 1, 1, fault[0].code, fault[1]))
+        return
     try:
-        data, marks = compose(token.content, file=chapter.file, first_line=line + 1)
+        data, marks = compose(token.content, file=chapter.file, first_line=start + 2)
     except MarkupError as error:
         chapter.faults.append(error.diagnostic)
-        return None
-    if not isinstance(data, dict):
-        return fault(
-            Code.BAD_VALUE, f"a {kind.name} needs keys with values. Write 'key: value' lines"
-        )
-    item = Item(kind.name, name, title.strip(), chapter.file, line, data, marks)
-    chapter.items.append(item)
+        return
+    item = Item(heading.group(1), name, title.strip(), chapter.file, start + 1, data, marks)
+    if isinstance(data, dict):
+        chapter.items.append(item)
+    else:
+        text = f"a {item.kind} needs keys with values. Write 'key: value' lines"
+        chapter.faults.append(item.diagnostic(Code.BAD_VALUE, text))
+
+
+def _heading_fault(kind: str, name: str, title: str, closed: bool) -> tuple[Code, str] | None:
+    """What is wrong with the first line of a fence, if anything."""
+    if not closed:
+        return Code.YAML, "the fence is not closed. Close it with the same backticks"
+    if kind not in KINDS:
+        known = ", ".join(KINDS)
+        return Code.UNKNOWN_KIND, f"'{kind}' is no kind of item: must be one of {known}. Correct it"
+    ids = KINDS[kind].ids
+    if ids is None and name:
+        text = f"a table of {kind} has neither id nor title. Remove '{name}'"
+        return Code.BAD_HEADING, text
+    if ids is not None and not (KINDS[kind].takes_id(name) and title):
+        text = f"'{name} {title}': a {kind} needs an id like {ids} and a title. Give both"
+        return Code.BAD_HEADING, text
     return None
 
 

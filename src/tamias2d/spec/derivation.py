@@ -8,15 +8,26 @@ the later one must then hold too. Each later equation must also be able to fail.
 import math
 import random
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import infer
 from tamias2d.spec.derivative import differentiate
-from tamias2d.spec.equations import Report, parsed, placed, relation, substitute, typed
+from tamias2d.spec.equations import Report, parsed, placed, relation, typed
 from tamias2d.spec.evaluate import Value, evaluate
-from tamias2d.spec.expression import Binary, Call, Name, Node, Relation, names, walk
+from tamias2d.spec.expression import (
+    Binary,
+    Call,
+    Name,
+    Node,
+    Relation,
+    names,
+    rebuilt,
+    substituted,
+    walk,
+)
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.symbols import Range, SymbolTable
 from tamias2d.spec.tex import plain
@@ -24,6 +35,7 @@ from tamias2d.spec.tex import plain
 POINTS = 24
 _TOLERANCE = 1e-9  # of the largest term: far above rounding, far below any wrong factor
 _PARTICLES = 5
+_DEEPEST = 8  # substitutions within substitutions
 
 Values = dict[str, Value]
 
@@ -38,7 +50,7 @@ def check_derivation(item: Item, table: SymbolTable, report: Report) -> None:
         if now is None or given is None:
             return
         if before is not None and not _implies(before, now, given, table):
-            text = f"'{plain(now)}' does not follow from '{plain(before)}'. Correct the step or say in 'where' what is put in"
+            text = f"'{plain(now)}' does not follow from '{plain(before)}'. Correct it, or say in 'where' what"
             report(item.diagnostic(Code.DERIVATION_GAP, text, *where, "equation"))
             return
         before = now
@@ -61,8 +73,18 @@ def _substitutions(
             return None
         if typed(item, Relation("==", key, node), table, report, *path, "where", name) is None:
             return None
+        if not _is_own(item, key, node, table, report):
+            text = f"'{name}' is not put in as the item defines it. Make them agree"
+            report(item.diagnostic(Code.DERIVATION_GAP, text, *path, "where", name))
+            return None
         found[plain(key)] = node
     return found
+
+
+def _is_own(item: Item, key: Node, node: Node, table: SymbolTable, report: Report) -> bool:
+    """Whether a quantity that the item itself defines is put in as defined."""
+    own = dict(_own_equations(item, report)).get(plain(key))
+    return own is None or _implies(Relation("==", key, own), Relation("==", key, node), {}, table)
 
 
 def _check_end(item: Item, last: Relation, table: SymbolTable, report: Report) -> None:
@@ -71,7 +93,7 @@ def _check_end(item: Item, last: Relation, table: SymbolTable, report: Report) -
         own = relation(item, text, table, report, "equation")
         targets += [own] if own else []
     if targets and not any(_implies(last, target, {}, table) for target in targets):
-        text = f"the last step '{plain(last)}' does not give the item's equation. Finish the derivation"
+        text = f"the last step '{plain(last)}' is not the item's equation. Finish it"
         report(item.diagnostic(Code.DERIVATION_GAP, text, "derivation"))
 
 
@@ -105,44 +127,25 @@ def _implies(before: Relation, now: Relation, given: dict[str, Node], table: Sym
 
 def _prepared(equation: Relation, given: dict[str, Node], atoms: dict[str, Node]) -> Relation:
     """The equation after substitution, with derivatives and integrals as unknowns of their own."""
-    tree = _atomic(equation, given, atoms, 0)
-    assert isinstance(tree, Relation)  # noqa: S101 - _atomic keeps the outermost node
-    for name in names(tree):
+    sides = (_atomic(side, given, atoms) for side in (equation.left, equation.right))
+    prepared = Relation("==", *sides)
+    for name in names(prepared):
         atoms.setdefault(name, Name(name))
-    return tree
+    return prepared
 
 
-def _atomic(node: Node, given: dict[str, Node], atoms: dict[str, Node], depth: int) -> Node:
-    text = plain(node)
-    if text in given and depth < 8:
-        return _atomic(given[text], {k: v for k, v in given.items() if k != text}, atoms, depth + 1)
-    if isinstance(node, Call) and node.function in ("d", "integral"):
-        atoms[text] = node
-        return Name(text)
-    if isinstance(node, Name):
-        return node
-    replaced: dict[str, Node] = {}
-    marked = _mark_parts(node, replaced)
-    return substitute(
-        marked, {name: _atomic(part, given, atoms, depth) for name, part in replaced.items()}
-    )
+def _atomic(node: Node, given: dict[str, Node], atoms: dict[str, Node], depth: int = 0) -> Node:
+    def change(part: Node) -> Node | None:
+        text = plain(part)
+        if text in given and depth < _DEEPEST:
+            rest = {name: tree for name, tree in given.items() if name != text}
+            return _atomic(given[text], rest, atoms, depth + 1)
+        if isinstance(part, Call) and part.function in ("d", "integral"):
+            atoms[text] = part
+            return Name(text)
+        return None
 
-
-def _mark_parts(node: Node, replaced: dict[str, Node]) -> Node:
-    from dataclasses import fields, replace
-
-    changes: dict[str, object] = {}
-    for f in fields(node):
-        value = getattr(node, f.name)
-        many = value if isinstance(value, tuple) else (value,)
-        if any(isinstance(part, Node) for part in many):
-            marks = []
-            for part in many:
-                name = f"part {len(replaced)}"
-                replaced[name] = part
-                marks.append(Name(name))
-            changes[f.name] = tuple(marks) if isinstance(value, tuple) else marks[0]
-    return replace(node, **changes) if changes else node  # type: ignore[arg-type]
+    return rebuilt(node, change)
 
 
 def _draw(node: Node, table: SymbolTable, generator: random.Random) -> Value:
@@ -197,7 +200,7 @@ def _holds(equation: Relation, values: Values) -> bool:
 
 
 def _scale(equation: Relation, values: Values) -> float:
-    """The largest size among the terms of both sides, so that cancellation is not held against it."""
+    """The largest size among the terms of both sides: cancellation is no fault."""
     sizes = [1e-300]
     for side in (equation.left, equation.right):
         for node in walk(side):
@@ -210,7 +213,7 @@ def _scale(equation: Relation, values: Values) -> float:
     return max(sizes)
 
 
-def _residual(equation: Relation, values: Values) -> np.ndarray:  # type: ignore[type-arg]
+def _residual(equation: Relation, values: Values) -> Any:
     return np.array([float(np.sum(a - b)) for a, b in _components(equation, values)])
 
 
@@ -265,7 +268,7 @@ def check_closed_form(item: Item, table: SymbolTable, report: Report) -> None:
             continue
         try:
             infer(form, table)
-            solves = _same(differentiate(form, "time"), substitute(rate, forms), table)
+            solves = _same(differentiate(form, "time"), substituted(rate, forms), table)
             starts = _same(form, Name(f"{name}_start"), table, time=0.0)
         except SpecFault as fault:
             report(placed(item, fault, "closed_form", name))

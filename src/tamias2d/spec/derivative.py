@@ -3,13 +3,14 @@
 Serves: the check that a closed form solves its equations. Hides: the rules of calculus.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 
 from tamias2d.spec.expression import Binary, Call, Measure, Name, Negative, Node, Number, Power
 
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
-_OUTER = {
+_OUTER: dict[str, Callable[[Node], Node]] = {
     "sin": lambda a: Call("cos", (a,)),
     "cos": lambda a: Negative(Call("sin", (a,))),
     "exp": lambda a: Call("exp", (a,)),
@@ -54,6 +55,6 @@ def differentiate(node: Node, name: str) -> Node:
     raise ValueError(f"{type(node).__name__} has no derivative here")
 
 
-def _product(left: Node, right: Node, name: str, combine) -> Node:  # type: ignore[no-untyped-def]
+def _product(left: Node, right: Node, name: str, combine: Callable[[Node, Node], Node]) -> Node:
     first = combine(differentiate(left, name), right)
     return Binary("+", first, combine(left, differentiate(right, name)))

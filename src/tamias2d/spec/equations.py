@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import TRUTH, Type, expect, infer
-from tamias2d.spec.expression import Name, Node, Relation, names, parse
+from tamias2d.spec.expression import Node, Relation, names, parse
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
 from tamias2d.spec.symbols import SymbolTable
 
@@ -24,7 +24,6 @@ class Function:
     arguments: tuple[str, ...]
     intermediates: tuple[tuple[str, Node], ...]
     expression: Node
-    says: str
     item: Item
     key: str
 
@@ -123,25 +122,17 @@ def _function(
 ) -> Function | None:
     order: dict[str, Node] = {}
     missing = _collect(trees[name], {name, *arguments}, trees, order)
-    unused = [
-        a for a in arguments if not any(a in names(tree) for tree in (*order.values(), trees[name]))
+    used = {word for tree in (*order.values(), trees[name]) for word in names(tree)}
+    faults = [(wrong, "is neither an argument nor an equation of this item") for wrong in missing]
+    faults += [
+        (wrong, "is an argument that no term uses") for wrong in arguments if wrong not in used
     ]
-    for wrong, why in (
-        *((m, "is neither an argument nor an equation of this item") for m in missing),
-        *((u, "is an argument that no term uses") for u in unused),
-    ):
-        report(
-            item.diagnostic(
-                Code.UNKNOWN_NAME,
-                f"'{wrong}' of {name} {why}. Correct 'arguments'",
-                "arguments",
-                name,
-            )
-        )
-    if missing or unused:
+    for wrong, why in faults:
+        text = f"'{wrong}' of {name} {why}. Correct 'arguments'"
+        report(item.diagnostic(Code.UNKNOWN_NAME, text, "arguments", name))
+    if faults:
         return None
-    intermediates = tuple(order.items())
-    return Function(name, tuple(arguments), intermediates, trees[name], item.title, item, key)
+    return Function(name, tuple(arguments), tuple(order.items()), trees[name], item, key)
 
 
 def _collect(
@@ -158,21 +149,3 @@ def _collect(
         missing += _collect(trees[name], known | {name}, trees, order)
         order[name] = trees[name]
     return missing
-
-
-def substitute(node: Node, values: dict[str, Node]) -> Node:
-    """The tree with some names replaced by trees."""
-    from dataclasses import fields, replace
-
-    if isinstance(node, Name):
-        return values.get(node.name, node)
-    changes: dict[str, object] = {}
-    for f in fields(node):
-        value = getattr(node, f.name)
-        if isinstance(value, Node):
-            changes[f.name] = substitute(value, values)
-        elif isinstance(value, tuple):
-            changes[f.name] = tuple(
-                substitute(v, values) if isinstance(v, Node) else v for v in value
-            )
-    return replace(node, **changes) if changes else node  # type: ignore[arg-type]

@@ -8,8 +8,8 @@ walked with a list of what is allowed, and all else is refused with its place.
 import ast
 import re
 import warnings
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from tamias2d.spec.messages import Code, SpecFault
@@ -250,6 +250,30 @@ def parts(node: Node) -> tuple[Node, ...]:
         case Both(parts=conditions):
             return conditions
     return ()
+
+
+def rebuilt(node: Node, change: Callable[[Node], Node | None]) -> Node:
+    """The tree with each outermost node for which `change` gives another one replaced."""
+    changed = change(node)
+    if changed is not None:
+        return changed
+    match node:
+        case Negative(operand=operand):
+            return replace(node, operand=rebuilt(operand, change))
+        case Binary(left=left, right=right) | Relation(left=left, right=right):
+            return replace(node, left=rebuilt(left, change), right=rebuilt(right, change))
+        case Power(base=base):
+            return replace(node, base=rebuilt(base, change))
+        case Call(arguments=arguments):
+            return replace(node, arguments=tuple(rebuilt(part, change) for part in arguments))
+        case Both(parts=conditions):
+            return replace(node, parts=tuple(rebuilt(part, change) for part in conditions))
+    return node
+
+
+def substituted(node: Node, values: Mapping[str, Node]) -> Node:
+    """The tree with some names replaced by trees."""
+    return rebuilt(node, lambda part: values.get(part.name) if isinstance(part, Name) else None)
 
 
 def walk(node: Node) -> Iterator[Node]:

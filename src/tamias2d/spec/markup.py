@@ -49,9 +49,9 @@ class _Composer:
                     "anchors and aliases are refused. Write the value out",
                     event.start_mark,
                 )
-            if getattr(event, "tag", None):
+            if tag := getattr(event, "tag", None):
                 raise self.fault(
-                    Code.YAML_FEATURE, f"tag '{event.tag}' is refused. Remove it", event.start_mark
+                    Code.YAML_FEATURE, f"tag '{tag}' is refused. Remove it", event.start_mark
                 )
             depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(
                 event, yaml.CollectionEndEvent

@@ -37,7 +37,7 @@ class Code(Enum):
         self.meaning = meaning
 
 
-class SpecFault(Exception):
+class SpecFault(Exception):  # noqa: N818 - it becomes a Diagnostic, the error that users see
     """A fault in one text, before its place in a file is known; `offset` counts characters."""
 
     def __init__(self, code: Code, message: str, offset: int = 0) -> None:

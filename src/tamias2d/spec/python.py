@@ -92,6 +92,7 @@ class PythonPrinter:
         raise TypeError(node)
 
     def part(self, node: Node, axis: str = "") -> str:
+        """Source of one component, or of a scalar that stands beside vectors."""
         scalar = not axis or not self.is_vector(node)
         return self.scalar(node) if scalar else self.component(node, axis)
 
@@ -122,6 +123,7 @@ class PythonPrinter:
         return isinstance(node, Binary) and node.operator in "+-"
 
     def power(self, base: Node, exponent: Fraction) -> str:
+        """Source of a power, as products."""
         count = abs(exponent.numerator)
         if isinstance(base, Name) and count <= 3:
             whole = " * ".join([base.name] * count)
@@ -132,11 +134,13 @@ class PythonPrinter:
         return f"(1 / ({whole}))" if exponent < 0 else whole
 
     def helper(self, function: str, inner: str) -> str:
+        """Source of a call of a helper function, which is remembered."""
         name = _HELPERS.get(function, function)
         self.helpers.add(name)
         return f"{name}({inner})"
 
     def call(self, function: str, arguments: tuple[Node, ...]) -> str:
+        """Source of a function of the language with a scalar value."""
         match function, arguments:
             case "dot", (a, b):
                 terms = (f"{self.tight(a, axis)} * {self.tight(b, axis)}" for axis in "xy")

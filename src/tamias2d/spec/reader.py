@@ -199,29 +199,24 @@ class _Reader:
 
 
 def _schema_fault(item: Item, error: jsonschema.ValidationError) -> Diagnostic:
-    path = tuple(error.absolute_path)
+    path: tuple[str | int, ...] = tuple(error.absolute_path)
+    schema: dict[str, Any] = error.schema  # type: ignore[assignment] # ours are mappings
     if error.validator in ("required", "additionalProperties"):
-        named = next(_unknown_keys(error), None)
+        named = next(_unknown_keys(error, schema), None)
         where = (*path, named, "key") if named else path
         reason = f"'{named}' is no key here" if named else error.message
-        allowed = ", ".join(error.schema.get("properties", {})) or "a lower-case word"
-        return item.diagnostic(
-            Code.BAD_KEY, f"{reason}: must be of {allowed}. Correct the key", *where
-        )
+        allowed = ", ".join(schema.get("properties", {})) or "a lower-case word"
+        return item.diagnostic(Code.BAD_KEY, f"{reason}: must be of {allowed}. Correct it", *where)
     found = error.instance if isinstance(error.instance, str) else type(error.instance).__name__
     rule = f"{error.validator} {error.validator_value}"
-    return item.diagnostic(
-        Code.BAD_VALUE,
-        f"'{found}' is not what '{path[-1] if path else ''}' takes: {rule}. Correct it",
-        *path,
-    )
+    text = f"'{found}' is not what '{path[-1] if path else ''}' takes: {rule}. Correct it"
+    return item.diagnostic(Code.BAD_VALUE, text, *path)
 
 
-def _unknown_keys(error: jsonschema.ValidationError) -> Iterator[str]:
+def _unknown_keys(error: jsonschema.ValidationError, schema: dict[str, Any]) -> Iterator[str]:
     if error.validator != "additionalProperties":
         return
-    known = error.schema.get("properties", {})
-    patterns = error.schema.get("patternProperties", {})
-    for key in error.instance:
-        if key not in known and not any(re.search(p, key) for p in patterns):
+    patterns = schema.get("patternProperties", {})
+    for key in dict(error.instance):  # type: ignore[arg-type] # only mappings have keys
+        if key not in schema.get("properties", {}) and not any(re.search(p, key) for p in patterns):
             yield key

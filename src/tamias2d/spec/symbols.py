@@ -143,7 +143,7 @@ class SymbolTable:
                 return Reference(symbol, tuple(self.indices[word] for word in suffixes))
         raise SpecFault(
             Code.UNKNOWN_NAME,
-            f"'{name}' is no symbol{self._likely(name)} (srs/symbols.md). Declare it or correct the name",
+            f"'{name}' is no symbol{self._likely(name)} (srs/symbols.md). Declare or correct it",
             offset,
         )
 

@@ -3,6 +3,7 @@ r"""Expressions as TeX for the docs, and as plain text for messages.
 Serves: docs and diagnostics. Hides: brackets by precedence and the symbols' letters.
 """
 
+import re
 from fractions import Fraction
 
 from tamias2d.spec.expression import (
@@ -70,8 +71,8 @@ def plain(node: Node) -> str:
 
 
 def _factor(node: Node) -> str:
-    product = isinstance(node, Binary) and node.operator in "*/"
-    return plain(node) if product else _grouped(node)
+    leads = isinstance(node, Negative) or (isinstance(node, Binary) and node.operator in "*/")
+    return plain(node) if leads else _grouped(node)
 
 
 def _grouped(node: Node) -> str:
@@ -147,7 +148,10 @@ class _Printer:
         if node.operator == "/":
             return rf"\frac{{{self.print(node.left)}}}{{{self.print(node.right)}}}"
         if node.operator == "*":
-            left, right = self.factor(node.left), self.factor(node.right)
+            left = (
+                self.print(node.left) if isinstance(node.left, Negative) else self.factor(node.left)
+            )
+            right = self.factor(node.right)
             return (
                 rf"{left} \, {right}"
                 if not _ends_in_number(node.right)
@@ -195,7 +199,5 @@ def _ends_in_number(node: Node) -> bool:
 
 def unit_tex(text: str) -> str:
     """A unit as TeX inside an upright font."""
-    import re
-
     powers = re.sub(r"(?:\^|\*\*)(-?\d+)", r"^{\1}", text)
     return powers.replace("*", r"\,")

@@ -110,7 +110,7 @@ class _UnitReader:
         known = ", ".join(UNITS)
         return SpecFault(
             Code.UNKNOWN_UNIT,
-            f"'{found}' in unit '{self.text}': must be made of {known} with * / ^. Correct the unit",
+            f"'{found}' in unit '{self.text}': must be made of {known} with * / ^. Correct it",
             self.position,
         )
 
@@ -180,7 +180,7 @@ def parse_quantity(text: str) -> Quantity:
     if match is None:
         raise SpecFault(
             Code.BAD_VALUE,
-            f"'{text[:40]}': must be a number and its unit with a space between, as in '9.81 m/s^2'."
+            f"'{text[:40]}': must be a number, a space and a unit, as in '9.81 m/s^2'."
             " Write it so",
         )
     value = float(match.group(1))
