@@ -8,71 +8,64 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # the same names as below, for readers, editors and type checkers
     from tamias2d.errors import (
-        InputError,
-        RecordingError,
-        SceneError,
-        SimulationError,
-        SpecError,
-        TamiasError,
+        InputError as InputError,
+        RecordingError as RecordingError,
+        SceneError as SceneError,
+        SimulationError as SimulationError,
+        SpecError as SpecError,
+        TamiasError as TamiasError,
     )
-    from tamias2d.motion.methods import (
-        ClosedForm,
-        ExplicitEuler,
-        Legacy2018,
-        Reference,
-        RungeKutta4,
-        SemiImplicitEuler,
-        VelocityVerlet,
+    from tamias2d.motion import (
+        ClosedForm as ClosedForm,
+        ExplicitEuler as ExplicitEuler,
+        Legacy2018 as Legacy2018,
+        Reference as Reference,
+        RungeKutta4 as RungeKutta4,
+        SemiImplicitEuler as SemiImplicitEuler,
+        VelocityVerlet as VelocityVerlet,
     )
-    from tamias2d.run import Impacts, Run
+    from tamias2d.run import Impacts as Impacts, Run as Run
     from tamias2d.scene import (
-        Body,
-        Box,
-        Disc,
-        HalfPlane,
-        Polygon,
-        Scene,
-        catalogue,
-        load,
-        needs,
-        scene_text,
+        Body as Body,
+        Box as Box,
+        Disc as Disc,
+        HalfPlane as HalfPlane,
+        Polygon as Polygon,
+        Scene as Scene,
+        catalogue as catalogue,
+        load as load,
+        needs as needs,
+        scene_text as scene_text,
     )
-    from tamias2d.simulate import simulate
-    from tamias2d.trace import trace
-    from tamias2d.verify import verify
+    from tamias2d.simulate import simulate as simulate
+    from tamias2d.trace import trace as trace
+    from tamias2d.verify import verify as verify
 
 _HOMES = {
-    "tamias2d.errors": (
-        "InputError RecordingError SceneError SimulationError SpecError TamiasError"
-    ),
-    "tamias2d.motion.methods": (
-        "ClosedForm ExplicitEuler Legacy2018 Reference RungeKutta4 SemiImplicitEuler VelocityVerlet"
-    ),
-    "tamias2d.run": "Impacts Run",
-    "tamias2d.scene": (
-        "Body Box Disc HalfPlane Polygon Scene catalogue load needs scene_text"
-    ),
-    "tamias2d.simulate": "simulate",
-    "tamias2d.trace": "trace",
-    "tamias2d.verify": "verify",
+    "errors": "InputError RecordingError SceneError SimulationError SpecError TamiasError",
+    "motion": "ClosedForm ExplicitEuler Legacy2018 Reference RungeKutta4 SemiImplicitEuler "
+    "VelocityVerlet",
+    "run": "Impacts Run",
+    "scene": "Body Box Disc HalfPlane Polygon Scene catalogue load needs scene_text",
+    "simulate": "simulate",
+    "trace": "trace",
+    "verify": "verify",
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names.split()}
-
-__all__ = sorted(_HOME_OF)
 
 
 def __getattr__(name: str) -> object:
     if name not in _HOME_OF:
         raise AttributeError(f"module 'tamias2d' has no attribute {name!r}")
-    value = getattr(import_module(_HOME_OF[name]), name)
+    value = getattr(import_module(f"tamias2d.{_HOME_OF[name]}"), name)
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return [*globals(), *__all__]
+    return [*globals(), *_HOME_OF]
 
 
 class _Package(ModuleType):

@@ -1,0 +1,164 @@
+"""The `tamias2d` command: what may be typed, and what comes back when that is wrong.
+
+Serves: the commands, their options and exit codes (0 good, 1 a check failed, 2 bad input).
+Hides: the library that reads the command line. What a command does is in `tamias2d.commands`,
+imported only when it is called, so that `--help` comes at once.
+"""
+
+import sys
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+from tamias2d.errors import TamiasError
+
+INTERRUPTED = 130  # as shells report a program that ended by Ctrl-C
+
+
+class _Commands(TyperGroup):
+    """Turns each fault of a user into one line on standard error."""
+
+    def invoke(self, ctx: Any) -> Any:
+        try:
+            return super().invoke(ctx)
+        except TamiasError as fault:
+            _stop(str(fault), 2)
+        except OSError as fault:
+            if fault.filename is None:
+                raise
+            _stop(f"{fault.filename}: {fault.strerror}. Choose a place that can be used.", 2)
+        except KeyboardInterrupt:
+            from tamias2d.storage import results_path
+
+            _stop(f"Interrupted. Results of earlier checks stand in {results_path()}.", INTERRUPTED)
+
+
+def _stop(message: str, code: int) -> None:
+    print(message, file=sys.stderr)
+    raise typer.Exit(code)
+
+
+app = typer.Typer(
+    cls=_Commands,
+    help="2D rigid-body physics, generated from its specification; every run says how wrong it is.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+
+class Method(StrEnum):
+    """The ways to solve smooth motion, by their names on the command line."""
+
+    CLOSED_FORM = "closed-form"
+    EXPLICIT_EULER = "explicit-euler"
+    SEMI_IMPLICIT_EULER = "semi-implicit-euler"
+    VELOCITY_VERLET = "velocity-verlet"
+    RUNGE_KUTTA_4 = "runge-kutta-4"
+    LEGACY_2018 = "legacy-2018"
+    REFERENCE = "reference"
+
+
+_Scene = Annotated[
+    str, typer.Argument(metavar="SCENE", help="A name of the catalogue, or a YAML file.")
+]
+_Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
+
+
+@app.command()
+def run(
+    scene: _Scene,
+    duration: Annotated[
+        str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
+    ] = None,
+    method: Annotated[
+        Method | None, typer.Option(help="Else closed-form where loads are constant.")
+    ] = None,
+    time_step: Annotated[
+        str | None, typer.Option(metavar="TIME", help="Of a stepped method: '1 ms' or 0.001.")
+    ] = None,
+    record: Annotated[
+        Path | None, typer.Option(metavar="PATH", help="Save the run: .rrd to look at, or .npz.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="PATH", help="Draw the run: .png, .svg or .pdf.")
+    ] = None,
+    as_json: _Json = False,
+) -> None:
+    """Simulate a scene; print its answer, and its error where the exact one is known."""
+    from tamias2d.commands.run import run_scene
+
+    run_scene(
+        scene,
+        duration=duration,
+        method=method,
+        time_step=time_step,
+        record=record,
+        plot=plot,
+        as_json=as_json,
+    )
+
+
+@app.command()
+def scenes(as_json: _Json = False) -> None:
+    """List the scenes of the catalogue."""
+    from tamias2d.commands.scenes import list_scenes
+
+    list_scenes(as_json=as_json)
+
+
+@app.command()
+def explain(scene: _Scene, as_json: _Json = False) -> None:
+    """Say which models, states and terms a scene needs, and why the others are left out."""
+    from tamias2d.commands.explain import explain_scene
+
+    explain_scene(scene, as_json=as_json)
+
+
+@app.command()
+def verify(
+    ids: Annotated[
+        list[str] | None, typer.Argument(metavar="[ID]...", help="Cases, such as TC1; else all.")
+    ] = None,
+    as_json: _Json = False,
+) -> None:
+    """Compare the cases of the specification with their exact answers."""
+    from tamias2d.commands.verify import verify_cases
+
+    raise typer.Exit(verify_cases(ids or [], as_json=as_json))
+
+
+@app.command()
+def trace(
+    item: Annotated[
+        str | None, typer.Argument(metavar="[ID]", help="An item, such as A6; else all.")
+    ] = None,
+    as_json: _Json = False,
+) -> None:
+    """Follow requirements to models, code, cases and their last results."""
+    from tamias2d.commands.trace import trace_items
+
+    raise typer.Exit(trace_items(item, as_json=as_json))
+
+
+@app.command()
+def replay(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A recording, .rrd or .npz.")],
+    check: Annotated[
+        bool, typer.Option("--check", help="Compute the run again and compare every bit.")
+    ] = False,
+) -> None:
+    """Open a recording in the viewer, or check that it can be computed again."""
+    from tamias2d.commands.replay import replay_file
+
+    raise typer.Exit(replay_file(file, check=check))
+
+
+def main() -> None:
+    """Run the command line of this process."""
+    from tamias2d.commands.names import command
+
+    app(prog_name=command())

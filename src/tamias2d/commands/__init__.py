@@ -1,0 +1,1 @@
+"""What each command of `tamias2d` does, one file a command."""

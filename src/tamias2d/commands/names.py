@@ -1,0 +1,58 @@
+"""What a user types, turned into what the library takes: scenes, times, the command's own name."""
+
+import difflib
+import os
+from pathlib import Path
+
+from tamias2d.errors import InputError
+from tamias2d.scene import Scene, catalogue, load
+
+
+def command() -> str:
+    """How the user called this program; `tools/dev` passes its own name on."""
+    return os.environ.get("TAMIAS2D_COMMAND", "tamias2d")
+
+
+def find_scene(text: str) -> Scene:
+    """The scene of the catalogue with this name, or the one in the file at this path.
+
+    Raises InputError if there is neither, SceneError if the file is at fault.
+    """
+    names = catalogue.names()
+    if text in names:
+        return catalogue.load(text)
+    if Path(text).exists():
+        return load(Path(text))
+    near = difflib.get_close_matches(text, names, n=3)
+    hint = f"Did you mean {' or '.join(near)}? " if near else ""
+    raise InputError(
+        f"SCENE: {text!r}: must be a name of the catalogue or a file (R1). "
+        f"{hint}`{command()} scenes` lists the names."
+    )
+
+
+def seconds(text: str | None, *, option: str, symbol: str) -> float | None:
+    """A time in seconds from '4 s', '250 ms' or '4'; None stays None.
+
+    Raises InputError if it is no time, or outside the range of `symbol` (R4).
+    """
+    from tamias2d.generated.symbols import SYMBOLS
+    from tamias2d.spec.messages import SpecFault
+    from tamias2d.spec.units import parse_quantity, parse_unit
+
+    if text is None:
+        return None
+    rule = f"must be a time such as 4, '4 s' or '250 ms' (symbol {symbol})"
+    try:
+        value = float(text)
+    except ValueError:
+        try:
+            quantity = parse_quantity(text)
+        except SpecFault as fault:
+            raise InputError(f"{option}: {text!r}: {rule}. Write it so.") from fault
+        if quantity.dimension != parse_unit("s").dimension:
+            raise InputError(f"{option}: {text!r}: {rule}. Use a unit of time.") from None
+        value = quantity.value
+    if not SYMBOLS[symbol].admits(value):
+        raise InputError(f"{option}: {text!r}: {SYMBOLS[symbol].rule}. Give such a time.")
+    return value

@@ -1,0 +1,48 @@
+"""How commands print: tables for people, JSON for machines.
+
+Serves: one look for all commands. Hides: which library draws it, and how wide the screen is.
+"""
+
+import json
+import sys
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+_COLOURS = {"pass": "green", "fail": "bold red", "stale": "yellow", "uncovered": "yellow"}
+
+
+def say(text: str = "") -> None:
+    """Print one line to standard output."""
+    print(text)
+
+
+def print_json(value: Any) -> None:
+    """Print a value as JSON, every float with all its digits; NaN and infinity are refused."""
+    print(json.dumps(value, indent=2, allow_nan=False))
+
+
+def print_table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+    """Print rows in columns; lines are cut or folded only where a screen is narrow."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(*heads, box=None, pad_edge=False, header_style="bold")
+    for row in rows:
+        table.add_row(*(Text(cell, style=_COLOURS.get(cell, "")) for cell in row))
+    Console(width=None if sys.stdout.isatty() else 1000).print(table, soft_wrap=False)
+
+
+def figure(value: float) -> str:
+    """A number as people read it: ten digits at most."""
+    return f"{value:.10g}"
+
+
+def pair(value: Sequence[float]) -> str:
+    """A vector as people read it."""
+    return f"({figure(value[0])}, {figure(value[1])})"
+
+
+def error_text(value: float | None) -> str:
+    """An error or a tolerance: two digits are enough."""
+    return "-" if value is None else f"{value:.1e}"

@@ -1,0 +1,206 @@
+"""`tamias2d run`: simulate a scene, print the answer and how wrong it is, keep the run."""
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tamias2d import motion
+from tamias2d.commands.exact import KnownError, known_errors
+from tamias2d.commands.names import command, find_scene, seconds
+from tamias2d.commands.output import error_text, figure, pair, print_json, print_table, say
+from tamias2d.errors import InputError, SimulationError, TamiasError
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.simulate import simulate
+
+_SHOWN = 5  # impacts
+
+
+@dataclass(frozen=True)
+class _Files:
+    """Where the user wants the run."""
+
+    record: Path | None
+    plot: Path | None
+
+    def write(self, run: Run) -> None:
+        if self.record:
+            run.save(self.record)
+        if self.plot:
+            from tamias2d.record.plot import plot
+
+            plot(run, self.plot)
+
+
+def run_scene(
+    name: str,
+    *,
+    duration: str | None,
+    method: str | None,
+    time_step: str | None,
+    record: Path | None,
+    plot: Path | None,
+    as_json: bool,
+) -> None:
+    """Do what `tamias2d run` promises; raises as `simulate` and `Run.save` do."""
+    scene = find_scene(name)
+    files = _Files(record, plot)
+    try:
+        run = simulate(
+            scene,
+            duration=_duration(scene, name, duration),
+            method=None if method is None else _method(method),
+            time_step=seconds(time_step, option="--time-step", symbol="time_step"),
+            progress=sys.stderr.isatty(),
+        )
+    except SimulationError as stop:
+        _keep(getattr(stop, "run", None), files)
+        raise
+    files.write(run)
+    errors = known_errors(run, name)
+    if as_json:
+        print_json(_as_json(run, name, errors, files))
+    else:
+        _print(run, name, errors, files)
+
+
+def _duration(scene: Scene, name: str, text: str | None) -> float:
+    duration = seconds(text, option="--duration", symbol="duration")
+    if duration is None:
+        duration = scene.duration
+    if duration is None:
+        raise InputError(
+            f"--duration: found none: must be stated here or in the scene '{name}' (R2). "
+            "Give it, for example --duration '4 s'."
+        )
+    return duration
+
+
+def _method(name: str) -> motion.Method:
+    """The method with a name such as 'runge-kutta-4', which is the class RungeKutta4."""
+    kind: type[motion.Method] = getattr(
+        motion, "".join(part.capitalize() for part in name.split("-"))
+    )
+    return kind()
+
+
+def _keep(run: Run | None, files: _Files) -> None:
+    """Save what there is of a run that did not reach its end; the reason is told afterwards."""
+    if run is None:
+        return
+    try:
+        files.write(run)
+    except TamiasError as fault:
+        print(fault, file=sys.stderr)
+        return
+    for path in filter(None, (files.record, files.plot)):
+        print(f"The run up to {figure(run.times[-1])} s is in {path}.", file=sys.stderr)
+
+
+def _print(run: Run, name: str, errors: list[KnownError], files: _Files) -> None:
+    count = sum(body.dynamic for body in run.scene.bodies)
+    say(f"{name}: {figure(run.duration)} s, {count} of {len(run.scene.bodies)} bodies can move")
+    for note in run.notes:
+        say(f"  {note}")
+    say(f"\nState at {figure(run.times[-1])} s")
+    print_table(
+        ("body", "position, m", "orientation, rad", "velocity, m/s", "angular velocity, rad/s"),
+        (
+            (
+                body["name"],
+                pair(body["position"]),
+                figure(body["orientation"]),
+                pair(body["velocity"]),
+                figure(body["angular_velocity"]),
+            )
+            for body in _final(run)
+        ),
+    )
+    _print_impacts(run)
+    _print_errors(errors)
+    if files.record:
+        say(f"\nRecording: {files.record}")
+        say(f'Look at it: {command()} replay "{files.record}"')
+    if files.plot:
+        say(f"\nPlot: {files.plot}")
+
+
+def _print_impacts(run: Run) -> None:
+    count = len(run.impacts)
+    say(f"\nImpacts: {count}" + (f", the first {_SHOWN}:" if count > _SHOWN else ""))
+    if count:
+        print_table(
+            ("time, s", "bodies", "impulse, N s", "point, m"),
+            (
+                (
+                    figure(impact["time"]),
+                    " and ".join(impact["bodies"]),
+                    figure(impact["impulse"]),
+                    pair(impact["point"]),
+                )
+                for impact in _impacts(run)[:_SHOWN]
+            ),
+        )
+
+
+def _print_errors(errors: list[KnownError]) -> None:
+    if not errors:
+        say("\nError: no case of the specification gives the exact answer of this run.")
+        return
+    say("\nError against the exact answer (relative; absolute where that is 0)")
+    print_table(
+        ("case", "quantity", "error"), ((e.case, e.quantity, error_text(e.error)) for e in errors)
+    )
+
+
+def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> dict[str, Any]:
+    return {
+        "scene": name,
+        "method": str(run.method),
+        "duration": run.duration,
+        "time_step": run.time_step,
+        "notes": list(run.notes),
+        "final": {
+            "time": float(run.times[-1]),
+            "bodies": _final(run),
+            "energy": float(run.energy[-1]),
+            "momentum": run.momentum[-1].tolist(),
+            "angular_momentum": float(run.angular_momentum[-1]),
+        },
+        "impacts": _impacts(run),
+        "errors": [vars(e) for e in errors],
+        "digest": run.digest(),
+        "recording": None if files.record is None else str(files.record),
+        "plot": None if files.plot is None else str(files.plot),
+    }
+
+
+def _final(run: Run) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": body.name,
+            "position": run.position[-1, i].tolist(),
+            "orientation": float(run.orientation[-1, i]),
+            "velocity": run.velocity[-1, i].tolist(),
+            "angular_velocity": float(run.angular_velocity[-1, i]),
+        }
+        for i, body in enumerate(run.scene.bodies)
+        if body.dynamic
+    ]
+
+
+def _impacts(run: Run) -> list[dict[str, Any]]:
+    names = [body.name for body in run.scene.bodies]
+    all_of = run.impacts
+    return [
+        {
+            "time": float(all_of.time[k]),
+            "bodies": [names[i] for i in all_of.bodies[k]],
+            "point": all_of.point[k].tolist(),
+            "normal": all_of.normal[k].tolist(),
+            "impulse": float(all_of.impulse[k]),
+            "normal_velocity": float(all_of.normal_velocity[k]),
+        }
+        for k in range(len(all_of))
+    ]

@@ -1,0 +1,31 @@
+"""`tamias2d verify`: a row per comparison, and whether all of them hold."""
+
+from collections.abc import Sequence
+
+from tamias2d.commands.output import error_text, print_json, print_table, say
+from tamias2d.verify import verify
+
+
+def verify_cases(ids: Sequence[str], *, as_json: bool) -> int:
+    """Verify the cases with these ids, or all; return the exit code, 1 if one failed."""
+    outcomes = verify(ids)
+    failed = [outcome for outcome in outcomes if outcome.verdict == "fail"]
+    if as_json:
+        print_json({"cases": [outcome.as_json() for outcome in outcomes]})
+        return bool(failed)
+    print_table(
+        ("case", "quantity", "error", "tolerance", "verdict", ""),
+        (
+            (
+                outcome.id,
+                outcome.quantity,
+                error_text(outcome.error),
+                error_text(outcome.tolerance),
+                outcome.verdict,
+                outcome.note,
+            )
+            for outcome in outcomes
+        ),
+    )
+    say(f"\n{len(outcomes)} comparisons, {len(failed)} failed")
+    return bool(failed)

@@ -1,0 +1,82 @@
+"""`import tamias2d` costs little, and every public name is there when it is used."""
+
+import ast
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+import tamias2d
+
+HEAVY = ("rerun", "pyarrow", "numba", "matplotlib", "sphinx", "scipy", "pymunk", "typer", "rich")
+
+
+def python(code: str) -> str:
+    done = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(code)], capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_import_pulls_in_nothing_heavy() -> None:
+    loaded = python("import sys, tamias2d; print(*(m.partition('.')[0] for m in sys.modules))")
+    assert not set(loaded.split()) & set(HEAVY)
+
+
+def test_simulating_pulls_in_neither_viewer_nor_plots() -> None:
+    loaded = python(
+        """
+        import sys
+        import tamias2d as t2
+        scene = t2.catalogue.load("tc3")
+        t2.simulate(scene, duration=1.0)
+        print(*(m.partition(".")[0] for m in sys.modules))
+        """
+    )
+    assert not set(loaded.split()) & (set(HEAVY) - {"scipy"})
+
+
+def test_import_is_quick() -> None:
+    code = """
+    import time
+    start = time.perf_counter()
+    import tamias2d
+    print(time.perf_counter() - start)
+    """
+    assert min(float(python(code)) for _ in range(3)) < 0.3
+
+
+@pytest.mark.parametrize("name", sorted(tamias2d._HOME_OF))
+def test_every_name_is_there(name: str) -> None:
+    assert getattr(tamias2d, name) is not None
+    assert name in dir(tamias2d)
+
+
+def test_type_checkers_see_the_same_names() -> None:
+    tree = ast.parse(Path(tamias2d.__file__).read_text(encoding="utf-8"))
+    block = next(node for node in tree.body if isinstance(node, ast.If))
+    seen = {
+        alias.name: node.module
+        for node in block.body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    assert seen == {name: f"tamias2d.{home}" for name, home in tamias2d._HOME_OF.items()}
+
+
+def test_a_function_stays_itself_when_its_module_is_imported() -> None:
+    assert python(
+        """
+        import tamias2d.simulate, tamias2d.verify
+        import tamias2d as t2
+        print(t2.simulate.__name__, t2.verify.__name__)
+        """
+    ).split() == ["simulate", "verify"]
+
+
+def test_an_unknown_name_is_refused() -> None:
+    with pytest.raises(AttributeError, match="no attribute 'Sphere'"):
+        tamias2d.Sphere  # noqa: B018
