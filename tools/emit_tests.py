@@ -158,4 +158,5 @@ def _case(item: Item) -> str:
     verified = ", ".join(item.data["verifies"])
     head = f"{item.id}, {item.file}:{item.line}; verifies {verified or 'no requirement'}."
     text = textwrap.shorten(head, 90)
-    return f'def test_{item.id.lower()}_{words}() -> None:\n    """{text}"""\n    passes("{item.id}")\n'
+    name = f"test_{item.id.lower()}_{words}"
+    return f'def {name}() -> None:\n    """{text}"""\n    passes("{item.id}")\n'

@@ -10,6 +10,7 @@ import difflib
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -35,7 +36,7 @@ def outputs(specification: Specification) -> dict[str, str]:
     files[f"{CODE}/schemes.py"] = emit_schemes.emit(specification)
     files[f"{CODE}/symbols.py"] = emit_data.emit_symbols(specification)
     files |= {f"{TESTS}/{name}": text for name, text in emit_tests.emit(specification).items()}
-    files = {path: formatted(path, text) for path, text in files.items()}
+    files = formatted(files)
     owners = {
         f"{CODE}/{module}.py": [(f.item.id, f.name) for f in made]
         for module, made in by_module.items()
@@ -45,15 +46,15 @@ def outputs(specification: Specification) -> dict[str, str]:
     return files
 
 
-def formatted(path: str, text: str) -> str:
-    """The text as the project's formatter lays it out, imports sorted."""
-    for command in (["check", "--select=I", "--fix", "--quiet"], ["format"]):
-        call = [sys.executable, "-m", "ruff", *command, "--stdin-filename", path, "-"]
-        done = subprocess.run(
-            call, input=text, capture_output=True, text=True, cwd=ROOT, check=True
-        )
-        text = done.stdout
-    return text
+def formatted(files: dict[str, str]) -> dict[str, str]:
+    """The texts as the project's formatter lays them out, imports sorted."""
+    with tempfile.TemporaryDirectory() as folder:
+        for path, text in files.items():
+            _write(Path(folder) / path, text)
+        for command in (["check", "--select=I", "--fix"], ["format"]):
+            call = [sys.executable, "-m", "ruff", *command, "--no-cache", "--quiet"]
+            subprocess.run([*call, "--config", str(ROOT / "pyproject.toml"), folder], check=True)
+        return {path: (Path(folder) / path).read_text(encoding="utf-8") for path in files}
 
 
 def _places(owners: dict[str, list[tuple[str, str]]], files: dict[str, str]) -> emit_data.Code:
@@ -113,10 +114,13 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _settle(path: str, text: str | None) -> None:
-    target = ROOT / path
     if text is None:
-        target.unlink()
-        return
+        (ROOT / path).unlink()
+    else:
+        _write(ROOT / path, text)
+
+
+def _write(target: Path, text: str) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text(text, encoding="utf-8")
 

@@ -107,37 +107,37 @@ def test_oa1_constant_force() -> None:
 
 
 def test_oa2_throws_in_eight_directions() -> None:
-    """OA2, srs/verification/oracles_motion.md:76; verifies R2, R5."""
+    """OA2, srs/verification/oracles_motion.md:77; verifies R2, R5."""
     passes("OA2")
 
 
 def test_oa3_constant_torque() -> None:
-    """OA3, srs/verification/oracles_motion.md:207; verifies R2, R6."""
+    """OA3, srs/verification/oracles_motion.md:216; verifies R2, R6."""
     passes("OA3")
 
 
 def test_oa4_free_body_that_spins_fast() -> None:
-    """OA4, srs/verification/oracles_motion.md:259; verifies R5, R6."""
+    """OA4, srs/verification/oracles_motion.md:269; verifies R5, R6."""
     passes("OA4")
 
 
 def test_oa14_motion_made_to_measure() -> None:
-    """OA14, srs/verification/oracles_motion.md:301; verifies R2, R5, R6."""
+    """OA14, srs/verification/oracles_motion.md:312; verifies R2, R5, R6."""
     passes("OA14")
 
 
 def test_oa5_linear_damping() -> None:
-    """OA5, srs/verification/oracles_motion.md:360; verifies R5."""
+    """OA5, srs/verification/oracles_motion.md:372; verifies R5."""
     passes("OA5")
 
 
 def test_oa7_fall_against_quadratic_drag() -> None:
-    """OA7, srs/verification/oracles_motion.md:377; verifies R5."""
+    """OA7, srs/verification/oracles_motion.md:389; verifies R5."""
     passes("OA7")
 
 
 def test_oa9_spring() -> None:
-    """OA9, srs/verification/oracles_motion.md:400; verifies R5."""
+    """OA9, srs/verification/oracles_motion.md:412; verifies R5."""
     passes("OA9")
 
 

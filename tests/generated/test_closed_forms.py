@@ -4,6 +4,7 @@ Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this fi
 """
 
 from hypothesis import given
+
 from tamias2d.generated import rotation, translation
 from tests.support import Value, close, only, solve, values
 

@@ -4,6 +4,7 @@ Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this fi
 """
 
 from hypothesis import given
+
 from tamias2d.generated import definitions, detection, impact, rest, rotation, translation
 from tests.support import Value, agrees, values
 

@@ -4,6 +4,7 @@ Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this fi
 """
 
 import pytest
+
 from tamias2d.generated import schemes
 from tests.support import observed_order, observed_order_of_levels
 

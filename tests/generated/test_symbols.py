@@ -4,6 +4,7 @@ Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this fi
 """
 
 from math import inf, nan
+
 from tamias2d.generated.symbols import SYMBOLS
 
 

@@ -32,16 +32,37 @@ class Item:
     line: int
     data: dict[str, Any]
     marks: dict[KeyPath, Place] = field(repr=False, compare=False)
+    lines: list[str] = field(repr=False, compare=False)
 
     def at(self, *path: str | int) -> Place:
         """Line and column of the value at a path, or of the fence."""
         return self.marks.get(path, (self.line, 1)) if path else (self.line, 1)
 
-    def diagnostic(self, code: Code, message: str, *path: str | int, offset: int = 0) -> Diagnostic:
-        """A fault in this item, at the value under a path."""
-        line, column = self.at(*path)
+    def diagnostic(
+        self, code: Code, message: str, *path: str | int, offset: int | None = None
+    ) -> Diagnostic:
+        """A fault in this item, at the value under a path, or inside it at an offset."""
+        place = self.at(*path)
+        if offset is not None:
+            place = _inside(self.lines, place, offset)
         name = f"{self.id}: " if self.id else ""
-        return Diagnostic(self.file, line, column + offset, code.code, f"{name}{message}")
+        return Diagnostic(self.file, *place, code.code, f"{name}{message}")
+
+
+def _inside(lines: list[str], place: Place, offset: int) -> Place:
+    """Where a character of a scalar stands that may be quoted, or folded over several lines."""
+    line, column = place
+    rest = lines[line - 1][column - 1 :].rstrip()
+    if rest[:1] in ("'", '"'):
+        column, rest = column + 1, rest[1:]
+    elif rest[:1] in (">", "|"):
+        rest, offset = "", offset + 1
+    while offset > len(rest) and line < len(lines):
+        offset -= len(rest) + 1
+        line += 1
+        rest = lines[line - 1].strip()
+        column = lines[line - 1].find(rest) + 1
+    return line, column + offset
 
 
 @dataclass(frozen=True)
@@ -102,7 +123,8 @@ def _read_fence(chapter: Chapter, token: Any, lines: list[str]) -> None:
     except MarkupError as error:
         chapter.faults.append(error.diagnostic)
         return
-    item = Item(heading.group(1), name, title.strip(), chapter.file, start + 1, data, marks)
+    kind = heading.group(1)
+    item = Item(kind, name, title.strip(), chapter.file, start + 1, data, marks, lines)
     if isinstance(data, dict):
         chapter.items.append(item)
     else:

@@ -152,7 +152,7 @@ class _Checker:
     def product(self, node: Binary) -> Type:
         a, b = self.value(node.left), self.value(node.right)
         if b.shape == "vector" and (a.shape == "vector" or node.operator == "/"):
-            text = f"'{plain(node)}' combines {a} and {b}: use dot or cross, divide by scalars. Correct it"
+            text = f"'{plain(node)}' combines {a} and {b}. Use dot or cross, and divide by scalars"
             raise SpecFault(Code.SHAPE_MISMATCH, text, node.offset)
         shape: Kind = "vector" if "vector" in (a.shape, b.shape) else "scalar"
         if a.dimension is None or b.dimension is None:

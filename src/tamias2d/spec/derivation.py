@@ -50,7 +50,8 @@ def check_derivation(item: Item, table: SymbolTable, report: Report) -> None:
         if now is None or given is None:
             return
         if before is not None and not _implies(before, now, given, table):
-            text = f"'{plain(now)}' does not follow from '{plain(before)}'. Correct it, or say in 'where' what"
+            steps = f"'{plain(now)}' does not follow from '{plain(before)}'"
+            text = f"{steps}. Correct it, or say in 'where' what is put in"
             report(item.diagnostic(Code.DERIVATION_GAP, text, *where, "equation"))
             return
         before = now

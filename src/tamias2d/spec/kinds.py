@@ -7,53 +7,45 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-_TEXT = {"type": "string", "minLength": 1}
+from tamias2d.spec.comparisons import COMPARISONS
+from tamias2d.spec.schema import TEXT, WHOLE, mapping
+
 _ID = {"type": "string", "pattern": r"^[A-Z]{1,3}[0-9]+[a-z]?(-[a-z]+)?$|^[a-z][a-z0-9_]*$"}
 _IDS = {"type": "array", "items": _ID}
 _NAMES = {"type": "array", "items": {"type": "string", "pattern": "^[a-z][a-z0-9_]*$"}}
-_TEXTS = {"type": "array", "items": _TEXT}
-_EXPRESSIONS = {"type": "object", "additionalProperties": _TEXT}
-_WHOLE = {"type": "string", "pattern": "^[0-9]+$"}
+_TEXTS = {"type": "array", "items": TEXT}
+_EXPRESSIONS = {"type": "object", "additionalProperties": TEXT}
 _NUMBERS = {"type": "array", "items": {"type": "string"}}
-
-
-def _mapping(required: tuple[str, ...] = (), **properties: Any) -> dict[str, Any]:
-    return {
-        "type": "object",
-        "properties": properties,
-        "required": list(required),
-        "additionalProperties": False,
-    }
 
 
 _DERIVATION = {
     "type": "array",
-    "items": _mapping(("equation", "by"), equation=_TEXT, by=_TEXT, where=_EXPRESSIONS),
+    "items": mapping(("equation", "by"), equation=TEXT, by=TEXT, where=_EXPRESSIONS),
 }
 _STATEMENT = {
-    "says": _TEXT,
-    "label_2018": _TEXT,
+    "says": TEXT,
+    "label_2018": TEXT,
     "uses": _IDS,
     "source": _TEXTS,
-    "equation": _TEXT,
-    "condition": _TEXT,
+    "equation": TEXT,
+    "condition": TEXT,
     "equations": _EXPRESSIONS,
     "arguments": {"type": "object", "additionalProperties": _NAMES},
     "module": {"type": "string", "pattern": "^[a-z_]+$"},
     "derivation": _DERIVATION,
 }
-_SYMBOL = _mapping(
+_SYMBOL = mapping(
     ("tex", "unit", "says"),
-    tex=_TEXT,
-    unit=_TEXT,
-    says=_TEXT,
+    tex=TEXT,
+    unit=TEXT,
+    says=TEXT,
     shape={"enum": ["scalar", "vector"]},
-    range=_TEXT,
+    range=TEXT,
     typical={},
-    uncertainty=_TEXT,
+    uncertainty=TEXT,
 )
-_INDEX = _mapping(("tex", "says"), tex=_TEXT, says=_TEXT, place={"enum": ["sub", "super"]})
-_WEIGHTS = {"type": "object", "additionalProperties": _TEXT}
+_INDEX = mapping(("tex", "says"), tex=TEXT, says=TEXT, place={"enum": ["sub", "super"]})
+_WEIGHTS = {"type": "object", "additionalProperties": TEXT}
 
 
 @dataclass(frozen=True)
@@ -79,18 +71,18 @@ KINDS = {
     for kind in (
         Kind("symbols", None, _table(_SYMBOL)),
         Kind("indices", None, _table(_INDEX)),
-        Kind("goal", r"GS\d+", _mapping(("says", "uses"), says=_TEXT, uses=_IDS, label_2018=_TEXT)),
+        Kind("goal", r"GS\d+", mapping(("says", "uses"), says=TEXT, uses=_IDS, label_2018=TEXT)),
         Kind(
             "assumption",
             r"A\d+",
-            _mapping(("says",), says=_TEXT, because=_TEXT, uses=_IDS, label_2018=_TEXT),
+            mapping(("says",), says=TEXT, because=TEXT, uses=_IDS, label_2018=TEXT),
         ),
-        Kind("theory", r"TM\d+", _mapping(("says",), **_STATEMENT)),
-        Kind("definition", r"(GD|DD)\d+", _mapping(("says",), **_STATEMENT)),
+        Kind("theory", r"TM\d+", mapping(("says",), **_STATEMENT)),
+        Kind("definition", r"(GD|DD)\d+", mapping(("says",), **_STATEMENT)),
         Kind(
             "model",
             r"IM\d+",
-            _mapping(
+            mapping(
                 ("says", "input", "output", "equations"),
                 **_STATEMENT,
                 input=_NAMES,
@@ -102,14 +94,14 @@ KINDS = {
         Kind(
             "scheme",
             r"[a-z][a-z0-9_]*",
-            _mapping(
+            mapping(
                 ("says", "family", "order", "source"),
-                says=_TEXT,
+                says=TEXT,
                 family={"enum": ["runge_kutta", "splitting", "two_level"]},
-                order=_WHOLE,
+                order=WHOLE,
                 source=_TEXTS,
                 uses=_IDS,
-                error_constant=_TEXT,
+                error_constant=TEXT,
                 a={"type": "array", "items": _NUMBERS},
                 b=_NUMBERS,
                 c=_NUMBERS,
@@ -122,39 +114,51 @@ KINDS = {
         Kind(
             "requirement",
             r"(R|NFR)\d+",
-            _mapping(
+            mapping(
                 ("says",),
-                says=_TEXT,
+                says=TEXT,
                 uses=_IDS,
-                fit=_TEXT,
-                label_2018=_TEXT,
+                fit=TEXT,
+                label_2018=TEXT,
                 judged={"enum": ["by people"]},
             ),
         ),
         Kind(
             "change",
             r"(LC|UC)\d+",
-            _mapping(("says",), says=_TEXT, affects=_IDS, uses=_IDS, label_2018=_TEXT),
+            mapping(("says",), says=TEXT, affects=_IDS, uses=_IDS, label_2018=TEXT),
         ),
         Kind(
             "property",
             r"P\d+",
-            _mapping(
-                ("says",), says=_TEXT, uses=_IDS, equation=_TEXT, condition=_TEXT, label_2018=_TEXT
+            mapping(
+                ("says",), says=TEXT, uses=_IDS, equation=TEXT, condition=TEXT, label_2018=TEXT
             ),
         ),
         Kind(
             "erratum",
             r"E\d+",
-            _mapping(
+            mapping(
                 ("document", "found", "now", "corrects"),
                 document={"enum": ["SRS", "plan", "Drasil", "code", "report"]},
-                found=_TEXT,
-                now=_TEXT,
+                found=TEXT,
+                now=TEXT,
                 corrects=_IDS,
             ),
         ),
-        Kind("case", r"(TC|O[A-Z])\d+[a-z]?", {"type": "object", "required": ["verifies"]}),
+        Kind(
+            "case",
+            r"(TC|O[A-Z])\d+[a-z]?",
+            mapping(
+                ("verifies", "uses"),
+                verifies=_IDS,
+                uses=_IDS,
+                says=TEXT,
+                scene={"type": ["string", "object"]},
+                duration=TEXT,
+                **COMPARISONS,
+            ),
+        ),
     )
 }
 LINKS = ("uses", "verifies", "corrects", "affects")

@@ -12,6 +12,7 @@ from typing import Any
 import jsonschema
 
 from tamias2d.errors import SpecError
+from tamias2d.spec.cases import check_case
 from tamias2d.spec.chapter import Chapter, Item, read_chapter
 from tamias2d.spec.derivation import check_closed_form, check_derivation
 from tamias2d.spec.equations import functions, parsed, relation, typed
@@ -124,8 +125,9 @@ class _Reader:
             self.report(item.diagnostic(fault.code, fault.message, name, "range"))
         line = item.at(name, "key")[0]
         typical = data.get("typical", "")
+        says = " ".join(data["says"].split())
         return Symbol(
-            name, unit, " ".join(data["says"].split()), data.get("shape", "scalar"), limits, data["tex"],
+            name, unit, says, data.get("shape", "scalar"), limits, data["tex"],
             typical if isinstance(typical, str) else "(" + ", ".join(typical) + ")",
             data.get("uncertainty", ""), item.file, line,
         )  # fmt: skip
@@ -163,6 +165,8 @@ class _Reader:
     def check_formulas(self, item: Item, table: SymbolTable) -> None:
         if item.kind == "scheme":
             check_order(item, self.report)
+        if item.kind == "case":
+            check_case(item, table, self.report)
         if item.kind not in ("theory", "definition", "model", "property"):
             return
         before = len(self.faults)
@@ -194,7 +198,7 @@ class _Reader:
             return
         wanted = symbol.dimension / parse_unit("s").dimension
         if rate is not None and (rate.shape, rate.dimension) != (symbol.shape, wanted):
-            text = f"the rate of '{name}' is {rate}, a {symbol.shape} in {wanted} is wanted. Correct it"
+            text = f"the rate of '{name}' is {rate}, not a {symbol.shape} in {wanted}. Correct it"
             self.report(item.diagnostic(Code.UNIT_MISMATCH, text, "states", name))
 
 

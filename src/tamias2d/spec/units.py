@@ -180,8 +180,7 @@ def parse_quantity(text: str) -> Quantity:
     if match is None:
         raise SpecFault(
             Code.BAD_VALUE,
-            f"'{text[:40]}': must be a number, a space and a unit, as in '9.81 m/s^2'."
-            " Write it so",
+            f"'{text[:40]}': must be a number, a space and a unit, as in '9.81 m/s^2'. Write it so",
         )
     value = float(match.group(1))
     unit = parse_unit(match.group(2)) if match.group(2) else UNITS["1"]

@@ -1,0 +1,55 @@
+"""What a verification case can compare, and the keys of each comparison.
+
+Serves: the kinds of item. Hides: the JSON schema of a comparison. Each carries a tolerance, the
+reason for it, and where the exact answer comes from.
+"""
+
+from typing import Any
+
+from tamias2d.spec.schema import TEXT, WHOLE, mapping
+
+_LIST: dict[str, Any] = {"type": "array"}
+_MAPPING: dict[str, Any] = {"type": "object"}
+_NUMBER = {"type": "string", "pattern": r"^\d+(\.\d+)?([eE][+-]?\d+)?$"}
+_TREND = {"enum": ["constant", "falls"]}
+_GROUNDS = {"tolerance": _NUMBER, "because": TEXT, "source": TEXT}
+
+
+def _comparison(*required: str, **keys: Any) -> dict[str, Any]:
+    return mapping((*required, *_GROUNDS), **keys, **_GROUNDS)
+
+
+COMPARISONS = {
+    "exact": _comparison("bodies", bodies=_MAPPING),
+    "final": _comparison("bodies", bodies=_MAPPING),
+    "impacts": _comparison(count=WHOLE, times=_LIST, bodies=_LIST, impulses=_LIST),
+    "moments": _comparison("states", states=_LIST),
+    "schemes": _comparison(
+        "steps",
+        steps=WHOLE,
+        of=_MAPPING,
+        orders=_LIST,
+        constants=_MAPPING,
+        acceleration=TEXT,
+        start=_MAPPING,
+        exact=_MAPPING,
+    ),
+    "published": _comparison(
+        "time_step",
+        "steps",
+        "tables",
+        time_step=TEXT,
+        steps=_LIST,
+        tables=_MAPPING,
+        misprints=_LIST,
+    ),
+    "conserves": _comparison(momentum=_TREND, angular_momentum=_TREND, energy=_TREND),
+    "reference": _comparison("scenes", scenes=_MAPPING),
+    "parallel": _comparison("scenes", scenes=_MAPPING),
+    "values": _comparison("module", "calls", module=TEXT, calls=_LIST),
+    "refuses": _comparison("scenes", scenes=_MAPPING),
+    "pace": _comparison(),
+    "survey": mapping(
+        ("questions", "answers"), task=TEXT, questions=_LIST, answers=WHOLE, limit=TEXT
+    ),
+}

@@ -1,0 +1,16 @@
+"""Pieces of JSON schema that several kinds of item share."""
+
+from typing import Any
+
+TEXT: dict[str, Any] = {"type": "string", "minLength": 1}
+WHOLE: dict[str, Any] = {"type": "string", "pattern": "^[0-9]+$"}
+
+
+def mapping(required: tuple[str, ...] = (), **properties: Any) -> dict[str, Any]:
+    """The schema of a mapping with these keys and no others."""
+    return {
+        "type": "object",
+        "properties": properties,
+        "required": list(required),
+        "additionalProperties": False,
+    }
