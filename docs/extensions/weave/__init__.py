@@ -10,7 +10,7 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
 from tamias2d.errors import SpecError
-
+from weave import gallery
 from weave.chapter import IndicesDirective, ItemDirective, SymbolsDirective, item_kinds
 from weave.checks import on_build_finished
 from weave.guide import CodesDirective, GuideDirective, InterfaceDirective
@@ -20,7 +20,6 @@ from weave.mirror import on_builder_inited
 from weave.verification import PublishedDirective, ResultsDirective
 from weave.woven import weave
 
-
 _TABLES = {
     "symbols": SymbolsDirective,
     "indices": IndicesDirective,
@@ -29,6 +28,7 @@ _TABLES = {
     "published-tables": PublishedDirective,
     "all-results": ResultsDirective,
     "plan-table": PlanTableDirective,
+    "gallery": gallery.GalleryDirective,
     "module-guide": GuideDirective,
     "interface": InterfaceDirective,
     "error-codes": CodesDirective,
@@ -46,6 +46,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the mirror, a directive for each kind of fence, the tables and the checks."""
     app.connect("builder-inited", _read)
     app.connect("builder-inited", on_builder_inited)
+    app.connect("builder-inited", gallery.on_builder_inited)
     app.connect("build-finished", on_build_finished)
     for kind in item_kinds():
         app.add_directive(kind, ItemDirective)

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from typing import Any
 
 from tamias2d.spec.chapter import Item
-
 from weave import published
 from weave.formulas import equation, stack
 from weave.links import linked, rank

@@ -8,7 +8,6 @@ from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
 from tamias2d.spec.chapter import Item
-
 from weave import parts
 from weave.woven import Woven
 
@@ -40,7 +39,9 @@ class ItemDirective(WovenDirective):
         if item is None:
             raise self.error(f"{name} is new since the specification was read. Build again")
         section = nodes.section(ids=[item.id], names=[], classes=["srs-item", item.kind])
-        section += nodes.title("", "", nodes.inline("", item.id, classes=["srs-id"]), nodes.Text(f" {item.title}"))
+        section += nodes.title(
+            "", "", nodes.inline("", item.id, classes=["srs-id"]), nodes.Text(f" {item.title}")
+        )
         self.parse(parts.body(item, self.woven), section)
         return [section]
 

@@ -89,7 +89,11 @@ def dead_links(pages: dict[str, Page]) -> Iterator[str]:
             parts = urlsplit(link)
             if parts.scheme or parts.netloc or not (parts.path or parts.fragment):
                 continue
-            target = normpath(f"{dirname(page.name)}/{parts.path}").lstrip("/") if parts.path else page.name
+            target = (
+                normpath(f"{dirname(page.name)}/{parts.path}").lstrip("/")
+                if parts.path
+                else page.name
+            )
             if not target.endswith(".html"):
                 continue
             anchor = unquote(parts.fragment)

@@ -11,7 +11,6 @@ from tamias2d.spec.chapter import Item
 from tamias2d.spec.expression import Binary, Both, Name, Node, Relation, names, parse
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.tex import tex
-
 from weave.woven import Woven
 
 WIDTH = 60  # letters that fit beside each other, about

@@ -6,7 +6,6 @@ Serves: `{module-guide}`, `{interface}`, `{error-codes}`. Hides: which files are
 from docutils import nodes
 
 from tamias2d.spec.messages import Code
-
 from weave.chapter import WovenDirective
 from weave.links import module_anchor
 from weave.markdown import table
@@ -23,7 +22,7 @@ class GuideDirective(WovenDirective):
 
 
 class InterfaceDirective(WovenDirective):
-    """Every module with its public names, except the generated ones, which stand with their items."""
+    """Every module with its public names; generated ones show their code with their items."""
 
     def run(self) -> list[nodes.Node]:
         package = self.woven.root / "src/tamias2d"

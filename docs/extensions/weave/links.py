@@ -12,7 +12,25 @@ from sphinx.util.docutils import SphinxRole
 
 from weave.woven import Woven
 
-_PREFIXES = "GS A TM GD DD IM P R NFR LC UC E TC OA OB OC OD".split()
+_PREFIXES = [
+    "GS",
+    "A",
+    "TM",
+    "GD",
+    "DD",
+    "IM",
+    "P",
+    "R",
+    "NFR",
+    "LC",
+    "UC",
+    "E",
+    "TC",
+    "OA",
+    "OB",
+    "OC",
+    "OD",
+]
 _ID = re.compile(r"(?<![\w`-])(?:GS|TM|GD|DD|IM|NFR|LC|UC|TC|O[A-Z]|[APRE])\d+[a-z]?(?![\w`])")
 
 
@@ -58,7 +76,7 @@ def rank(id: str) -> tuple[int, int, str]:
 
 
 class SymbolRole(SphinxRole):
-    """`` {symbol}`mass` `` is the name in the declaring table, with an anchor, else a link to it."""
+    """`` {symbol}`mass` `` is an anchor in the table that declares it, elsewhere a link to there."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         woven: Woven = self.env.app.woven  # type: ignore[attr-defined]

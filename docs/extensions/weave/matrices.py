@@ -4,8 +4,8 @@ Serves: `{matrix}`, `{requirements}` and `{plan-table}`. Hides: how a chain of l
 """
 
 from docutils import nodes
-from tamias2d.spec.chapter import Item
 
+from tamias2d.spec.chapter import Item
 from weave.cases import badge, cases_of, checked
 from weave.chapter import WovenDirective
 from weave.links import ids, rank
@@ -38,7 +38,9 @@ def matrix(row_kinds: list[str], column_kinds: list[str], woven: Woven) -> str:
 
 
 def _names(item: Item, kinds: list[str], woven: Woven) -> list[str]:
-    return [id for id in woven.spec.linked(item) if id != "none" and woven.spec.items[id].kind in kinds]
+    return [
+        id for id in woven.spec.linked(item) if id != "none" and woven.spec.items[id].kind in kinds
+    ]
 
 
 class RequirementsDirective(WovenDirective):
@@ -65,7 +67,9 @@ class PlanTableDirective(WovenDirective):
     def run(self) -> list[nodes.Node]:
         box = nodes.container()
         cases = [i for i in self.woven.spec.of_kind("case") if i.id.startswith("TC")]
-        rows = [_plan_row(case, self.woven) for case in sorted(cases, key=lambda case: rank(case.id))]
+        rows = [
+            _plan_row(case, self.woven) for case in sorted(cases, key=lambda case: rank(case.id))
+        ]
         self.parse(table(["", "case", "models", "requirements", "last result"], rows), box)
         return [box]
 
@@ -73,5 +77,10 @@ class PlanTableDirective(WovenDirective):
 def _plan_row(case: Item, woven: Woven) -> list[str]:
     models = [id for id in case.data.get("uses", []) if id.startswith(("IM", "GD"))]
     requirements = [id for id in case.data["verifies"] if id.startswith(("R", "NFR"))]
-    return [f"{{srs}}`{case.id}`", case.title, ids(models), ids(requirements), badge(case.id, woven)]
-
+    return [
+        f"{{srs}}`{case.id}`",
+        case.title,
+        ids(models),
+        ids(requirements),
+        badge(case.id, woven),
+    ]

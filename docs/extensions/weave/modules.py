@@ -12,7 +12,8 @@ from pathlib import Path
 from weave.markdown import code, table
 
 _GUIDE = re.compile(
-    r"\b(?:Serves|Service):\s*(?P<service>.+?)\s*\b(?:Hides|Secret):\s*(?P<secret>.+?)(?=\n\s*\n|\Z)", re.S
+    r"\b(?:Serves|Service):\s*(?P<service>.+?)\s*\b(?:Hides|Secret):\s*(?P<secret>.+?)(?=\n\s*\n|\Z)",
+    re.S,
 )
 
 
@@ -124,7 +125,9 @@ def described(node: ast.FunctionDef | ast.ClassDef | ast.Module) -> str:
 def _markdown(text: str) -> str:
     """Plain text in which nothing but `code` is markup."""
     halves = text.split("`")
-    return "`".join(re.sub(r"([*_$<>{}\[\]|#])", r"\\\1", h) if n % 2 == 0 else h for n, h in enumerate(halves))
+    return "`".join(
+        re.sub(r"([*_$<>{}\[\]|#])", r"\\\1", h) if n % 2 == 0 else h for n, h in enumerate(halves)
+    )
 
 
 def reference(module: Module) -> Iterator[str]:
@@ -136,7 +139,12 @@ def reference(module: Module) -> Iterator[str]:
             for inner in public(node):
                 if ast.get_docstring(inner):
                     kind = "property " if _is_property(inner) else ""
-                    yield f"* `{kind}{signature(inner)}` \\\n  {described(inner)}".replace("\n", "\n  ") + "\n"
+                    yield (
+                        f"* `{kind}{signature(inner)}` \\\n  {described(inner)}".replace(
+                            "\n", "\n  "
+                        )
+                        + "\n"
+                    )
 
 
 def _is_property(node: ast.FunctionDef | ast.ClassDef) -> bool:

@@ -9,15 +9,19 @@ from tamias2d.spec.chapter import Item
 from tamias2d.spec.derivation import POINTS
 from tamias2d.spec.symbols import Index, Symbol
 from tamias2d.spec.tex import unit_tex
-
 from weave import cases, schemes
 from weave.formulas import equation, named, rate, relation, stack
 from weave.links import ids, linked
 from weave.markdown import bullets, code, display, fence, table
 from weave.woven import Woven
 
-
-_DOCUMENTS = {"SRS": "SRS of 2018", "Drasil": "specification by Drasil", "plan": "verification plan", "code": "program", "report": "reports"}
+_DOCUMENTS = {
+    "SRS": "SRS of 2018",
+    "Drasil": "specification by Drasil",
+    "plan": "verification plan",
+    "code": "program",
+    "report": "reports",
+}
 
 
 def body(item: Item, woven: Woven) -> str:
@@ -130,7 +134,10 @@ def _admissible(symbol: Symbol) -> str:
 def index_table(woven: Woven) -> str:
     """The indices that a name may take."""
     indices = woven.spec.table.indices.values()
-    rows = [[f"$x{'^' if i.place == 'super' else '_'}{{{i.tex}}}$", f"`{i.name}`", i.says] for i in indices]
+    rows = [
+        [f"$x{'^' if i.place == 'super' else '_'}{{{i.tex}}}$", f"`{i.name}`", i.says]
+        for i in indices
+    ]
     return table(["", "name", "meaning"], rows, style="symbols")
 
 
@@ -140,10 +147,17 @@ def _derivation(item: Item, woven: Woven) -> Iterator[str]:
         return
     lines = [_step(number, step, woven) for number, step in enumerate(steps, 1)]
     note = (
-        f"Each step was checked to follow from the one before, numerically at {POINTS} random points "
-        "of the symbols' ranges, when this page was built."
+        "Each step was checked to follow from the one before, numerically "
+        f"at {POINTS} random points of the symbols' ranges, when this page was built."
     )
-    yield fence("dropdown", "Derivation", "\n".join([*lines, f"\n*{note}*"]), depth=6, color="light", open="")
+    yield fence(
+        "dropdown",
+        "Derivation",
+        "\n".join([*lines, f"\n*{note}*"]),
+        depth=6,
+        color="light",
+        open="",
+    )
 
 
 def _step(number: int, step: dict[str, str], woven: Woven) -> str:
@@ -165,7 +179,9 @@ def _code(item: Item, woven: Woven) -> Iterator[str]:
     )
     tabs = fence("tab-item", f"Printed into {functions[0].file}", printed, depth=5)
     tabs += fence("tab-item", f"Written in {item.file}", code("yaml", woven.source(item)), depth=5)
-    yield fence("dropdown", "Generated code", fence("tab-set", "", tabs, depth=6), depth=7, color="light")
+    yield fence(
+        "dropdown", "Generated code", fence("tab-set", "", tabs, depth=6), depth=7, color="light"
+    )
 
 
 def _relations(item: Item, woven: Woven) -> Iterator[str]:

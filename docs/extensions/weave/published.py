@@ -17,7 +17,6 @@ from tamias2d.spec.chapter import Item
 from tamias2d.spec.evaluate import evaluate
 from tamias2d.spec.expression import parse
 from tamias2d.spec.units import parse_quantity
-
 from weave.markdown import table
 
 HEAD = ["body", "quantity", "step", "time in s", "published", "reproduced", "exact", ""]
@@ -41,7 +40,14 @@ class Sample:
     def row(self) -> list[str]:
         """The cells of a table."""
         numbers = (self.published, self.reproduced, self.exact)
-        return [self.body, self.quantity, str(self.step), f"{self.time:.4f}", *map(_shown, numbers), self.note]
+        return [
+            self.body,
+            self.quantity,
+            str(self.step),
+            f"{self.time:.4f}",
+            *map(_shown, numbers),
+            self.note,
+        ]
 
 
 def _shown(value: np.ndarray | None) -> str:
@@ -53,7 +59,11 @@ def _shown(value: np.ndarray | None) -> str:
 
 def part(item: Item) -> str:
     """The table of a case, empty if the plan published nothing for it."""
-    return table(HEAD, (s.row for s in samples(item)), style="published") if "published" in item.data else ""
+    return (
+        table(HEAD, (s.row for s in samples(item)), style="published")
+        if "published" in item.data
+        else ""
+    )
 
 
 def samples(item: Item) -> Iterator[Sample]:
@@ -93,7 +103,14 @@ def _note(published: dict[str, Any], body: str, quantity: str, sample: int) -> s
 def summary(items: list[Item]) -> str:
     """One row a case: how well the tables are reproduced, and how far they are from the truth."""
     rows = (_summary_row(item) for item in items if "published" in item.data)
-    head = ["", "case", "numbers", "misprints", "largest difference reproduced", "largest difference from exact"]
+    head = [
+        "",
+        "case",
+        "numbers",
+        "misprints",
+        "largest difference reproduced",
+        "largest difference from exact",
+    ]
     return table(head, rows)
 
 
@@ -102,5 +119,15 @@ def _summary_row(item: Item) -> list[str]:
     counted = sum(s.published.size for s in found)
     sound = [s for s in found if not s.note]
     missed = max(float(np.abs(s.published - s.reproduced).max()) for s in sound)
-    wrong = max((float(np.abs(s.published - s.exact).max()) for s in sound if s.exact is not None), default=0.0)
-    return [f"{{srs}}`{item.id}`", item.title, str(counted), str(len(found) - len(sound)), f"{missed:.4f}", f"{wrong:.4g}"]
+    wrong = max(
+        (float(np.abs(s.published - s.exact).max()) for s in sound if s.exact is not None),
+        default=0.0,
+    )
+    return [
+        f"{{srs}}`{item.id}`",
+        item.title,
+        str(counted),
+        str(len(found) - len(sound)),
+        f"{missed:.4f}",
+        f"{wrong:.4g}",
+    ]

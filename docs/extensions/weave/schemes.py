@@ -6,7 +6,6 @@ Serves: the page of a scheme. Hides: the families of schemes.
 from collections.abc import Iterator
 
 from tamias2d.spec.chapter import Item
-
 from weave.markdown import display
 
 
@@ -17,7 +16,11 @@ def parts(item: Item) -> Iterator[str]:
     data = item.data
     order = data["order"]
     proof = "found from the coefficients by exact arithmetic when this page was built"
-    yield f"**Order {order}**, {proof}.\n" if order != "0" else f"**Inconsistent** (order 0), {proof}.\n"
+    yield (
+        f"**Order {order}**, {proof}.\n"
+        if order != "0"
+        else f"**Inconsistent** (order 0), {proof}.\n"
+    )
     yield display(_TABLEAUS[data["family"]](data))
     if constant := data.get("error_constant"):
         yield f"*Error constant:* {' '.join(constant.split())}.\n"
@@ -26,7 +29,11 @@ def parts(item: Item) -> Iterator[str]:
 def _butcher(data: dict) -> str:
     rows = [
         " & ".join([c, *row, *[""] * (len(data["b"]) - len(row))])
-        for c, row in zip(map(_fraction, data["c"]), ([_fraction(x) for x in row] for row in data["a"]), strict=True)
+        for c, row in zip(
+            map(_fraction, data["c"]),
+            ([_fraction(x) for x in row] for row in data["a"]),
+            strict=True,
+        )
     ]
     last = " & ".join(["", *map(_fraction, data["b"])])
     columns = "c|" + "c" * len(data["b"])
@@ -39,18 +46,26 @@ def _splitting(data: dict) -> str:
         for key, letter, rate in (("kick", "v", "a"), ("drift", "p", "v")):
             if n < len(data[key]) and data[key][n] != "0":
                 weight = "" if data[key][n] == "1" else _fraction(data[key][n])
-                stages.append(
-                    rf"\boldsymbol{{{letter}}} &\leftarrow \boldsymbol{{{letter}}} + {weight} h\, \boldsymbol{{{rate}}}"
-                    rf" && \text{{({key})}}"
-                )
+                moved = rf"\boldsymbol{{{letter}}}"
+                step = rf"{weight} h\, \boldsymbol{{{rate}}}"
+                stages.append(rf"{moved} &\leftarrow {moved} + {step} && \text{{({key})}}")
     return rf"\begin{{aligned}} {_stack(stages)} \end{{aligned}}"
 
 
 def _two_level(data: dict) -> str:
     p, v = data["position"], data["velocity"]
-    first = _sum((p["velocity"], r"h\,\boldsymbol{v}_k"), (p["previous"], r"h^2\boldsymbol{a}_{k-1}"), (p["current"], r"h^2\boldsymbol{a}_k"))
-    second = _sum((v["previous"], r"h\,\boldsymbol{a}_{k-1}"), (v["current"], r"h\,\boldsymbol{a}_k"))
-    lines = [rf"\boldsymbol{{p}}_{{k+1}} &= \boldsymbol{{p}}_k {first}", rf"\boldsymbol{{v}}_{{k+1}} &= \boldsymbol{{v}}_k {second}"]
+    first = _sum(
+        (p["velocity"], r"h\,\boldsymbol{v}_k"),
+        (p["previous"], r"h^2\boldsymbol{a}_{k-1}"),
+        (p["current"], r"h^2\boldsymbol{a}_k"),
+    )
+    second = _sum(
+        (v["previous"], r"h\,\boldsymbol{a}_{k-1}"), (v["current"], r"h\,\boldsymbol{a}_k")
+    )
+    lines = [
+        rf"\boldsymbol{{p}}_{{k+1}} &= \boldsymbol{{p}}_k {first}",
+        rf"\boldsymbol{{v}}_{{k+1}} &= \boldsymbol{{v}}_k {second}",
+    ]
     return rf"\begin{{aligned}} {_stack(lines)} \end{{aligned}}"
 
 
@@ -59,7 +74,11 @@ def _stack(lines: list[str]) -> str:
 
 
 def _sum(*terms: tuple[str, str]) -> str:
-    return " ".join(f"+ {'' if weight == '1' else _fraction(weight)} {letter}" for weight, letter in terms if weight != "0")
+    return " ".join(
+        f"+ {'' if weight == '1' else _fraction(weight)} {letter}"
+        for weight, letter in terms
+        if weight != "0"
+    )
 
 
 def _fraction(text: str) -> str:

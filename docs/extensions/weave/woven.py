@@ -14,7 +14,6 @@ from tamias2d.spec.expression import Name
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.tex import tex
-
 from weave.results import Result, last_results
 
 

@@ -1,0 +1,89 @@
+"""The scenes of the catalogue, each with its picture.
+
+Serves: `{gallery}`. Hides: which pictures are still good, and that matplotlib draws them.
+"""
+
+import hashlib
+from importlib.util import find_spec
+from pathlib import Path
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+from tamias2d.errors import TamiasError
+from tamias2d.scene import Scene, catalogue
+from weave.chapter import WovenDirective
+from weave.markdown import fence
+
+PICTURES = "_static/scenes"
+
+
+def on_builder_inited(app: Sphinx) -> None:
+    """Draw the scenes whose picture is missing or out of date."""
+    folder = Path(app.srcdir) / PICTURES
+    folder.mkdir(parents=True, exist_ok=True)
+    wanted = {folder / _file(name) for name in catalogue.names()}
+    for old in set(folder.glob("*.png")) - wanted:
+        old.unlink()
+    if (
+        find_spec("matplotlib")
+        and (Path(app.srcdir).parent / "src/tamias2d/record/plot.py").is_file()
+    ):
+        for name in catalogue.names():
+            _draw(name, folder / _file(name))
+
+
+def _file(name: str) -> str:
+    """The picture's name holds what it was drawn from."""
+    import tamias2d
+
+    package = Path(tamias2d.__file__).parent
+    sources = [package / f"scene/catalogue/{name}.yaml", *sorted(package.glob("record/*.py"))]
+    content = b"".join(path.read_bytes() for path in sources)
+    return f"{name}-{hashlib.sha256(content).hexdigest()[:8]}.png"
+
+
+def _draw(name: str, picture: Path) -> None:
+    from tamias2d.record.plot import plot
+
+    from tamias2d.simulate import simulate
+
+    if picture.is_file():
+        return
+    scene = catalogue.load(name)
+    try:
+        plot(simulate(scene, duration=scene.duration or 1.0), picture)
+    except TamiasError:
+        return  # a scene that is there to be refused
+
+
+class GalleryDirective(WovenDirective):
+    """A card for each scene whose name begins with one of the words given; the rest without."""
+
+    def run(self) -> list[nodes.Node]:
+        box = nodes.container(classes=["srs-wide"])
+        wanted = [n for n in catalogue.names() if n.startswith("tc") == bool(self.arguments)]
+        cards = "\n".join(_card(name, Path(str(self.env.srcdir))) for name in wanted)
+        self.parse(fence("grid", "1 1 2 2", cards, depth=5, gutter="3"), box)
+        return [box]
+
+
+def _card(name: str, docs: Path) -> str:
+    scene = catalogue.load(name)
+    file = f"{PICTURES}/{_file(name)}"
+    picture = (
+        {"img-top": f"/{file}", "img-alt": f"the scene {name}"} if (docs / file).is_file() else {}
+    )
+    text = f"{_says(scene)}\n\n+++\n`tamias2d run {name}`: {_contents(scene)}"
+    return fence("grid-item-card", name, text, depth=4, **picture)
+
+
+def _says(scene: Scene) -> str:
+    return (scene.says or "").rstrip(".") + "."
+
+
+def _contents(scene: Scene) -> str:
+    moving = sum(body.dynamic for body in scene.bodies)
+    still = len(scene.bodies) - moving
+    time = f", {scene.duration:g} s" if scene.duration else ""
+    return f"{moving} moving, {still} static{time}"
