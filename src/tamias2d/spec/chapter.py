@@ -12,8 +12,7 @@ from typing import Any
 from markdown_it import MarkdownIt
 
 from tamias2d.spec.kinds import KINDS
-from tamias2d.spec.markup import MarkupError, Place, compose
-from tamias2d.spec.markup import Path as KeyPath
+from tamias2d.spec.markup import MarkupError, Path as KeyPath, Place, compose
 from tamias2d.spec.messages import Code, Diagnostic
 
 _FENCE = re.compile(r"\{(\w[\w-]*)\}\s*(.*)")
