@@ -1,0 +1,36 @@
+"""A recording appears whole or not at all: it is written aside and renamed at the end."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tamias2d.errors import RecordingError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+@contextmanager
+def aside(path: Path) -> Iterator[Path]:
+    """Give a path to write to, which takes the place of `path` when the block ends well.
+
+    Raises:
+        RecordingError: the directory is missing, or the file cannot be written (a full disk).
+    """
+    if path.is_dir():
+        raise RecordingError(f"{path}: is a directory. Give the name of a file in it.")
+    if not path.parent.is_dir():
+        raise RecordingError(f"{path}: there is no directory {path.parent}. Make it first.")
+    draft = path.with_name(path.name + ".tmp")
+    try:
+        yield draft
+        draft.replace(path)
+    except (OSError, RuntimeError) as fault:  # the rerun writer reports a full disk as the latter
+        why = str(fault).splitlines()[0] if str(fault) else type(fault).__name__
+        raise RecordingError(
+            f"{path}: cannot be written: {why}. Check the disk's space and the permissions."
+        ) from fault
+    finally:
+        draft.unlink(missing_ok=True)

@@ -1,0 +1,101 @@
+"""Where two histories of one run first differ, to the last bit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.record import history
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tamias2d.run import Run
+
+_SYMBOL_OF = {"point": "position"}  # where a quantity of an impact has no symbol of its own
+
+
+@dataclass(frozen=True)
+class Difference:
+    """One number that a recomputation gives otherwise than it was recorded."""
+
+    time: float
+    """s"""
+    of: str
+    """Whose it is: ``body 'ball'``, ``the impact of 'ball' and 'floor'``, ``the scene``."""
+    quantity: str
+    """With its component: ``velocity y``."""
+    recorded: float
+    recomputed: float
+    unit: str
+
+    def __str__(self) -> str:
+        values = f"recorded {self.recorded!r}, recomputed {self.recomputed!r}"
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        return f"at {self.time!r} s, {self.of}, {self.quantity}: {values}{unit}"
+
+
+def first_difference(recorded: Run, recomputed: Run) -> Difference | None:
+    """Return the earliest number that differs, or None if the runs are identical."""
+    found = [*_of_samples(recorded, recomputed), *_of_impacts(recorded, recomputed)]
+    return min(found, key=lambda difference: difference.time, default=None)
+
+
+def _of_samples(recorded: Run, recomputed: Run) -> Iterator[Difference]:
+    names = [body.name for body in recorded.scene.bodies]
+    yield from _counts("samples", recorded.times, recomputed.times)
+    for quantity in ("times", *history.OF_BODIES, *history.TOTALS):
+        a, b = getattr(recorded, quantity), getattr(recomputed, quantity)
+        place = _first(a, b)
+        if place is not None:
+            in_body = quantity in history.OF_BODIES
+            of = f"body {names[place[1]]!r}" if in_body else "the scene"
+            yield _difference(
+                recorded.times[place[0]], of, quantity, place[1 + in_body :], a[place], b[place]
+            )
+
+
+def _of_impacts(recorded: Run, recomputed: Run) -> Iterator[Difference]:
+    a, b = recorded.impacts, recomputed.impacts
+    yield from _counts("impacts", a.time, b.time)
+    for quantity in history.OF_IMPACTS:
+        ours, theirs = getattr(a, quantity), getattr(b, quantity)
+        place = _first(ours, theirs)
+        if place is not None:
+            pair = " and ".join(repr(recorded.scene.bodies[i].name) for i in a.bodies[place[0]])
+            time = float(a.time[place[0]])
+            of = f"impact {place[0]} of {pair}"
+            yield _difference(time, of, quantity, place[1:], ours[place], theirs[place])
+
+
+def _counts(what: str, a: NDArray[np.float64], b: NDArray[np.float64]) -> Iterator[Difference]:
+    """Differ from the first time that only one of two lists of times has."""
+    if len(a) != len(b):
+        longer, short = (a, len(b)) if len(a) > len(b) else (b, len(a))
+        yield Difference(
+            float(longer[short]), "the scene", f"number of {what}", len(a), len(b), "1"
+        )
+
+
+def _first(a: NDArray[Any], b: NDArray[Any]) -> tuple[int, ...] | None:
+    """Index of the first number whose bits differ, among the rows that both have."""
+    rows = min(len(a), len(b))
+    a, b = (np.ascontiguousarray(part[:rows]) for part in (a, b))
+    differ = a.view(np.int64) != b.view(np.int64)  # so that NaN equals itself, and -0.0 is not 0.0
+    if not differ.any():
+        return None
+    return tuple(int(i) for i in np.unravel_index(differ.argmax(), differ.shape))
+
+
+def _difference(
+    time: float, of: str, quantity: str, component: tuple[int, ...], a: float, b: float
+) -> Difference:
+    symbol = SYMBOLS.get(_SYMBOL_OF.get(quantity, quantity.removesuffix("s")))
+    axis = f" {'xy'[component[0]]}" if component else ""
+    return Difference(
+        float(time), of, quantity + axis, float(a), float(b), symbol.unit if symbol else "1"
+    )

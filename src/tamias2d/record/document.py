@@ -1,0 +1,78 @@
+"""What a recording says in words: the run, and the equations that it rests on, as Markdown."""
+
+from __future__ import annotations
+
+import json
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+
+from tamias2d.record import header as headers
+
+if TYPE_CHECKING:
+    from tamias2d.run import Run
+
+
+def about(run: Run) -> str:
+    """Return what was run and how: the scene, the way that was taken, bodies and versions."""
+    scene = run.scene
+    step = "" if run.time_step is None else f", time step {run.time_step:g} s"
+    lines = [
+        f"# {scene.name or 'A scene without a name'}",
+        scene.says,
+        f"**{run.method}**, {run.duration:g} s{step}, {len(run.times)} samples, "
+        f"{len(run.impacts)} impacts. Gravity ({scene.gravity[0]:g}, {scene.gravity[1]:g}) m/s².",
+        "\n".join(f"- {note}" for note in run.notes),
+        _bodies(run),
+        "The exact float64 state of each body is in its component `tamias2d.State`. "
+        "`tamias2d replay --check` computes this recording again.",
+        ", ".join(f"{name} {version}" for name, version in headers.versions().items()),
+    ]
+    return "\n\n".join(line for line in lines if line)
+
+
+def _bodies(run: Run) -> str:
+    rows = ["| body | shape | mass | inertia |", "| --- | --- | --- | --- |"]
+    for body in run.scene.bodies:
+        shape = type(body.shape).__name__ if body.shape else "particle"
+        of_body = (
+            (f"{body.mass:g} kg", f"{body.inertia:g} kg m²") if body.dynamic else ("static",) * 2
+        )
+        rows.append(f"| {body.name} | {shape} | {' | '.join(of_body)} |")
+    return "\n".join(rows)
+
+
+def models() -> str:
+    """Return the models of the specification, with their equations in words and their symbols."""
+    items = json.loads(_generated("srs.json"))["items"]
+    found = sorted((item for item in items if item["kind"] == "model"), key=lambda item: item["id"])
+    return "\n\n".join(["# Models", *map(_model, found)])
+
+
+def _model(item: dict[str, Any]) -> str:
+    data = item["data"]
+    closed = {k: v for k, v in data.get("closed_form", {}).items() if k != "when"}
+    parts = [f"## {item['id']} {item['title']}", data["says"], _equations(data["equations"])]
+    if closed:
+        parts += [f"In closed form, when {data['closed_form']['when']}:", _equations(closed)]
+    parts.append(f"{item['file']}, line {item['line']}")
+    return "\n\n".join(parts)
+
+
+def _equations(equations: dict[str, str]) -> str:
+    lines = "\n".join(f"{name} = {value}" for name, value in equations.items())
+    return f"```\n{lines}\n```"
+
+
+def impact_line(run: Run, k: int) -> str:
+    """Return one impact as a line of text."""
+    impacts = run.impacts
+    a, b = (run.scene.bodies[i].name for i in impacts.bodies[k])
+    x, y = impacts.point[k]
+    return (
+        f"{impacts.time[k]:.6g} s: {a} meets {b} at ({x:.4g}, {y:.4g}) m, approaching at "
+        f"{-impacts.normal_velocity[k]:.4g} m/s, impulse {impacts.impulse[k]:.4g} N s"
+    )
+
+
+def _generated(name: str) -> str:
+    return resources.files("tamias2d.generated").joinpath(name).read_text("utf-8")

@@ -1,0 +1,125 @@
+"""What a body looks like: its lines in its own frame, its colour, and the view that holds a run.
+
+The viewer and the plots draw from here, so that a body has one look everywhere.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tamias2d.scene import Disc, HalfPlane
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tamias2d.run import Run
+    from tamias2d.scene import Body
+
+    Points = NDArray[np.float64]
+
+Colour = tuple[int, int, int]
+
+# Mid-tones: the viewer follows the system's theme, so each must stand out on black and on white.
+PALETTE: tuple[Colour, ...] = (
+    (230, 120, 40), (60, 140, 220), (70, 170, 100), (200, 80, 130),
+    (150, 110, 210), (190, 150, 30), (40, 165, 175), (210, 85, 70),
+)  # fmt: skip
+STATIC_COLOUR: Colour = (130, 135, 140)
+CIRCLE_SIDES = 72
+HATCHES = 48
+
+
+@dataclass(frozen=True)
+class View:
+    """A window of the world, in metres: its centre (x, y) and half its width and height."""
+
+    center: tuple[float, float]
+    half: tuple[float, float]
+
+    @property
+    def reach(self) -> float:
+        """Half the diagonal: no point of the view is farther from its centre, in metres."""
+        return math.hypot(*self.half)
+
+
+def colours(run: Run) -> list[Colour]:
+    """Red, green and blue of each body, 0 to 255; all static bodies have one."""
+    bodies, moving = run.scene.bodies, iter(range(len(run.scene.bodies)))
+    return [PALETTE[next(moving) % len(PALETTE)] if b.dynamic else STATIC_COLOUR for b in bodies]
+
+
+def strokes(body: Body, view: View) -> list[Points]:
+    """All lines of a body in its own frame, each (v, 2), in metres."""
+    if body.shape is None:  # a particle: a cross that can be seen in the view
+        arm = 0.01 * view.reach
+        return [np.array([(-arm, 0.0), (arm, 0.0)]), np.array([(0.0, -arm), (0.0, arm)])]
+    if isinstance(body.shape, HalfPlane):
+        return _ground(body, body.shape, view)
+    rim = outline(body)
+    return [rim, np.array([(0.0, 0.0), (rim[0] + rim[-2]) / 2])] if body.dynamic else [rim]
+
+
+def outline(body: Body) -> Points:
+    """Closed line around a bounded shape, (v, 2), relative to the body's centre, in metres."""
+    if isinstance(body.shape, Disc):
+        angle = np.linspace(0.0, 2 * np.pi, CIRCLE_SIDES + 1) + np.pi / CIRCLE_SIDES
+        return body.shape.radius * np.column_stack([np.cos(angle), np.sin(angle)])
+    corners = body.shape.vertices if body.shape else ()
+    return np.array([*corners, *corners[:1]], dtype=np.float64).reshape(-1, 2)
+
+
+def _ground(body: Body, shape: HalfPlane, view: View) -> list[Points]:
+    """The edge of a half-plane, and hatching on its solid side, in its own frame.
+
+    It reaches three times as far as the view, because a window may be wider than what it shows.
+    """
+    normal = np.array(shape.normal)
+    along = np.array((-normal[1], normal[0]))
+    center = rotation(-body.orientation) @ (np.array(view.center) - body.position)
+    foot = shape.offset * normal + (center @ along) * along
+    reach = 3 * view.reach
+    starts = foot + np.linspace(-reach, reach, 3 * HATCHES)[:, None] * along
+    slant = (along - normal) * (view.reach / HATCHES)
+    edge = np.array([foot - reach * along, foot + reach * along])
+    return [edge, *(np.array([start, start + slant]) for start in starts)]
+
+
+def rotation(angle: float) -> Points:
+    """Matrix (2, 2) of a counter-clockwise turn by `angle` rad."""
+    return np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+
+
+def placed(points: Points, position: Points, orientation: float) -> Points:
+    """Points (v, 2) of a body's frame in the world, in metres."""
+    return points @ rotation(orientation).T + position
+
+
+def view_of(run: Run) -> View:
+    """The view that holds every bounded body during the whole run, with a margin of 8 %."""
+    low, high = _extent(run)
+    span = float((high - low).max()) or 2.0  # one particle at rest: 2 m around it
+    half = 0.54 * np.maximum(high - low, span / 4)  # in a narrow strip nothing could be seen
+    center = low / 2 + high / 2
+    return View((float(center[0]), float(center[1])), (float(half[0]), float(half[1])))
+
+
+def _extent(run: Run) -> tuple[Points, Points]:
+    """Lower left and upper right corner (2,) of where bounded bodies have been, in metres."""
+    boxes = []
+    for index, body in enumerate(run.scene.bodies):
+        if not isinstance(body.shape, HalfPlane):
+            path = run.position[:, index]
+            size = body.shape.bounding_radius if body.shape else 0.0
+            boxes.append((path.min(axis=0) - size, path.max(axis=0) + size))
+    lows, highs = zip(*boxes or [(np.full(2, -1.0), np.full(2, 1.0))], strict=True)
+    return np.min(lows, axis=0), np.max(highs, axis=0)
+
+
+def round_length(length: float) -> float:
+    """The largest 1, 2 or 5 times a power of ten that is not above `length`, in metres."""
+    power = 10.0 ** math.floor(math.log10(length))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= length * (1 + 1e-9)))

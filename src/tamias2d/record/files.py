@@ -1,0 +1,71 @@
+"""Which kind of recording a file is, by its suffix."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+from typing import TYPE_CHECKING, Protocol, cast
+
+from tamias2d.errors import InputError, RecordingError
+from tamias2d.record import history
+
+if TYPE_CHECKING:
+    from tamias2d.record.header import Header
+    from tamias2d.record.history import Arrays
+    from tamias2d.run import Run
+
+
+class _Kind(Protocol):
+    def write(self, run: Run, path: Path) -> None: ...
+    def read(self, path: Path) -> tuple[Header, Arrays]: ...
+
+
+def save(run: Run, path: str | Path) -> None:
+    """Write a run as a recording to look at (`.rrd`) or as its exact history (`.npz`).
+
+    Raises:
+        InputError: another suffix.
+        RecordingError: the file cannot be written, or rerun is not installed.
+    """
+    _kind(Path(path)).write(run, Path(path))
+
+
+def load(path: str | Path) -> Run:
+    """Read the run back, to the last bit, from a recording of either kind.
+
+    Raises:
+        InputError: another suffix.
+        RecordingError: no such file, or it is cut, damaged or of another program.
+    """
+    header, arrays = stored(Path(path))
+    return history.run_of(header, arrays, where=str(path))
+
+
+def stored(path: Path) -> tuple[Header, Arrays]:
+    """Read the header and the arrays of a recording; raises as `load` does."""
+    kind = _kind(path)
+    if not path.is_file():
+        raise RecordingError(f"{path}: there is no such file. Make it by `run.save(path)`.")
+    return kind.read(path)
+
+
+def _kind(path: Path) -> _Kind:
+    if path.suffix == ".npz":
+        return history
+    if path.suffix == ".rrd":
+        return _rerun(path)
+    raise InputError(
+        f"{path}: suffix {path.suffix!r}: a recording is .rrd (to look at) or .npz (exact history). "
+        "Give it a name that ends so."
+    )
+
+
+def _rerun(path: Path) -> _Kind:
+    """The one way to rerun: it is an extra, large and slow to import."""
+    try:
+        return cast("_Kind", importlib.import_module("tamias2d.record.rerun"))
+    except ImportError as fault:
+        raise RecordingError(
+            f"{path}: .rrd needs rerun, which is not installed ({fault}). "
+            "Install it by `pip install tamias2d[record]`, or save as .npz."
+        ) from fault

@@ -1,0 +1,122 @@
+"""What a recording says of itself: all that it takes to compute its run once more.
+
+The header is one line of JSON, the same in every kind of recording. Floats are printed so that
+they read back to the same bits.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import platform
+from dataclasses import asdict, dataclass, fields
+from importlib import metadata, resources
+from typing import TYPE_CHECKING, Any
+
+from tamias2d.errors import RecordingError
+from tamias2d.motion import methods
+from tamias2d.scene import scene_text
+
+if TYPE_CHECKING:
+    from tamias2d.run import Run
+
+FORMAT = 1
+METHODS: dict[str, Any] = {
+    kind.__name__: kind
+    for kind in (
+        methods.ClosedForm,
+        methods.ExplicitEuler,
+        methods.SemiImplicitEuler,
+        methods.VelocityVerlet,
+        methods.RungeKutta4,
+        methods.Legacy2018,
+        methods.Reference,
+    )
+}
+
+
+@dataclass(frozen=True)
+class Header:
+    """The inputs of a run as text and numbers, and what it takes to trust the stored answer."""
+
+    scene: str
+    method: dict[str, Any]
+    duration: float
+    time_step: float | None
+    samples: int
+    impacts: int
+    bodies: tuple[str, ...]
+    notes: tuple[str, ...]
+    digest: str
+    versions: dict[str, str]
+    format: int = FORMAT
+
+    def dumps(self) -> str:
+        """Print the header as one line of JSON."""
+        return json.dumps(asdict(self), sort_keys=True)
+
+
+def header_of(run: Run) -> Header:
+    """Describe a run: its inputs, its size, the programs that made it, and its digest."""
+    return Header(
+        scene=scene_text(run.scene),
+        method={"name": type(run.method).__name__, **vars(run.method)},
+        duration=float(run.duration),
+        time_step=None if run.time_step is None else float(run.time_step),
+        samples=len(run.times),
+        impacts=len(run.impacts.time),
+        bodies=tuple(body.name for body in run.scene.bodies),
+        notes=tuple(run.notes),
+        digest=run.digest(),
+        versions=versions(),
+    )
+
+
+def loads(text: str, *, where: str) -> Header:
+    """Read a header; raise `RecordingError` that begins with `where` if it is not one of ours."""
+    try:
+        values = json.loads(text)
+        if values["format"] != FORMAT:
+            raise RecordingError(
+                f"{where}: format {values['format']}: this version reads format {FORMAT}. "
+                f"Open it with tamias2d {values['versions']['tamias2d']}."
+            )
+        lists = {name: tuple(values[name]) for name in ("bodies", "notes")}
+        return Header(**{f.name: values[f.name] for f in fields(Header)} | lists)
+    except (ValueError, KeyError, TypeError) as fault:
+        raise RecordingError(
+            f"{where}: its header cannot be read. Record the run again."
+        ) from fault
+
+
+def method_of(header: Header, *, where: str) -> Any:
+    """Build the method that the header names, with its options."""
+    options = dict(header.method)
+    name = str(options.pop("name", ""))
+    kind = METHODS.get(name)
+    if kind is None:
+        raise RecordingError(
+            f"{where}: method {name!r} is none of {', '.join(METHODS)}. "
+            f"Open it with tamias2d {header.versions['tamias2d']}."
+        )
+    try:
+        return kind(**options)
+    except (TypeError, ValueError) as fault:
+        raise RecordingError(f"{where}: options of the method {name}: {fault}.") from fault
+
+
+def versions() -> dict[str, str]:
+    """What the bits of a run depend on: the specification, the programs and the machine."""
+    return {
+        "tamias2d": metadata.version("tamias2d"),
+        "specification": _specification_hash(),
+        "numpy": metadata.version("numpy"),
+        "scipy": metadata.version("scipy"),
+        "python": platform.python_version(),
+        "machine": f"{platform.system()} {platform.machine()}",
+    }
+
+
+def _specification_hash() -> str:
+    text = resources.files("tamias2d.generated").joinpath("srs.json").read_bytes()
+    return hashlib.sha256(text).hexdigest()[:16]

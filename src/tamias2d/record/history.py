@@ -1,0 +1,128 @@
+"""The exact history of a run: every float64 of it, as named arrays, and as an `.npz` file.
+
+The file holds plain arrays (never pickles, which could run code) and the header as text.
+"""
+
+from __future__ import annotations
+
+import zipfile
+import zlib
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tamias2d.errors import RecordingError, TamiasError
+from tamias2d.record import header as headers
+from tamias2d.record.aside import aside
+from tamias2d.run import Impacts, Run
+from tamias2d.scene import Scene
+from tamias2d.scene import load as load_scene
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    Arrays = dict[str, NDArray[Any]]
+
+OF_BODIES = {"position": 2, "orientation": 1, "velocity": 2, "angular_velocity": 1}
+"""Quantities of each body at each sample, with their number of components."""
+TOTALS = {"energy": 1, "momentum": 2, "angular_momentum": 1}
+"""Quantities of the whole scene at each sample."""
+OF_IMPACTS = {
+    "time": 1, "bodies": 2, "point": 2, "normal": 2, "impulse": 1, "normal_velocity": 1,
+}  # fmt: skip
+"""Quantities of each impact."""
+
+
+def arrays_of(run: Run) -> Arrays:
+    """Name all arrays of a run: `times`, `position`, ..., `impacts.time`, ...; shapes as in Run."""
+    of_run = {name: getattr(run, name) for name in ("times", *OF_BODIES, *TOTALS)}
+    return of_run | {f"impacts.{name}": getattr(run.impacts, name) for name in OF_IMPACTS}
+
+
+def shapes_of(header: headers.Header) -> dict[str, tuple[int, ...]]:
+    """The shape that each array has, by the header."""
+    k, n, m = header.samples, len(header.bodies), header.impacts
+    shapes: dict[str, tuple[int, ...]] = {"times": (k,)}
+    shapes |= {name: (k, n, width)[: 1 + width] for name, width in OF_BODIES.items()}
+    for prefix, rows, widths in (("", k, TOTALS), ("impacts.", m, OF_IMPACTS)):
+        shapes |= {prefix + name: (rows, width)[:width] for name, width in widths.items()}
+    return shapes
+
+
+def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where: str) -> Run:
+    """Put a run together from its header and arrays; raise `RecordingError` if they do not fit."""
+    for name, shape in shapes_of(header).items():
+        _check_array(name, arrays.get(name), shape, where)
+    pairs = arrays["impacts.bodies"]
+    scene = _scene(header, where)
+    if pairs.size and not 0 <= pairs.min() <= pairs.max() < len(scene.bodies):
+        raise RecordingError(
+            f"{where}: impacts.bodies: found index {pairs.max()} of {len(scene.bodies)} bodies. "
+            "Record the run again."
+        )
+    return Run(
+        scene=scene,
+        method=headers.method_of(header, where=where),
+        duration=header.duration,
+        time_step=header.time_step,
+        notes=header.notes,
+        impacts=Impacts(**{name: arrays[f"impacts.{name}"] for name in OF_IMPACTS}),
+        **{name: arrays[name] for name in ("times", *OF_BODIES, *TOTALS)},
+    )
+
+
+def check_length(what: str, rows: NDArray[Any], length: int, *, where: str) -> None:
+    """Raise `RecordingError` if a history is not as long as the header says."""
+    if len(rows) != length:
+        raise RecordingError(
+            f"{where}: {what}: found {len(rows)} of {length} samples: the recording is "
+            "incomplete. Record the run again."
+        )
+
+
+def _check_array(name: str, found: NDArray[Any] | None, shape: tuple[int, ...], where: str) -> None:
+    kind = np.int64 if name == "impacts.bodies" else np.float64
+    if found is None or found.shape != shape or found.dtype != kind:
+        what = "nothing" if found is None else f"{found.dtype} {found.shape}"
+        raise RecordingError(
+            f"{where}: {name}: found {what}: must be {np.dtype(kind)} {shape} by its header. "
+            "Record the run again."
+        )
+
+
+def _scene(header: headers.Header, where: str) -> Scene:
+    try:
+        scene = load_scene(header.scene)
+    except TamiasError as fault:
+        raise RecordingError(f"{where}: the scene in it: {fault}") from fault
+    names = tuple(body.name for body in scene.bodies)
+    if names != header.bodies:
+        raise RecordingError(
+            f"{where}: the scene in it has bodies {names}, its history {header.bodies}. "
+            "Record the run again."
+        )
+    return scene
+
+
+def write(run: Run, path: Path) -> None:
+    """Write a run as `.npz`; raise `RecordingError` if that cannot be done."""
+    arrays: dict[str, Any] = arrays_of(run)
+    with aside(path) as draft, draft.open("wb") as file:
+        np.savez(file, header=np.array(headers.header_of(run).dumps()), **arrays)
+
+
+def read(path: Path) -> tuple[headers.Header, Arrays]:
+    """Read header and arrays of an `.npz`; raise `RecordingError` if it is not one of ours."""
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            stored = {name: file[name] for name in file.files}
+    except (OSError, ValueError, EOFError, MemoryError, zipfile.BadZipFile, zlib.error) as fault:
+        raise RecordingError(
+            f"{path}: cannot be read as .npz ({type(fault).__name__}): it is cut, damaged or of "
+            "another kind. Record the run again."
+        ) from fault
+    text = str(stored.pop("header", ""))
+    return headers.loads(text, where=str(path)), stored

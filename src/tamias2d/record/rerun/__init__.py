@@ -1,0 +1,10 @@
+"""The recording to look at (`.rrd`): what the viewer shows, and inside it the exact history.
+
+Only this package knows rerun, which is an extra, large and slow to import. What the viewer draws is
+float32, so the float64 state of each body goes beside it, as the component group `tamias2d.State`.
+"""
+
+from tamias2d.record.rerun.reading import read
+from tamias2d.record.rerun.writing import write
+
+__all__ = ["read", "write"]

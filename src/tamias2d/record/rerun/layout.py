@@ -1,0 +1,94 @@
+"""Where things stand in a recording, and how the viewer lays them out."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import rerun as rr
+import rerun.blueprint as rrb
+
+if TYPE_CHECKING:
+    from tamias2d.record.drawing import View
+    from tamias2d.run import Run
+
+RECORDING = "/recording"
+WORLD = "/world"
+IMPACTS = "/world/impacts"
+IMPACT_LOG = "/impacts"
+ABOUT, MODELS, SCENE = "/about", "/models", "/scene"
+ENERGY, MOMENTUM, SPIN = "/plots/energy", "/plots/momentum", "/plots/angular_momentum"
+
+SERIES = {
+    ENERGY: ["energy", "kinetic", "potential"],
+    MOMENTUM: ["x", "y"],
+    SPIN: ["angular momentum"],
+}
+"""The lines of each plot."""
+HEADER, SAMPLE = "tamias2d.Recording", "tamias2d.Sample"
+STATE, IMPACT = "tamias2d.State", "tamias2d.Impact"
+"""Groups of components that hold the exact history, float64."""
+
+TIME, STEP = "sim_time", "step"
+
+
+def body_path(name: str) -> str:
+    """The entity of a body; a name may hold spaces and slashes."""
+    return str(rr.new_entity_path(["world", "bodies", name]))
+
+
+def speed_path(name: str) -> str:
+    """The plot of a body's speed."""
+    return str(rr.new_entity_path(["plots", "speed", name]))
+
+
+def blueprint(run: Run, view: View, *, timeline: str) -> rrb.Blueprint:
+    """Return what the viewer shows at once: the world at the left, plots and text at the right."""
+    plots = rrb.Vertical(
+        _plot("Energy, J", ENERGY),
+        _plot("Speed, m/s", "/plots/speed"),
+        rrb.Tabs(
+            _plot("Momentum, kg m/s", MOMENTUM),
+            _plot("Angular momentum, kg m²/s", SPIN),
+            active_tab=0,
+        ),
+    )
+    texts = rrb.Tabs(
+        rrb.TextDocumentView(origin=ABOUT, name="About"),
+        rrb.TextLogView(origin=IMPACT_LOG, name="Impacts"),
+        rrb.TextDocumentView(origin=MODELS, name="Models"),
+        rrb.TextDocumentView(origin=SCENE, name="Scene"),
+        active_tab=0,
+    )
+    return rrb.Blueprint(
+        rrb.Horizontal(
+            rrb.Vertical(_world(run, view), texts, row_shares=[5, 2]), plots, column_shares=[5, 3]
+        ),
+        rrb.TimePanel(timeline=timeline, state="collapsed", play_state="paused", loop_mode="all"),
+        rrb.BlueprintPanel(state="collapsed"),
+        rrb.SelectionPanel(state="collapsed"),
+        auto_layout=False,
+        auto_views=False,
+    )
+
+
+def _world(run: Run, view: View) -> rrb.Spatial2DView:
+    """The world; its bounds are those of the picture, in which y points down."""
+    (x, y), (width, height) = view.center, view.half
+    memory = rrb.TimeRangeBoundary.cursor_relative(seconds=-run.duration / 20)
+    now = rrb.TimeRangeBoundary.cursor_relative()
+    return rrb.Spatial2DView(
+        origin="/",  # the flip of /world has no effect in a view whose origin it is
+        contents=[f"{WORLD}/**"],
+        name=f"{run.scene.name or 'World'}, m",
+        background=(22, 24, 29),
+        visual_bounds=rrb.VisualBounds2D(
+            x_range=[x - width, x + width], y_range=[-y - height, -y + height]
+        ),
+        overrides={IMPACTS: rrb.VisibleTimeRanges(timeline=TIME, start=memory, end=now)},
+    )
+
+
+def _plot(name: str, origin: str) -> rrb.TimeSeriesView:
+    return rrb.TimeSeriesView(
+        origin=origin, name=name, plot_legend=rrb.PlotLegend(rrb.Corner2D.RightTop)
+    )
