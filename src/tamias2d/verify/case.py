@@ -1,0 +1,66 @@
+"""A verification case: what srs/verification says, with the scene and run that belong to it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import yaml
+
+from tamias2d.errors import SpecError
+from tamias2d.run import Run
+from tamias2d.scene import Scene, catalogue, load
+from tamias2d.simulate import simulate
+from tamias2d.verify.formula import measure
+from tamias2d.verify.items import Item, fingerprint
+from tamias2d.verify.outcome import FAIL, PASS, Outcome
+
+
+@dataclass(frozen=True)
+class Case:
+    """One case of the specification. The run is made once, when it is first asked for."""
+
+    item: Item
+
+    @property
+    def id(self) -> str:
+        """Label, such as TC2."""
+        return str(self.item["id"])
+
+    @property
+    def data(self) -> Mapping[str, Any]:
+        """The fence, as text."""
+        data: Mapping[str, Any] = self.item["data"]
+        return data
+
+    @cached_property
+    def scene(self) -> Scene:
+        """What is simulated: a scene of the catalogue, or the one that the case holds."""
+        if "scene" not in self.data:
+            raise SpecError(f"{self.id}: found no scene: this comparison needs one. State it.")
+        return scene_of(self.data["scene"])
+
+    @cached_property
+    def duration(self) -> float:
+        """In s."""
+        return float(measure(self.data["duration"], "duration"))
+
+    @cached_property
+    def run(self) -> Run:
+        """The run in the way that `simulate` takes by itself, 60 samples a second."""
+        return simulate(self.scene, duration=self.duration)
+
+    def outcome(
+        self, given: Mapping[str, Any], quantity: str, error: float, note: str = ""
+    ) -> Outcome:
+        """Judge an error by the tolerance of a comparison."""
+        tolerance = float(given["tolerance"])
+        verdict = PASS if error <= tolerance else FAIL
+        return Outcome(
+            self.id, quantity, float(error), tolerance, verdict, fingerprint(self.item), note
+        )
+
+
+def scene_of(data: Any) -> Scene:
+    """Return the scene that a name of the catalogue, or the content of a scene file, stands for."""
+    return catalogue.load(data) if isinstance(data, str) else load(yaml.safe_dump(data) + "\n")

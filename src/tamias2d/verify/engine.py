@@ -1,0 +1,107 @@
+"""Which cases there are, and what is done with each."""
+
+import difflib
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from tamias2d.errors import InputError, TamiasError
+from tamias2d.verify import (
+    conserves,
+    exact,
+    impacts,
+    pace,
+    people,
+    published,
+    reference,
+    refuses,
+    results,
+    schemes,
+    values,
+)
+from tamias2d.verify.case import Case
+from tamias2d.verify.items import items, links
+from tamias2d.verify.outcome import Outcome
+
+Comparison = Callable[[Case, Mapping[str, Any]], Iterator[Outcome]]
+COMPARISONS: dict[str, Comparison] = {
+    "exact": exact.compare_history,
+    "final": exact.compare_final,
+    "moments": exact.compare_moments,
+    "impacts": impacts.compare,
+    "conserves": conserves.compare,
+    "schemes": schemes.compare,
+    "published": published.compare,
+    "reference": reference.compare,
+    "values": values.compare,
+    "refuses": refuses.compare,
+    "pace": pace.compare,
+    "survey": people.compare,
+}
+
+
+def verify(ids: Iterable[str] | None = None) -> list[Outcome]:
+    """Run cases, judge them, keep the verdicts for `trace`, and return them.
+
+    An id of a case names it; the id of any other item names all cases that rest on it. Without
+    ids all cases are run.
+
+    Raises:
+        InputError: an id is unknown, or no case rests on it.
+    """
+    outcomes = [outcome for case in cases(ids) for outcome in judge(case)]
+    results.add(outcomes)
+    return outcomes
+
+
+def cases(ids: Iterable[str] | None = None) -> list[Case]:
+    """Return the cases that `verify` would run, in the order of their labels."""
+    chosen = sorted(
+        (id for id, item in items().items() if item["kind"] == "case"), key=_label_order
+    )
+    if ids is not None:
+        wanted = {case for id in ids for case in _named(id, chosen)}
+        chosen = [id for id in chosen if id in wanted]
+    return [Case(items()[id]) for id in chosen]
+
+
+def judge(case: Case) -> list[Outcome]:
+    """Return the outcomes of one case; an error of a comparison is a failure of it."""
+    outcomes: list[Outcome] = []
+    for key, compare in COMPARISONS.items():
+        if key in case.data:
+            given = {"tolerance": "0"} | dict(case.data[key])
+            try:
+                outcomes += compare(case, given)
+            except TamiasError as error:
+                outcomes.append(case.outcome(given, key, math.inf, str(error)))
+    return outcomes
+
+
+def _named(id: str, every: Iterable[str]) -> list[str]:
+    if id not in items():
+        close = difflib.get_close_matches(id, items(), n=1)
+        hint = f"Did you mean '{close[0]}'?" if close else "`trace` lists all items."
+        raise InputError(f"verify: '{id}' is no item of the specification. {hint}")
+    found = [case for case in every if id == case or id in rests_on(case)]
+    if not found:
+        raise InputError(f"verify: no case rests on '{id}'. Name a case, a model or a requirement.")
+    return found
+
+
+def rests_on(id: str) -> set[str]:
+    """Return all items that an item names, directly or through others."""
+    seen: set[str] = set()
+    todo = [id]
+    while todo:
+        new = set(links(items()[todo.pop()])) - seen
+        seen |= new
+        todo += new
+    return seen
+
+
+def _label_order(id: str) -> tuple[bool, str, int, str]:
+    """The plan's cases first, then the oracles; numbers by size."""
+    letters = id.rstrip("0123456789abcdefghijklmnopqrstuvwxyz")
+    number = id[len(letters) :].rstrip("abcdefghijklmnopqrstuvwxyz")
+    return letters != "TC", letters, int(number), id
