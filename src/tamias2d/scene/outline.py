@@ -61,7 +61,7 @@ def _turn(outline: tuple[Vector, ...], k: int) -> float:
 def _fault(outline: tuple[Vector, ...], k: int, found: str, remedy: str) -> RuleError:
     x, y = outline[k]
     return RuleError(
-        f"vertices[{k}] ({x:g}, {y:g}) of {_OF}: {found}: must be convex (A4). {remedy}",
+        f"vertices[{k}] ({x:g}, {y:g}) of {_OF}: {found}: must be convex (R4). {remedy}",
         "vertices",
         k,
     )
@@ -70,20 +70,20 @@ def _fault(outline: tuple[Vector, ...], k: int, found: str, remedy: str) -> Rule
 def centred(outline: tuple[Vector, ...]) -> tuple[tuple[Vector, ...], Vector]:
     """Return the vertices relative to the centroid, counter-clockwise, and the centroid."""
     origin = np.array(outline[0])
-    near = np.array(outline) - origin  # so that an outline far away loses no digits
-    vertex, following = _columns(near), _columns(np.roll(near, -1, axis=0))
-    area = float(definitions.area_polygon(vertex, following))
-    if not math.isfinite(area) or area == 0:
+    with np.errstate(all="ignore"):
+        near = np.array(outline) - origin  # so that an outline far away loses no digits
+        vertex, following = _columns(near), _columns(np.roll(near, -1, axis=0))
+        area = float(definitions.area_polygon(vertex, following))
+        centroid = np.array(definitions.centroid_polygon(vertex, following) if area else origin)
+    if area == 0 or not np.isfinite([area, *centroid]).all():
         raise RuleError(
             f"vertices of {_OF}: found an area of {area:g} m^2: must be finite and not 0 (R4). "
             "Give corners of a size that float64 can square.",
             "vertices",
         )
-    centroid = np.array(definitions.centroid_polygon(vertex, following), dtype=np.float64)
-    relative = near - centroid
-    ordered = relative if area > 0 else relative[::-1]
+    relative = (near - centroid).tolist()
     x, y = (origin + centroid).tolist()
-    return tuple((float(p), float(q)) for p, q in ordered), (x, y)
+    return tuple((p, q) for p, q in relative[:: 1 if area > 0 else -1]), (x, y)
 
 
 def edges(vertices: tuple[Vector, ...]) -> tuple[Points, Points]:

@@ -70,7 +70,8 @@ def read_quantity(raw: object, name: str, path: Path) -> float:
     if _ZERO.fullmatch(text) and any(digit in text for digit in "0"):
         return 0.0
     what = label(_named(path))
-    example = f"Write it like '1.5 {symbol.unit}'." if symbol.unit != "1" else "Write it like 0.8."
+    pure = symbol.unit == "1"
+    example = "Write it like 0.8." if pure else f"Write it like '1.5 {symbol.unit}'."
     try:
         quantity = parse_quantity(text)
     except SpecFault as fault:
@@ -78,7 +79,8 @@ def read_quantity(raw: object, name: str, path: Path) -> float:
     if quantity.dimension != symbol.dimension:
         raise RuleError(
             f"{what}: found {shown(text)}, of unit {quantity.dimension}: "
-            f"must be in {symbol.dimension} (symbol {symbol.name}). {example}",
+            f"must be {'a pure number' if pure else f'in {symbol.dimension}'} "
+            f"(symbol {symbol.name}). {example}",
             *path,
         )
     if bool(_ANGLE.search(text)) != bool(_ANGLE.search(symbol.unit)):

@@ -78,10 +78,14 @@ def read_scene(text: str, *, file: str, name: str = "") -> Scene:
 
 
 def _place(marks: Mapping[Path, Place], path: Path) -> Place:
-    """Return the place of the value at a path, or of the nearest thing around it."""
-    while path not in marks and path:
+    """Return the place of the value at a path, or of the key of the nearest thing around it."""
+    if path in marks:
+        return marks[path]
+    while path:
         path = path[:-1]
-    return marks.get(path, (1, 1))
+        if (*path, "key") in marks:
+            return marks[*path, "key"]
+    return 1, 1
 
 
 @contextmanager
@@ -105,8 +109,9 @@ def _scene(tree: object, name: str) -> Scene:
     for section, body, raw in _in_order(top):
         with _within(section, body):
             _add(scene, section, body, raw)
+    pairs = _list(top.get("restitution_of_pairs", []), "restitution_of_pairs")
     with _within("restitution_of_pairs"):
-        _set_pairs(scene, top.get("restitution_of_pairs", []))
+        _set_pairs(scene, pairs)
     return scene
 
 
@@ -141,11 +146,7 @@ def _add(scene: Scene, section: str, name: str, raw: object) -> None:
 
 def _form(raw: object, what: str) -> str:
     """Return which shape a body has, before its keys can be checked."""
-    form = (
-        scalar_text(raw["shape"], ("shape",))
-        if isinstance(raw, dict) and "shape" in raw
-        else "none"
-    )
+    form = scalar_text(_mapping(raw, what, must=("shape",))["shape"], ("shape",))
     if form not in _SHAPE_MUST:
         raise RuleError(
             f"shape of {what}: found {shown(form)}{_likely(form, _SHAPE_MUST)}: "
@@ -168,10 +169,10 @@ def _shape(form: str, values: dict[str, Any]) -> Shape | None:
     return None
 
 
-def _set_pairs(scene: Scene, raw: object) -> None:
-    for k, entry in enumerate(_list(raw, "restitution_of_pairs")):
+def _set_pairs(scene: Scene, entries: list[object]) -> None:
+    for k, entry in enumerate(entries):
         with _within(k):
-            pair = _mapping(entry, "a pair", must=("bodies", "restitution"))
+            pair = _mapping(entry, "a pair", must=("bodies", "restitution"), may=())
             first, second = _two_names(pair["bodies"])
             i, j = sorted((scene.index(first), scene.index(second)))
             if (i, j) in scene.restitution_of_pairs:
@@ -203,12 +204,12 @@ def _list(raw: object, key: str) -> list[object]:
 def _mapping(
     raw: object, what: str, *, must: tuple[str, ...] = (), may: tuple[str, ...] | None = None
 ) -> dict[str, object]:
-    """Return a mapping that has all keys it must have; with `must` or `may` no other ones."""
+    """Return a mapping that has all keys it must have, and no others than it may have."""
     if not isinstance(raw, dict):
         found = "nothing" if raw in (None, "") else shown(raw)
         raise RuleError(f"{what}: found {found}: must be a mapping (R2). Write 'key: value' lines.")
     known = (*must, *(may or ()))
-    for key in raw if known else ():
+    for key in raw if may is not None else ():
         if key not in known:
             raise RuleError(
                 f"key '{key}' of {what}: unknown{_likely(key, known)} (R2). "
@@ -217,7 +218,7 @@ def _mapping(
             )
     for key in must:
         if key not in raw:
-            raise RuleError(f"{what}: key '{key}' is missing (R2). State it.")
+            raise RuleError(f"{what}: key '{key}' is missing (R2). State it.", key)
     return raw
 
 

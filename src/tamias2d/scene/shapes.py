@@ -9,6 +9,8 @@ import math
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+import numpy as np
+
 from tamias2d.generated import definitions
 from tamias2d.scene.outline import centred, checked_outline, edges
 from tamias2d.scene.rules import RuleError, Vector, number, vector
@@ -91,7 +93,8 @@ class Polygon(_Corners):
 
     def inertia(self, mass: float) -> float:
         """Return the inertia about the centre of mass, kg m^2 (DD14)."""
-        return float(definitions.inertia_polygon(mass, *edges(self.vertices)))
+        with np.errstate(all="ignore"):  # what overflows is refused with the body
+            return float(definitions.inertia_polygon(mass, *edges(self.vertices)))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,0 +1,174 @@
+"""Every bad argument is one InputError that names the argument; nothing is added to the scene."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tamias2d.errors import InputError
+from tamias2d.scene import Box, Disc, HalfPlane, Polygon, Scene
+
+NAN, INF = float("nan"), float("inf")
+GOOD: dict[str, Any] = {
+    "shape": Disc(radius=1.0),
+    "mass": 1.0,
+    "position": (0.0, 0.0),
+    "name": "it",
+}
+BODY = [
+    {"mass": None},
+    {"mass": True},
+    {"mass": np.True_},
+    {"mass": "1 kg"},
+    {"mass": 1j},
+    {"mass": [1.0]},
+    {"mass": np.array(1.0)},
+    {"mass": 0},
+    {"mass": -1},
+    {"mass": NAN},
+    {"mass": INF},
+    {"mass": 10**400},
+    {"mass": 5e-324},
+    {"inertia": 0.0},
+    {"inertia": -1.0},
+    {"inertia": "1 kg*m^2"},
+    {"inertia": INF},
+    {"position": None},
+    {"position": 1.0},
+    {"position": (1.0,)},
+    {"position": (1.0, 2.0, 3.0)},
+    {"position": (1.0, NAN)},
+    {"position": (True, 0)},
+    {"position": "xy"},
+    {"position": {0: 1.0, 1: 2.0}},
+    {"position": np.zeros((2, 2))},
+    {"position": np.float64(3.0)},
+    {"velocity": (INF, 0.0)},
+    {"velocity": [[0.0], [1.0]]},
+    {"orientation": NAN},
+    {"orientation": (0.0, 1.0)},
+    {"angular_velocity": "fast"},
+    {"angular_velocity": None},
+    {"force": 3.0},
+    {"force": "10[N]"},
+    {"force": ("10 N", 0.0)},
+    {"force": ("10[m]*time", 0.0)},
+    {"force": ("", 0.0)},
+    {"force": ("x" * 2000, 0.0)},
+    {"force": ("10[N]*sqrt(time/1[s] - 1)", 0.0)},
+    {"force": (0.0, "velocity*3[kg/s]")},
+    {"force": (0.0, "time == 0[s]")},
+    {"force": (0.0, None)},
+    {"torque": "exec('1')"},
+    {"torque": "(lambda: 1)()"},
+    {"torque": "time.__class__"},
+    {"torque": "2[N*m]*time"},
+    {"torque": "integral(2[N*m/s], time)"},
+    {"torque": NAN},
+    {"restitution": 1.1},
+    {"restitution": -0.1},
+    {"restitution": "0.5"},
+    {"restitution": False},
+    {"name": 3},
+    {"name": ""},
+    {"name": "a\nb"},
+    {"name": "x" * 101},
+    {"name": "taken"},
+    {"shape": "disc"},
+    {"shape": Disc},
+    {"shape": HalfPlane(normal=(0, 1), offset=0)},
+    {"shape": None, "torque": 1.0},
+    {"shape": None, "torque": "1[N*m/s]*time"},
+    {"shape": None, "angular_velocity": 1.0},
+    {"shape": Disc(radius=1e200), "mass": 1e200},
+    {"shape": Disc(radius=1e-200)},
+]
+
+
+@pytest.mark.parametrize("bad", BODY, ids=lambda bad: " ".join(map(str, bad.items()))[:50])
+def test_a_body_with_a_bad_value_is_refused(bad: dict[str, Any]) -> None:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(Disc(radius=1.0), mass=1.0, position=(9.0, 0.0), name="taken")
+    with pytest.raises(InputError) as caught:
+        scene.add_body(**{**GOOD, **bad})
+    message = str(caught.value)
+    assert any(key.replace("_", " ") in message for key in (*bad, "inertia"))
+    assert "\n" not in message
+    assert len(scene) == 1
+    assert scene.add_body(**GOOD) == 1  # the name is still free
+
+
+SHAPES: list[Callable[[], object]] = [
+    lambda: Disc(radius=0),
+    lambda: Disc(radius=-1),
+    lambda: Disc(radius=None),  # type: ignore[arg-type]
+    lambda: Disc(radius=True),
+    lambda: Disc(radius=NAN),
+    lambda: Box(width=0, height=1),
+    lambda: Box(width=1, height=INF),
+    lambda: Polygon(vertices=3),
+    lambda: Polygon(vertices="abc"),
+    lambda: Polygon(vertices=[]),
+    lambda: Polygon(vertices=[(0, 0), (1, 0)]),
+    lambda: Polygon(vertices=[(0, 0), (1, 0), (0, NAN)]),
+    lambda: Polygon(vertices=[(0, 0), (1, 0), None]),
+    lambda: Polygon(vertices=np.zeros(6)),
+    lambda: Polygon(vertices=np.zeros((3, 3))),
+    lambda: Polygon(vertices=np.zeros((3, 2))),
+    lambda: Polygon(vertices=[(0, 0), (1e-200, 0), (0, 1e-200)]),
+    lambda: Polygon(vertices=[(0, 0), (1e200, 0), (0, 1e200)]),
+    lambda: Polygon(vertices=[(0, 0), (1e308, 0), (-1e308, 1e308)]),
+    lambda: Polygon(vertices=[(0, 0), (3, 0), (3, 3), (2, 1)]),
+    lambda: HalfPlane(normal=(0, 0), offset=0),
+    lambda: HalfPlane(normal=(1e308, 1.7e308), offset=0),
+    lambda: HalfPlane(normal=(0, 1), offset=NAN),
+    lambda: HalfPlane(normal=1, offset=0),  # type: ignore[arg-type]
+]
+
+
+@pytest.mark.parametrize("make", SHAPES, ids=[str(k) for k in range(len(SHAPES))])
+def test_a_bad_shape_is_refused(make: Callable[[], object]) -> None:
+    with pytest.raises(InputError):
+        make()
+
+
+SCENES: list[Callable[[Scene], object]] = [
+    lambda _: Scene(gravity=9.81),
+    lambda _: Scene(gravity=(0, NAN)),
+    lambda _: Scene(gravity=(0, 0), duration=0),
+    lambda _: Scene(gravity=(0, 0), duration="4 s"),  # type: ignore[arg-type]
+    lambda _: Scene(gravity=(0, 0), name=None),  # type: ignore[arg-type]
+    lambda _: Scene(gravity=(0, 0), says=3),  # type: ignore[arg-type]
+    lambda scene: scene.set_restitution(0, 0, 0.5),
+    lambda scene: scene.set_restitution(0, 7, 0.5),
+    lambda scene: scene.set_restitution(0, -1, 0.5),
+    lambda scene: scene.set_restitution(0, True, 0.5),
+    lambda scene: scene.set_restitution(0, 1.0, 0.5),  # type: ignore[arg-type]
+    lambda scene: scene.set_restitution("disc", "flor", 0.5),
+    lambda scene: scene.set_restitution(0, 1, 2),
+    lambda scene: scene.restitution(0, 1),
+    lambda scene: scene.add_static(None),  # type: ignore[arg-type]
+    lambda scene: scene.add_static(HalfPlane(normal=(0, 1), offset=0), position=(0, 1)),
+    lambda scene: scene.add_static(HalfPlane(normal=(0, 1), offset=0), orientation=1),
+    lambda scene: scene.add_static(Disc(radius=1), restitution=3),
+]
+
+
+@pytest.mark.parametrize("act", SCENES, ids=[str(k) for k in range(len(SCENES))])
+def test_a_bad_scene_is_refused(act: Callable[[Scene], object]) -> None:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(Disc(radius=1.0), mass=1.0, position=(0, 0), name="disc")
+    scene.add_static(Box(width=1, height=1), position=(5, 0), name="floor")
+    with pytest.raises(ValueError, match=r"R\d|symbol"):
+        act(scene)
+    assert len(scene) == 2
+
+
+def test_a_law_without_a_value_is_refused_at_its_time() -> None:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, position=(0, 0), force=("1[N*s]/(1[s] - time)", 0))
+    body = scene.bodies[0]
+    assert body.force_at(0.5) == (2.0, 0.0)
+    with pytest.raises(InputError, match=r"no finite value at time 1\.0 s"):
+        body.force_at(1.0)

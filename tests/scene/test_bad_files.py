@@ -1,0 +1,197 @@
+"""Every fault of a scene file is one SceneError that says where it is and what to do."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tamias2d.errors import SceneError
+from tamias2d.scene import load
+
+GOOD = """\
+name: pile
+says: a crate above a floor
+gravity: [0 m/s^2, -9.81 m/s^2]
+duration: 4 s
+bodies:
+  crate:
+    shape: box
+    width: 2 m
+    height: 1 m
+    mass: 10 kg
+    position: [0 m, 5 m]
+    restitution: 0.5
+  stone:
+    shape: polygon
+    vertices: [[0 m, 0 m], [2 m, 0 m], [2 m, 2 m], [0 m, 2 m]]
+    mass: 1 kg
+    position: [9 m, 5 m]
+    force: ["2[N]*sin(3[rad/s]*time)", 0 N]
+    torque: 1 N*m
+statics:
+  floor:
+    shape: half-plane
+    normal: [0, 1]
+    offset: 0 m
+restitution_of_pairs:
+  - {bodies: [stone, floor], restitution: 0.1}
+"""
+SQUARE = "[[0 m, 0 m], [2 m, 0 m], [2 m, 2 m], [0 m, 2 m]]"
+
+# what is replaced in the good file, by what, where the fault is reported, words of the message
+BAD = [
+    # numbers out of range
+    ("mass: 10 kg", "mass: -1 kg", "10:11", "mass -1 kg of body 'crate': must be > 0"),
+    ("mass: 10 kg", "mass: 0 kg", "10:11", "make the body static"),
+    ("mass: 10 kg", "mass: 1e400 kg", "10:11", "finite"),
+    ("mass: 10 kg", "mass: 1e-320 kg", "10:11", "inverse"),
+    ("mass: 10 kg", "mass: 1e-300 kg\n    inertia: 1e-310 kg*m^2", "11:14", "inertia"),
+    ("mass: 10 kg", "mass: 10 kg\n    inertia: 0 kg*m^2", "11:14", "inertia"),
+    ("mass: 10 kg", "mass: nan kg", "10:11", "nan"),
+    ("mass: 10 kg", "mass: inf kg", "10:11", "inf"),
+    ("width: 2 m", "width: 0 m", "8:12", "width 0 m of a box: must be > 0"),
+    ("height: 1 m", "height: -1 m", "9:13", "height"),
+    ("width: 2 m", "width: 1e200 m", "6:3", "inertia"),
+    ("restitution: 0.5", "restitution: 1.5", "12:18", "[0, 1]"),
+    ("restitution: 0.5", "restitution: -0.5", "12:18", "[0, 1]"),
+    ("restitution: 0.1", "restitution: 2", "26:43", "the pair 'stone' and 'floor'"),
+    ("duration: 4 s", "duration: 0 s", "4:11", "duration"),
+    ("duration: 4 s", "duration: -4 s", "4:11", "duration"),
+    # units
+    ("mass: 10 kg", "mass: 10 N", "10:11", "must be in kg"),
+    ("mass: 10 kg", "mass: 10", "10:11", "must be in kg"),
+    ("mass: 10 kg", "mass: 10 pounds", "10:11", "pounds"),
+    ("mass: 10 kg", "mass: ten kg", "10:11", "ten kg"),
+    ("mass: 10 kg", "mass: 10 kg kg", "10:11", "kg"),
+    ("mass: 10 kg", "mass: yes", "10:11", "yes"),
+    ("position: [0 m, 5 m]", "position: [0 m, 5 s]", "11:21", "must be in m"),
+    ("position: [0 m, 5 m]", "position: [0 m, 5 m]\n    orientation: 45", "12:18", "rad or deg"),
+    ("position: [0 m, 5 m]", "position: [0 m, 5 m]\n    angular_velocity: 3 Hz", "12:23", "rad"),
+    ("restitution: 0.5", "restitution: 0.5 rad", "12:18", "no angle"),
+    ("restitution: 0.5", "restitution: 50 %", "12:18", "%"),
+    ("gravity: [0 m/s^2, -9.81 m/s^2]", "gravity: [0 m/s, -9.81 m/s]", "3:11", "must be in m s^-2"),
+    ("offset: 0 m", "offset: 1 kg", "24:13", "offset"),
+    ("torque: 1 N*m", "torque: 1 N", "19:13", "torque"),
+    # counts and forms
+    ("position: [0 m, 5 m]", "position: [0 m]", "11:15", "two"),
+    ("position: [0 m, 5 m]", "position: [0 m, 5 m, 6 m]", "11:15", "two"),
+    ("position: [0 m, 5 m]", "position: 5 m", "11:15", "list"),
+    ("position: [0 m, 5 m]", "position:", "11:14", "nothing"),
+    ("position: [0 m, 5 m]", "position: [[0 m, 5 m]]", "11:15", "two"),
+    ("position: [0 m, 5 m]", "position: [[0 m], 5 m]", "11:16", "list"),
+    ("position: [0 m, 5 m]", "position: {x: 0 m, y: 5 m}", "11:15", "mapping"),
+    ("mass: 10 kg", "mass: [10 kg]", "10:11", "list"),
+    ("mass: 10 kg", "mass:", "10:10", "nothing"),
+    ("name: pile", "name: [pile]", "1:7", "list"),
+    ("duration: 4 s", "duration: {s: 4}", "4:11", "mapping"),
+    ("normal: [0, 1]", "normal: [0, 0]", "23:13", "no direction"),
+    ("normal: [0, 1]", "normal: [0 m, 1 m]", "23:14", "pure number"),
+    # polygons
+    (SQUARE, "[[0 m, 0 m], [2 m, 0 m]]", "15:15", "at least 3"),
+    (SQUARE, "[[0 m, 0 m], [2 m, 0 m], [1 m, 0.5 m], [0 m, 2 m]]", "15:40", "vertices[2]"),
+    (SQUARE, "[[0 m, 0 m], [2 m, 2 m], [2 m, 0 m], [0 m, 2 m]]", "15:28", "convex"),
+    (SQUARE, "[[0 m, 0 m], [1 m, 0 m], [2 m, 0 m], [0 m, 2 m]]", "15:28", "in line"),
+    (SQUARE, "[[0 m, 0 m], [2 m, 0 m], [2 m, 0 m], [0 m, 2 m]]", "15:40", "same"),
+    (SQUARE, "[[0 m, 0 m], [2 m], [2 m, 2 m]]", "15:28", "two"),
+    (SQUARE, "none", "15:15", "list"),
+    # keys and words
+    ("mass: 10 kg", "mas: 10 kg", "10:5", "did you mean 'mass'"),
+    ("mass: 10 kg", "angle: 45 deg", "10:5", "orientation"),
+    ("    mass: 10 kg\n", "", "6:3", "'mass' is missing"),
+    ("    width: 2 m\n", "", "6:3", "'width' is missing"),
+    ("    shape: box\n", "", "6:3", "'shape' is missing"),
+    ("gravity: [0 m/s^2, -9.81 m/s^2]\n", "", "1:1", "'gravity' is missing"),
+    ("shape: box", "shape: boxx", "7:12", "did you mean 'box'"),
+    ("shape: box", "shape: circle", "7:12", "disc, box, polygon, half-plane, none"),
+    ("shape: box", "shape: half-plane", "8:5", "width"),
+    ("box\n    width: 2 m\n    height: 1 m", "none\n    torque: 1 N*m", "6:3", "inertia"),
+    ("    offset: 0 m", "    offset: 0 m\n    mass: 1 kg", "25:5", "key 'mass'"),
+    ("    offset: 0 m", "    offset: 0 m\n    position: [1 m, 0 m]", "25:15", "half-plane"),
+    ("bodies:\n  crate", "boddies:\n  crate", "5:1", "did you mean 'bodies'"),
+    ("  floor:", "  crate:", "21:3", "another body has it"),
+    ("  stone:", "  crate:", "13:3", "twice"),
+    ("  stone:", '  "":', "13:3", "characters"),
+    ("  stone:", '  "a\\tb":', "13:3", "printable"),
+    ("[stone, floor]", "[stone, flor]", "26:14", "flor"),
+    ("[stone, floor]", "[stone, stone]", "26:14", "itself"),
+    ("[stone, floor]", "[stone]", "26:14", "two names"),
+    ("  - {bodies", "  - {bodies: [floor, stone], restitution: 0}\n  - {bodies", "27:14", "twice"),
+    ("  - {bodies: [stone, floor], restitution: 0.1}", "  stone: 0.1", "26:3", "list"),
+    ("duration: 4 s", "order: [crate, stone]", "4:8", "each body once"),
+    ("duration: 4 s", "order: [crate, stone, [floor]]", "4:8", "each body once"),
+    # laws
+    ("sin(3[rad/s]*time)", "sin(3[rad/s]*tim)", "18:13", "tim"),
+    ("sin(3[rad/s]*time)", "sin(3[m]*time)", "18:13", "pure number"),
+    ("2[N]*sin", "2[kg]*sin", "18:13", "wanted"),
+    ("2[N]*sin", "__import__('os')*sin", "18:13", "not allowed"),
+    ("2[N]*sin(3[rad/s]*time)", "2[N*s]/time", "18:13", "no finite value at time 0"),
+    ("2[N]*sin(3[rad/s]*time)", "2[N]*d(time, time)", "18:13", "instant"),
+    ("2[N]*sin(3[rad/s]*time)", "vector(2[N], 3[N])*time/1[s]", "18:13", "vector"),
+    ("2[N]*sin(3[rad/s]*time)", "2[N]*velocity", "18:13", "velocity"),
+    # YAML
+    ("mass: 10 kg", "mass: &m 10 kg", "10:11", "anchor"),
+    ("mass: 10 kg", "mass: *m", "10:11", "alias"),
+    ("mass: 10 kg", "mass: !!python/object:os.system 10 kg", "10:11", "tag"),
+    ("mass: 10 kg", "mass: 10 kg\n    mass: 11 kg", "11:5", "twice"),
+    ("mass: 10 kg", "mass: 10 kg\n   width: 3 m", "11:4", "YAML"),
+    ("mass: 10 kg", "? [mass, weight]\n    : 10 kg", "10:7", "key"),
+    ("mass: 10 kg", "mass: 10 kg\n\tx: 1", "11:1", "YAML"),
+    ("mass: 10 kg", "mass: 10 kg: 3", "10:16", "YAML"),
+    ("force: [\"2[N]*sin(3[rad/s]*time)\", 0 N]", "force: [2[N]*time, 0 N]", "18:", "YAML"),
+    ("says: a crate above a floor", "says: a\x00b", "1:1", "x0000"),
+]  # fmt: skip
+
+
+def test_the_file_that_is_spoilt_is_good() -> None:
+    assert len(load(GOOD)) == 3
+
+
+@pytest.mark.parametrize(("good", "bad", "place", "words"), BAD, ids=[row[1][:40] for row in BAD])
+def test_a_fault_is_named_at_its_place(
+    good: str, bad: str, place: str, words: str, tmp_path: Path
+) -> None:
+    assert GOOD.count(good) == 1
+    file = tmp_path / "pile.yaml"
+    file.write_text(GOOD.replace(good, bad), encoding="utf-8", newline="")
+    with pytest.raises(SceneError) as caught:
+        load(file)
+    message = str(caught.value)
+    assert message.startswith(f"{file}:{place}")
+    assert words in message
+    assert "\n" not in message
+    assert re.search(r"\. [A-Z]", message), "no remedy"
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "nothing"),
+        (b"\n# only a comment\n", "nothing"),
+        (b"- a\n- b\n", "must be a mapping"),
+        (b"just text\n", "must be a mapping"),
+        (b"gravity: [\xff m/s^2, 0 m/s^2]\n", ":1: found byte 0xff: must be UTF-8"),
+        ("gravity: [0 m/s^2, 0 m/s^2]\n".encode("utf-16"), "UTF-8"),
+        (b"says: " + b"x" * 5_000_000, "1000000 characters"),
+        (b"says: " + b"x" * 2_000_000 + b"\n", "1000000 characters"),
+        (b"gravity: " + b"[" * 5000, "nest"),
+        (b"gravity: [0 m/s^2, 0 m/s^2]\n---\ngravity: [0 m/s^2, 0 m/s^2]\n", "document"),
+    ],
+)
+def test_a_file_that_is_no_scene(content: bytes, words: str, tmp_path: Path) -> None:
+    file = tmp_path / "x.yaml"
+    file.write_bytes(content)
+    with pytest.raises(SceneError) as caught:
+        load(file)
+    assert words in str(caught.value)
+    assert str(file) in str(caught.value)
+
+
+@pytest.mark.parametrize("path", ["no-such.yaml", "", ".", "/dev/zero", "a\0b", "x" * 5000])
+def test_a_path_that_leads_to_no_file(path: str) -> None:
+    with pytest.raises(SceneError):
+        load(path)
+
+
+def test_a_typo_in_a_text_is_placed_too() -> None:
+    with pytest.raises(SceneError, match=r"^scene:10:11: mass"):
+        load(GOOD.replace("10 kg", "-10 kg"))
