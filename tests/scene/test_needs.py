@@ -1,0 +1,139 @@
+"""What a scene needs: never too little, and a reason for all that is left out."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from tamias2d.errors import InputError
+from tamias2d.scene import Box, Disc, HalfPlane, Needs, Polygon, Scene, catalogue, needs
+from tamias2d.scene.reach import pairs_that_can_meet
+
+small = st.floats(-10, 10)
+discs = st.tuples(st.tuples(small, small), st.tuples(small, small), st.tuples(small, small))
+
+
+def needed(name: str) -> set[str]:
+    return {entry.what for entry in needs(catalogue.load(name)).entries if entry.needed}
+
+
+def reason(found: Needs, what: str) -> str:
+    return next(entry.reason for entry in found.entries if entry.what == what)
+
+
+def test_a_projectile_needs_translation_and_gravity_only() -> None:
+    assert needed("tc6") == {
+        "position, velocity",
+        "gravity (GD2)",
+        "translation (IM1)",
+        "closed form",
+    }
+
+
+def test_bouncing_discs_need_no_rotation() -> None:
+    found = needed("bouncing-disc")
+    assert {"impact (IM3)", "resting contact (GD3)", "location of impacts"} <= found
+    assert not {"rotation (IM2)", "orientation, angular velocity"} & found
+
+
+def test_boxes_that_can_be_hit_need_rotation() -> None:
+    assert "rotation (IM2)" in needed("tc11-corner")
+    assert "rotation (IM2)" not in needed("tc10")
+
+
+def test_a_force_of_time_is_integrated() -> None:
+    found = needed("driven")
+    assert "integration of the equations of motion" in found
+    assert "closed form" not in found
+    assert "rotation (IM2)" in found
+
+
+def test_each_thing_left_out_has_its_reason() -> None:
+    found = needs(catalogue.load("tc10"))
+    assert reason(found, "gravity (GD2)") == "the scene has no gravity"
+    assert reason(found, "impact (IM3)") == "no two bounds meet within 4 s"
+    assert "(IM3)" not in found
+    assert "translation (IM1)" in found
+    for name in catalogue.names():
+        assert all(entry.reason for entry in needs(catalogue.load(name)).entries)
+
+
+def test_the_plan_s_collision_case_needs_no_impact_until_it_is_long_enough() -> None:
+    """The gap of 100 m closes after sqrt(20) s = 4.47 s."""
+    scene = catalogue.load("tc10")
+    assert not needs(scene, 4.47).pairs
+    assert needs(scene, 4.48).pairs == ((0, 1),)
+
+
+def test_a_scene_without_a_duration_asks_for_one() -> None:
+    with pytest.raises(InputError, match="duration"):
+        needs(Scene(gravity=(0, 0)))
+
+
+def test_a_throw_reaches_the_ceiling_that_it_turns_back_below() -> None:
+    """Thrown with 10 m/s under 10 m/s^2 it rises by 5 m, and is back after 2 s."""
+    for ceiling, pairs in ((5.49, [(0, 1)]), (5.51, [])):
+        scene = Scene(gravity=(0, -10))
+        scene.add_body(Disc(radius=0.5), mass=1, position=(0, 0), velocity=(0, 10))
+        scene.add_static(HalfPlane(normal=(0, -1), offset=-ceiling))
+        assert pairs_that_can_meet(scene, 2.0) == pairs
+
+
+def test_a_touching_body_can_meet_what_it_touches() -> None:
+    scene = Scene(gravity=(0, 0))
+    for turn in (0.0, 0.3, 1.0):
+        reach = 0.5 * (math.sin(turn) + math.cos(turn))
+        scene.add_body(Box(width=1, height=1), mass=1, position=(9 * turn, reach), orientation=turn)
+    scene.add_static(HalfPlane(normal=(0, 1), offset=0))
+    assert pairs_that_can_meet(scene, 1.0) == [(0, 3), (1, 3), (2, 3)]
+
+
+def test_what_has_no_bound_can_meet_everything() -> None:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(Disc(radius=1), mass=1, position=(0, 0), force=("1[N/s]*time", 0))
+    scene.add_body(Disc(radius=1), mass=1, position=(1e9, 0))
+    scene.add_body(Disc(radius=1), mass=1, position=(5, 9), velocity=(0, 1e300))
+    scene.add_body(None, mass=1, position=(0, 0))
+    assert pairs_that_can_meet(scene, 1.0) == [(0, 1), (0, 2)]
+    assert pairs_that_can_meet(scene, 1e9) == [(0, 1), (0, 2), (1, 2)]  # 1e309 is no number
+
+
+@given(st.lists(discs, min_size=2, max_size=5), st.floats(0.1, 5))
+@settings(max_examples=300, deadline=None)
+def test_no_pair_that_meets_is_missed(
+    bodies: list[tuple[tuple[float, float], ...]], duration: float
+) -> None:
+    """Positions at 200 times, computed here, against the pairs that are said to be able to meet."""
+    scene = Scene(gravity=(1, -2))
+    for position, velocity, force in bodies:
+        scene.add_body(Disc(radius=1), mass=0.5, position=position, velocity=velocity, force=force)
+    scene.add_static(HalfPlane(normal=(0.6, 0.8), offset=-3))
+    t = np.linspace(0, duration, 200)[:, None, None]
+    start, velocity, force = (np.array([body[k] for body in bodies]) for k in range(3))
+    path = start + velocity * t + (force / 0.5 + (1, -2)) * t**2 / 2
+    wall = len(bodies)
+    met = {(k, wall) for k in range(wall) if (path[:, k] @ (0.6, 0.8) - 1 <= -3).any()}
+    for i in range(wall):
+        for j in range(i + 1, wall):
+            if (np.linalg.norm(path[:, i] - path[:, j], axis=-1) <= 2).any():
+                met.add((i, j))
+    assert met <= set(pairs_that_can_meet(scene, duration))
+
+
+@given(st.floats(-7, 7), st.floats(-3, 3), st.floats(0.1, 3), small, small)
+@settings(max_examples=300, deadline=None)
+def test_no_corner_that_reaches_a_wall_is_missed(
+    turn: float, spin: float, duration: float, x: float, y: float
+) -> None:
+    triangle = Polygon(vertices=[(0, 0), (3, 0), (0, 1)])
+    scene = Scene(gravity=(0, -3))
+    scene.add_body(
+        triangle, mass=1, position=(0, 4), velocity=(x, y), orientation=turn, angular_velocity=spin
+    )
+    scene.add_static(HalfPlane(normal=(0, 1), offset=0))
+    t = np.linspace(0, duration, 200)[:, None]
+    angle, (px, py) = turn + spin * t, np.array(triangle.vertices).T
+    corner = 4 + y * t - 1.5 * t**2 + np.sin(angle) * px + np.cos(angle) * py
+    if (corner <= 0).any():
+        assert pairs_that_can_meet(scene, duration) == [(0, 1)]
