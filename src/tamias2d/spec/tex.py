@@ -60,7 +60,8 @@ def plain(node: Node) -> str:
                 f"{sides[0]}{operator}{sides[1]}" if tight else f"{sides[0]} {operator} {sides[1]}"
             )
         case Power(base=base, exponent=exponent):
-            return f"{_grouped(base)}**{_number(exponent)}"
+            inner = f"({plain(base)})" if isinstance(base, Power) else _grouped(base)
+            return f"{inner}**{_number(exponent)}"
         case Relation(operator=operator, left=left, right=right):
             return f"{plain(left)} {operator} {plain(right)}"
         case Both(parts=conditions):
