@@ -25,7 +25,9 @@ class _Commands(TyperGroup):
         try:
             return super().invoke(ctx)
         except TamiasError as fault:
-            _stop(str(fault), 2)
+            # `simulate` tells an interrupted run by its code, and hands over what there is of it.
+            stopped = getattr(fault, "code", "") == "interrupted"
+            _stop(str(fault), INTERRUPTED if stopped else 2)
         except OSError as fault:
             if fault.filename is None:
                 raise
@@ -159,6 +161,6 @@ def replay(
 
 def main() -> None:
     """Run the command line of this process."""
-    from tamias2d.commands.names import command
+    from tamias2d.commands.output import command
 
     app(prog_name=command())

@@ -1,6 +1,8 @@
 """How far a run is from the exact answers that the specification knows for its scene."""
 
+import math
 from dataclasses import dataclass
+from typing import Any
 
 from tamias2d.run import Run
 from tamias2d.verify.exact import answers
@@ -15,6 +17,10 @@ class KnownError:
     case: str
     quantity: str
     error: float
+
+    def as_json(self) -> dict[str, Any]:
+        """The fields as JSON holds them: an error that is not finite is null."""
+        return vars(self) | {"error": self.error if math.isfinite(self.error) else None}
 
 
 def known_errors(run: Run, name: str) -> list[KnownError]:
@@ -41,7 +47,7 @@ def _compare(run: Run, item: Item) -> list[KnownError]:
     if "final" in data and run.duration == span:
         asked.append((data["final"]["bodies"], slice(-1, None), "at the end"))
     return [
-        KnownError(item["id"], f"{what} {when}", float(distance(found, exact)))
+        KnownError(item["id"], f"{one.label} {when}", distance(one.found, one.exact))
         for bodies, samples, when in asked
-        for what, found, exact in answers(run, bodies, samples)
+        for one in answers(run, bodies, samples)
     ]

@@ -1,16 +1,11 @@
-"""What a user types, turned into what the library takes: scenes, times, the command's own name."""
+"""What a user types, turned into what the library takes: scenes and times."""
 
 import difflib
-import os
 from pathlib import Path
 
+from tamias2d.commands.output import command
 from tamias2d.errors import InputError
 from tamias2d.scene import Scene, catalogue, load
-
-
-def command() -> str:
-    """How the user called this program; `tools/dev` passes its own name on."""
-    return os.environ.get("TAMIAS2D_COMMAND", "tamias2d")
 
 
 def find_scene(text: str) -> Scene:

@@ -4,11 +4,17 @@ Serves: one look for all commands. Hides: which library draws it, and how wide t
 """
 
 import json
+import os
 import sys
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 _COLOURS = {"pass": "green", "fail": "bold red", "stale": "yellow", "uncovered": "yellow"}
+
+
+def command() -> str:
+    """How the user called this program; `tools/dev` passes its own name on."""
+    return os.environ.get("TAMIAS2D_COMMAND", "tamias2d")
 
 
 def say(text: str = "") -> None:

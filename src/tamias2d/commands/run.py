@@ -7,8 +7,8 @@ from typing import Any
 
 from tamias2d import motion
 from tamias2d.commands.exact import KnownError, known_errors
-from tamias2d.commands.names import command, find_scene, seconds
-from tamias2d.commands.output import error_text, figure, pair, print_json, print_table, say
+from tamias2d.commands.names import find_scene, seconds
+from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
 from tamias2d.errors import InputError, SimulationError, TamiasError
 from tamias2d.run import Run
 from tamias2d.scene import Scene
@@ -148,7 +148,8 @@ def _print_errors(errors: list[KnownError]) -> None:
     if not errors:
         say("\nError: no case of the specification gives the exact answer of this run.")
         return
-    say("\nError against the exact answer (relative; absolute where that is 0)")
+    worst = error_text(max(e.error for e in errors))
+    say(f"\nError against the exact answer (relative; absolute where that is 0), at most {worst}:")
     print_table(
         ("case", "quantity", "error"), ((e.case, e.quantity, error_text(e.error)) for e in errors)
     )
@@ -169,7 +170,7 @@ def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> di
             "angular_momentum": float(run.angular_momentum[-1]),
         },
         "impacts": _impacts(run),
-        "errors": [vars(e) for e in errors],
+        "errors": [e.as_json() for e in errors],
         "digest": run.digest(),
         "recording": None if files.record is None else str(files.record),
         "plot": None if files.plot is None else str(files.plot),

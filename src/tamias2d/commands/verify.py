@@ -8,7 +8,7 @@ from tamias2d.verify import verify
 
 def verify_cases(ids: Sequence[str], *, as_json: bool) -> int:
     """Verify the cases with these ids, or all; return the exit code, 1 if one failed."""
-    outcomes = verify(ids)
+    outcomes = verify(ids or None)
     failed = [outcome for outcome in outcomes if outcome.verdict == "fail"]
     if as_json:
         print_json({"cases": [outcome.as_json() for outcome in outcomes]})

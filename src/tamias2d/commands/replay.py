@@ -1,0 +1,16 @@
+"""`tamias2d replay`: look at a recording, or compute it again and compare every bit."""
+
+from pathlib import Path
+
+from tamias2d import record
+from tamias2d.commands.output import say
+
+
+def replay_file(file: Path, *, check: bool) -> int:
+    """Open the viewer, or say whether the run is identical; return the exit code, 1 if not."""
+    if not check:
+        record.replay(file)
+        return 0
+    answer = record.check(file)
+    say(answer.says)
+    return 0 if answer.identical else 1

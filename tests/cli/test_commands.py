@@ -1,0 +1,246 @@
+"""Each command: what it prints, what it answers to machines, and how it refuses."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from tamias2d import cli, motion
+from tamias2d.commands import run as run_command
+from tamias2d.scene import catalogue, needs
+from tamias2d.simulate import Interrupted, simulate
+from tamias2d.verify import exact
+
+Call = Callable[..., Result]
+
+
+@pytest.fixture
+def call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Call:
+    monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path / "home"))
+    monkeypatch.delenv("TAMIAS2D_COMMAND", raising=False)
+    return lambda *words: CliRunner().invoke(cli.app, [str(word) for word in words])
+
+
+def answer(result: Result) -> Any:
+    """What a machine reads: nothing but JSON."""
+    assert result.exit_code == 0, result.stderr
+    return json.loads(result.stdout, parse_constant=pytest.fail)
+
+
+def refused(result: Result) -> str:
+    """The one line that a user reads."""
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    assert result.stderr.count("\n") == 1
+    return result.stderr
+
+
+# --- run ---------------------------------------------------------------------------------------
+
+
+def test_run_prints_state_and_error(call: Call) -> None:
+    text = call("run", "tc3").stdout
+    assert "ClosedForm(): every force and torque is constant" in text
+    assert "(870, 50)" in text
+    assert "TC3   position over the whole history" in text
+
+
+def test_run_answers_with_state_impacts_and_errors(call: Call) -> None:
+    found = answer(call("run", "tc3", "--json"))
+    assert found["final"]["bodies"][0]["position"] == [870, 50]
+    assert found["impacts"] == []
+    assert {error["case"] for error in found["errors"]} == {"TC3"}
+    assert all(error["error"] <= 1e-12 for error in found["errors"])
+
+
+def test_run_tells_the_error_of_a_poor_method(call: Call) -> None:
+    poor = answer(
+        call("run", "tc3", "--method", "explicit-euler", "--time-step", "100 ms", "--json")
+    )
+    assert poor["time_step"] == 0.1
+    # explicit Euler lags by a t dt / 2: here 10 m/s^2, 4 s and 0.1 s, on the way to x = 870 m
+    assert poor["final"]["bodies"][0]["position"][0] == pytest.approx(870 + 2)
+    assert max(error["error"] for error in poor["errors"]) > 1e-4
+
+
+def test_run_knows_no_error_beyond_the_case(call: Call) -> None:
+    assert answer(call("run", "tc3", "--duration", "5", "--json"))["errors"] == []
+    assert "no case of the specification" in call("run", "tc3", "--duration", "5 s").stdout
+
+
+def test_a_file_is_not_taken_for_the_case_of_its_name(call: Call, tmp_path: Path) -> None:
+    file = tmp_path / "tc3.yaml"
+    file.write_text(
+        "name: tc3\ngravity: [0 m/s^2, 0 m/s^2]\n"
+        "bodies:\n  body: {shape: none, mass: 1 kg, position: [0 m, 0 m]}\n"
+    )
+    assert answer(call("run", file, "--duration", "4", "--json"))["errors"] == []
+
+
+@pytest.mark.parametrize("suffix", [".npz"])
+def test_run_keeps_a_recording_that_checks(call: Call, tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"with blank{suffix}"
+    text = call("run", "tc3", "--record", path).stdout
+    assert f'Look at it: tamias2d replay "{path}"' in text
+    checked = call("replay", path, "--check")
+    assert checked.exit_code == 0
+    assert "identical" in checked.stdout
+
+
+def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -> None:
+    import numpy as np
+
+    path = tmp_path / "run.npz"
+    call("run", "tc3", "--record", path)
+    arrays = dict(np.load(path))
+    arrays["position"][7, 0, 1] += 1e-9
+    np.savez(path, **arrays)
+    checked = call("replay", path, "--check")
+    assert checked.exit_code == 1
+    assert "body 'body', position y" in checked.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["run", "tc33"], "SCENE: 'tc33': must be a name of the catalogue or a file (R1). Did you"),
+        (["run", "no/such.yaml"], "SCENE: 'no/such.yaml': must be"),
+        (["run", "tc3", "--duration", "4 kg"], "--duration: '4 kg': must be a time"),
+        (["run", "tc3", "--duration", "soon"], "--duration: 'soon': must be a time"),
+        (["run", "tc3", "--duration", "-4 s"], "--duration: '-4 s': must be > 0"),
+        (["run", "tc3", "--duration", "nan"], "--duration: 'nan': must be > 0"),
+        (["run", "tc3", "--duration", "inf"], "--duration: 'inf': must be > 0"),
+        (["run", "tc3", "--time-step", "0"], "--time-step: '0': must be > 0"),
+        (["run", "tc3", "--time-step", "1 ms"], "takes no time step"),
+        (["run", "tc3", "--method", "runge-kutta-4"], "needs time step"),
+        (["run", "driven", "--method", "closed-form"], "varies with time"),
+        (["run", "tc3", "--record", "run.txt"], ".rrd or .npz"),
+        (["run", "tc3", "--record", "no/such/run.npz"], "no/such/run.npz"),
+        (["explain", "tc33"], "SCENE: 'tc33'"),
+        (["verify", "TC99"], "'TC99' is no item"),
+        (["trace", "TC99"], "TC99"),
+        (["replay", "no.rrd"], "no.rrd: there is no such file"),
+        (["replay", "no.txt", "--check"], "suffix '.txt'"),
+    ],
+)
+def test_bad_input_is_one_line(call: Call, words: list[str], says: str) -> None:
+    assert says in refused(call(*words))
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["run"], ["run", "tc3", "--method", "magic"], ["run", "tc3", "--nonsense"], ["nonsense"]],
+)
+def test_wrong_usage_is_refused(call: Call, words: list[str]) -> None:
+    result = call(*words)
+    assert result.exit_code == 2
+    assert "Traceback" not in result.stderr
+
+
+def test_a_damaged_scene_names_its_place(call: Call, tmp_path: Path) -> None:
+    file = tmp_path / "pile.yaml"
+    file.write_text(
+        "gravity: [0 m/s^2, -9.81 m/s^2]\nbodies:\n  crate:\n    shape: none\n"
+        "    mass: -1 kg\n    position: [0 m, 0 m]\n"
+    )
+    assert "pile.yaml:5:11: mass -1 kg of" in refused(call("run", file))
+
+
+def test_methods_on_the_command_line_are_those_of_the_library() -> None:
+    kinds = {type(run_command._method(method)) for method in cli.Method}
+    public = {kind for kind in vars(motion).values() if isinstance(kind, type)}
+    assert kinds == {
+        kind for kind in public if issubclass(kind, motion.Method) and kind is not motion.Method
+    }
+
+
+def test_an_interrupted_run_is_kept(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stopped(*_: Any, **__: Any) -> None:
+        raise Interrupted(simulate(catalogue.load("tc3"), duration=1.0))
+
+    monkeypatch.setattr(run_command, "simulate", stopped)
+    result = call("run", "tc3", "--record", tmp_path / "part.npz")
+    assert result.exit_code == 130
+    assert f"The run up to 1 s is in {tmp_path / 'part.npz'}" in result.stderr
+    assert (tmp_path / "part.npz").is_file()
+
+
+def test_an_interrupted_check_says_where_results_are(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stopped(*_: Any, **__: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("tamias2d.commands.verify.verify_cases", stopped)
+    result = call("verify")
+    assert result.exit_code == 130
+    assert str(tmp_path / "home") in result.stderr
+
+
+# --- the others --------------------------------------------------------------------------------
+
+
+def test_scenes_lists_the_catalogue(call: Call) -> None:
+    rows = answer(call("scenes", "--json"))["scenes"]
+    assert [row["name"] for row in rows] == catalogue.names()
+    assert all(row["says"] for row in rows)
+    assert "showcase" in call("scenes").stdout
+
+
+def test_explain_gives_every_reason(call: Call) -> None:
+    entries = answer(call("explain", "tc3", "--json"))["entries"]
+    assert len(entries) == len(needs(catalogue.load("tc3")).entries)
+    text = call("explain", "tc3").stdout
+    assert all(entry["reason"] in text for entry in entries)
+
+
+def test_verify_answers_a_row_a_comparison(call: Call) -> None:
+    rows = answer(call("verify", "TC1", "TC2", "--json"))["cases"]
+    assert {row["id"] for row in rows} == {"TC1", "TC2"}
+    assert {"id", "quantity", "error", "tolerance", "verdict"} <= rows[0].keys()
+    assert "0 failed" in call("verify", "TC1").stdout
+
+
+def test_a_failed_case_fails_the_command(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(exact, "distance", lambda *_: 1.0)
+    result = call("verify", "TC1")
+    assert result.exit_code == 1
+    assert "fail" in result.stdout
+
+
+# --- as a program ------------------------------------------------------------------------------
+
+
+def program(*words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "tamias2d", *words], capture_output=True, text=True, timeout=60
+    )
+
+
+def test_help_loads_neither_numbers_nor_viewer() -> None:
+    code = (
+        "import sys\nfrom tamias2d import cli\nsys.argv = ['tamias2d', '--help']\n"
+        "try:\n    cli.main()\nfinally:\n"
+        "    bad = {'numpy', 'scipy', 'rerun', 'sphinx', 'matplotlib'} & set(sys.modules)\n"
+        "    print(bad or 'light')\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert done.stdout.rstrip().endswith("light")
+
+
+def test_the_program_refuses_without_a_traceback() -> None:
+    done = program("run", "no-such-scene")
+    assert done.returncode == 2
+    assert done.stderr.startswith("SCENE: 'no-such-scene'")
+
+
+def test_the_program_names_itself_as_it_was_called(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TAMIAS2D_COMMAND", "tools/dev")
+    assert "Usage: tools/dev" in program("--help").stdout
