@@ -31,6 +31,7 @@ PALETTE: tuple[Colour, ...] = (
 STATIC_COLOUR: Colour = (130, 135, 140)
 CIRCLE_SIDES = 72
 HATCHES = 48
+FILL_LINES = 24
 
 
 @dataclass(frozen=True)
@@ -60,16 +61,35 @@ def strokes(body: Body, view: View) -> list[Points]:
     if isinstance(body.shape, HalfPlane):
         return _ground(body, body.shape, view)
     rim = outline(body)
-    return [rim, np.array([(0.0, 0.0), (rim[0] + rim[-2]) / 2])] if body.dynamic else [rim]
+    return [rim, np.array([(0.0, 0.0), (rim[1] + rim[2]) / 2])] if body.dynamic else [rim]
 
 
 def outline(body: Body) -> Points:
     """Closed line around a bounded shape, (v, 2), relative to the body's centre, in metres."""
     if isinstance(body.shape, Disc):
-        angle = np.linspace(0.0, 2 * np.pi, CIRCLE_SIDES + 1) + np.pi / CIRCLE_SIDES
+        angle = (np.arange(CIRCLE_SIDES + 1) - 1.5) * (2 * np.pi / CIRCLE_SIDES)
         return body.shape.radius * np.column_stack([np.cos(angle), np.sin(angle)])
     corners = body.shape.vertices if body.shape else ()
     return np.array([*corners, *corners[:1]], dtype=np.float64).reshape(-1, 2)
+
+
+def filling(body: Body) -> tuple[Points, float]:
+    """Parallel lines (l, 2, 2) that fill a bounded shape, and the half-width of each, in metres.
+
+    A viewer's 2D lines can be wide, but its 2D areas cannot be filled.
+    """
+    rim = 0.98 * outline(body)  # the ends of a line are square: keep them behind the outline
+    if len(rim) == 0:
+        return np.zeros((0, 2, 2)), 0.0
+    low, high = rim[:, 1].min(), rim[:, 1].max()
+    half = (high - low) / FILL_LINES / 2
+    heights = low + half + 2 * half * np.arange(FILL_LINES)
+    (x0, y0), (x1, y1) = rim[:-1].T, rim[1:].T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        part = (heights[:, None] - y0) / (y1 - y0)
+        crossing = np.where((part >= 0) & (part <= 1), x0 + part * (x1 - x0), np.nan)
+    ends = np.column_stack([np.nanmin(crossing, axis=1), np.nanmax(crossing, axis=1)])
+    return np.stack([ends, np.broadcast_to(heights[:, None], ends.shape)], axis=-1), half
 
 
 def _ground(body: Body, shape: HalfPlane, view: View) -> list[Points]:

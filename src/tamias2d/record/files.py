@@ -55,7 +55,7 @@ def _kind(path: Path) -> _Kind:
     if path.suffix == ".rrd":
         return _rerun(path)
     raise InputError(
-        f"{path}: suffix {path.suffix!r}: a recording is .rrd (to look at) or .npz (exact history). "
+        f"{path}: suffix {path.suffix!r}: a recording is .rrd (to look at) or .npz (exact). "
         "Give it a name that ends so."
     )
 

@@ -15,8 +15,7 @@ from tamias2d.errors import RecordingError, TamiasError
 from tamias2d.record import header as headers
 from tamias2d.record.aside import aside
 from tamias2d.run import Impacts, Run
-from tamias2d.scene import Scene
-from tamias2d.scene import load as load_scene
+from tamias2d.scene import Scene, load as load_scene
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

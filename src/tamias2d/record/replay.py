@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tamias2d.errors import RecordingError, SimulationError
-from tamias2d.record import files, history
-from tamias2d.record import header as headers
+from tamias2d.record import files, header as headers, history
 from tamias2d.record.difference import Difference, first_difference
 from tamias2d.simulate import simulate
 

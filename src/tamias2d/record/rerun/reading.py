@@ -9,8 +9,7 @@ import numpy as np
 from rerun.chunk import RrdReader
 
 from tamias2d.errors import RecordingError
-from tamias2d.record import header as headers
-from tamias2d.record import history
+from tamias2d.record import header as headers, history
 from tamias2d.record.rerun import layout
 
 if TYPE_CHECKING:

@@ -10,8 +10,7 @@ import rerun as rr
 
 from tamias2d.errors import RecordingError
 from tamias2d.generated import definitions
-from tamias2d.record import document, drawing, history
-from tamias2d.record import header as headers
+from tamias2d.record import document, drawing, header as headers, history
 from tamias2d.record.aside import aside
 from tamias2d.record.rerun import layout
 from tamias2d.scene import scene_text
@@ -100,10 +99,15 @@ def _world(stream: rr.RecordingStream, run: Run, view: View) -> None:
 
 
 def _lines(body: Body, view: View, colour: Colour) -> rr.LineStrips2D:
+    """A body in its own frame: its outline, a spoke that shows how it is turned, and its area."""
+    lines = drawing.strokes(body, view)
+    area, half = drawing.filling(body)
+    shade = tuple(channel // 2 for channel in colour)
+    edge = rr.Radius.ui_points(1.5 if body.dynamic else 1.0)
     return rr.LineStrips2D(
-        drawing.strokes(body, view),
-        colors=[colour],
-        radii=rr.Radius.ui_points(1.5 if body.dynamic else 1.0),
+        [*area, *lines],
+        colors=[shade] * len(area) + [colour] * len(lines),
+        radii=[half] * len(area) + [edge] * len(lines),
         labels=[body.name],
         show_labels=False,
         draw_order=20.0 if body.dynamic else 10.0,
@@ -113,7 +117,7 @@ def _lines(body: Body, view: View, colour: Colour) -> rr.LineStrips2D:
 def _scale_bar(stream: rr.RecordingStream, view: View) -> None:
     """A bar of a round length in the lower left corner of the view, with its length."""
     length = drawing.round_length(view.half[0] / 3)
-    x, y = view.center[0] - 0.95 * view.half[0], view.center[1] - 0.95 * view.half[1]
+    x, y = view.center[0] - 0.95 * view.half[0], view.center[1] - 0.9 * view.half[1]
     bar = rr.LineStrips2D(
         [[(x, y), (x + length, y)]],
         colors=[drawing.STATIC_COLOUR],
@@ -141,8 +145,8 @@ def _block(stream: rr.RecordingStream, run: Run, clock: NDArray[np.int64], part:
     _plot(stream, layout.MOMENTUM, times, run.momentum[part])
     _plot(stream, layout.SPIN, times, run.angular_momentum[part])
     exact = {name: _column(getattr(run, name)[part]) for name in ("times", *history.TOTALS)}
-    columns = rr.DynamicArchetype.columns(layout.SAMPLE, components=exact)
-    stream.send_columns(layout.RECORDING, times, columns)
+    numbers = rr.DynamicArchetype.columns(layout.SAMPLE, components=exact)
+    stream.send_columns(layout.RECORDING, times, numbers)
 
 
 def _times(clock: NDArray[np.int64], steps: NDArray[np.int64]) -> list[rr.TimeColumn]:
@@ -189,7 +193,9 @@ def _kinetic(run: Run, part: slice) -> NDArray[np.float64]:
     inertia[~np.isfinite(inertia)] = 0.0  # what cannot turn has no energy of rotation
     velocity = (run.velocity[part, moving, 0], run.velocity[part, moving, 1])
     spin = run.angular_velocity[part, moving]
-    return np.asarray(definitions.kinetic_energy(mass, velocity, inertia, spin)).sum(axis=-1)
+    energies = definitions.kinetic_energy(mass, velocity, inertia, spin)
+    total: NDArray[np.float64] = energies.sum(axis=-1)
+    return total
 
 
 def _impacts(stream: rr.RecordingStream, run: Run, view: View) -> None:
