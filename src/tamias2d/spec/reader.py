@@ -12,13 +12,10 @@ from typing import Any
 import jsonschema
 
 from tamias2d.errors import SpecError
-from tamias2d.spec.cases import check_case
 from tamias2d.spec.chapter import Chapter, Item, read_chapter
-from tamias2d.spec.derivation import check_closed_form, check_derivation
-from tamias2d.spec.equations import functions, parsed, relation, typed
+from tamias2d.spec.formulas import check_item
 from tamias2d.spec.kinds import KINDS
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
-from tamias2d.spec.scheme import check_order
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import Index, Range, Symbol, SymbolTable, parse_range
 from tamias2d.spec.units import parse_unit
@@ -64,7 +61,7 @@ class _Reader:
         self.check_links(specification)
         self.check_sources(specification)
         for item in specification.items.values():
-            self.check_formulas(item, specification.table)
+            self.faults += check_item(item, specification.table)
         if self.faults:
             raise SpecError("\n".join(str(fault) for fault in sorted(set(self.faults))))
         return specification
@@ -161,45 +158,6 @@ class _Reader:
                         f"source '{key}' is not in references.bib. Add the entry or correct the key"
                     )
                     self.report(item.diagnostic(Code.UNKNOWN_ID, text, "source", number))
-
-    def check_formulas(self, item: Item, table: SymbolTable) -> None:
-        if item.kind == "scheme":
-            check_order(item, self.report)
-        if item.kind == "case":
-            check_case(item, table, self.report)
-        if item.kind not in ("theory", "definition", "model", "property"):
-            return
-        before = len(self.faults)
-        if text := item.data.get("equation"):
-            relation(item, text, table, self.report, "equation")
-        functions(item, table, self.report)
-        for key in ("input", "output"):
-            for number, name in enumerate(item.data.get(key, [])):
-                self.check_name(item, name, table, key, number)
-        for name, text in item.data.get("states", {}).items():
-            node = parsed(item, text, self.report, "states", name)
-            rate = typed(item, node, table, self.report, "states", name) if node else None
-            self.check_rate(item, name, rate, table)
-        if len(self.faults) == before:  # a faulty formula would only be reported twice
-            check_derivation(item, table, self.report)
-            check_closed_form(item, table, self.report)
-
-    def check_name(self, item: Item, name: str, table: SymbolTable, *path: str | int) -> None:
-        try:
-            table.resolve(name)
-        except SpecFault as fault:
-            self.report(item.diagnostic(fault.code, fault.message, *path))
-
-    def check_rate(self, item: Item, name: str, rate: Any, table: SymbolTable) -> None:
-        try:
-            symbol = table.resolve(name).symbol
-        except SpecFault as fault:
-            self.report(item.diagnostic(fault.code, fault.message, "states", name, "key"))
-            return
-        wanted = symbol.dimension / parse_unit("s").dimension
-        if rate is not None and (rate.shape, rate.dimension) != (symbol.shape, wanted):
-            text = f"the rate of '{name}' is {rate}, not a {symbol.shape} in {wanted}. Correct it"
-            self.report(item.diagnostic(Code.UNIT_MISMATCH, text, "states", name))
 
 
 def _schema_fault(item: Item, error: jsonschema.ValidationError) -> Diagnostic:
