@@ -4,6 +4,7 @@ Every function raises `RuleError` with the path of the value; its place is the c
 """
 
 import re
+from typing import Any
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, shown
@@ -18,7 +19,7 @@ _EXPRESSION = re.compile(r"[\[(]|\btime\b")
 Path = tuple[str | int, ...]
 
 
-def read_value(raw: object, key: str, path: Path) -> object:
+def read_value(raw: object, key: str, path: Path) -> Any:
     """Return the value of a body's key as `Scene` takes it: number, pair, law or list of pairs."""
     if key == "vertices":
         corners = _items(raw, "a list of corners", path)

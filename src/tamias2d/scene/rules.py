@@ -5,14 +5,18 @@ which argument it was, and the reader of files puts the place before it.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from numbers import Real
 from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
 
 Vector: TypeAlias = tuple[float, float]
+VectorLike: TypeAlias = Sequence[float] | NDArray[np.floating | np.integer]
 
 
 class RuleError(InputError):

@@ -1,43 +1,72 @@
 """A scene: the bodies, the gravity, and what they do when they meet (R1, R2, R3)."""
 
 import hashlib
-import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import count
 
 from tamias2d.errors import SceneError
 from tamias2d.generated import definitions
 from tamias2d.scene.bodies import Body
-from tamias2d.scene.law import Law, checked_law
-from tamias2d.scene.rules import RuleError, Vector, number, pair, shown, vector
-from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+from tamias2d.scene.checks import (
+    checked_angle,
+    checked_duration,
+    checked_force,
+    checked_inertia,
+    checked_mass,
+    checked_restitution,
+    checked_text,
+    optional_restitution,
+    refuse_placed_half_plane,
+    refuse_shape,
+    refuse_turning_particle,
+)
+from tamias2d.scene.law import checked_law
+from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, shown, vector
+from tamias2d.scene.shapes import Shape
 
 _MAX_NAME = 100
 
 
 class Scene:
-    """The space in which bodies move and meet (R1). SI units throughout, y counter-clockwise of x.
-
-    `duration` is how long it is worth looking at, s; `says` what is to be seen.
-    """
+    """The space in which bodies move and meet (R1), in SI units throughout."""
 
     def __init__(
         self,
         *,
-        gravity: object,
+        gravity: VectorLike,
         name: str = "",
         says: str = "",
         duration: float | None = None,
     ) -> None:
         """Start an empty scene; raise `InputError` if a value breaks a rule."""
         remedy = "Give (x, y) in m/s^2, (0, 0) for none."
-        self.gravity: Vector = vector(gravity, "gravity", "the scene", remedy, at=("gravity",))
-        self.name = _text(name, "name")
-        self.says = _text(" ".join(says.split()) if isinstance(says, str) else says, "says")
-        self.duration = None if duration is None else _duration(duration)
+        self._gravity = vector(gravity, "gravity", "the scene", remedy, at=("gravity",))
+        self._name = checked_text(name, "name")
+        self._says = checked_text(" ".join(says.split()) if isinstance(says, str) else says, "says")
+        self._duration = None if duration is None else checked_duration(duration)
         self._bodies: list[Body] = []
         self._index: dict[str, int] = {}
         self._of_pairs: dict[tuple[int, int], float] = {}
+
+    @property
+    def gravity(self) -> Vector:
+        """The same for all bodies, m/s^2."""
+        return self._gravity
+
+    @property
+    def name(self) -> str:
+        """What it is called; empty if nothing."""
+        return self._name
+
+    @property
+    def says(self) -> str:
+        """What is to be seen in it, on one line."""
+        return self._says
+
+    @property
+    def duration(self) -> float | None:
+        """How long it is worth looking at, s."""
+        return self._duration
 
     @property
     def bodies(self) -> tuple[Body, ...]:
@@ -53,15 +82,15 @@ class Scene:
         self,
         shape: Shape | None,
         *,
-        mass: object,
-        position: object,
-        velocity: object = (0.0, 0.0),
-        orientation: object = 0.0,
-        angular_velocity: object = 0.0,
-        force: object = (0.0, 0.0),
-        torque: object = 0.0,
-        inertia: object = None,
-        restitution: object = None,
+        mass: float,
+        position: VectorLike,
+        velocity: VectorLike = (0.0, 0.0),
+        orientation: float = 0.0,
+        angular_velocity: float = 0.0,
+        force: VectorLike | Sequence[float | str] = (0.0, 0.0),
+        torque: float | str = 0.0,
+        inertia: float | None = None,
+        restitution: float | None = None,
         name: str | None = None,
     ) -> int:
         """Add a body that moves, and return its index (R2).
@@ -75,17 +104,17 @@ class Scene:
         """
         name = self._free_name(name)
         of = f"body '{name}'"
-        _refuse_shape(shape, of, static=False)
-        checked_mass = _mass(mass, of)
+        refuse_shape(shape, of, static=False)
+        kilograms = checked_mass(mass, of)
         body = Body(
             name=name,
             shape=shape,
             dynamic=True,
-            mass=checked_mass,
-            inertia=_inertia(inertia, checked_mass, shape, of),
+            mass=kilograms,
+            inertia=checked_inertia(inertia, kilograms, shape, of),
             inertia_stated=inertia is not None,
             position=vector(position, "position", of, "Give (x, y) in m.", at=("position",)),
-            orientation=_angle(orientation, of),
+            orientation=checked_angle(orientation, of),
             velocity=vector(velocity, "velocity", of, "Give (x, y) in m/s.", at=("velocity",)),
             angular_velocity=number(
                 angular_velocity,
@@ -94,20 +123,20 @@ class Scene:
                 "Give it in rad/s.",
                 at=("angular_velocity",),
             ),
-            force=_force(force, of),
+            force=checked_force(force, of),
             torque=checked_law(torque, "torque", of, at=("torque",)),
-            restitution=_optional_restitution(restitution, of),
+            restitution=optional_restitution(restitution, of),
         )
-        _refuse_turning_particle(body)
+        refuse_turning_particle(body)
         return self._append(body)
 
     def add_static(
         self,
         shape: Shape,
         *,
-        position: object = (0.0, 0.0),
-        orientation: object = 0.0,
-        restitution: object = None,
+        position: VectorLike = (0.0, 0.0),
+        orientation: float = 0.0,
+        restitution: float | None = None,
         name: str | None = None,
     ) -> int:
         """Add a body that nothing moves, and return its index.
@@ -119,32 +148,26 @@ class Scene:
         """
         name = self._free_name(name)
         of = f"static body '{name}'"
-        _refuse_shape(shape, of, static=True)
+        refuse_shape(shape, of, static=True)
         body = Body(
             name=name,
             shape=shape,
             dynamic=False,
             position=vector(position, "position", of, "Give (x, y) in m.", at=("position",)),
-            orientation=_angle(orientation, of),
-            restitution=_optional_restitution(restitution, of),
+            orientation=checked_angle(orientation, of),
+            restitution=optional_restitution(restitution, of),
         )
-        if isinstance(shape, HalfPlane) and (body.position != (0, 0) or body.orientation != 0):
-            key = "position" if body.position != (0, 0) else "orientation"
-            raise RuleError(
-                f"{key} of {of}: a half-plane has none (R4). "
-                "Say where it is by its normal and offset.",
-                key,
-            )
+        refuse_placed_half_plane(body)
         return self._append(body)
 
-    def set_restitution(self, first: int | str, second: int | str, value: object) -> None:
+    def set_restitution(self, first: int | str, second: int | str, value: float) -> None:
         """Set the restitution of one pair of bodies, given by index or name (R3)."""
         i, j = sorted((self.index(first), self.index(second)))
         if i == j:
             raise RuleError(
                 f"pair of '{self._bodies[i].name}' with itself (R3). Name two bodies.", "bodies"
             )
-        self._of_pairs[i, j] = _restitution(value, f"the pair {self._pair(i, j)}")
+        self._of_pairs[i, j] = checked_restitution(value, f"the pair {self._pair(i, j)}")
 
     def restitution(self, i: int, j: int) -> float:
         """Return the restitution with which bodies i and j part.
@@ -211,7 +234,7 @@ class Scene:
     def _free_name(self, name: object) -> str:
         if name is None:
             name = next(free for k in count(len(self)) if (free := f"body{k}") not in self._index)
-        name = _text(name, "name")
+        name = checked_text(name, "name")
         if not name.strip() or len(name) > _MAX_NAME:
             raise RuleError(
                 f"name {shown(name)} of a body: must have 1 to {_MAX_NAME} characters (R1). "
@@ -224,92 +247,3 @@ class Scene:
                 "name",
             )
         return name
-
-
-def _text(value: object, key: str) -> str:
-    if not isinstance(value, str) or not value.isprintable():
-        raise RuleError(
-            f"{key}: found {shown(value)}: must be text of printable characters (R1). Rewrite it.",
-            key,
-        )
-    return value
-
-
-def _duration(value: object) -> float:
-    return number(
-        value, "duration", "the scene", "Give a positive duration in s.", at=("duration",)
-    )
-
-
-def _angle(value: object, of: str) -> float:
-    return number(value, "orientation", of, "Give it in rad.", at=("orientation",))
-
-
-def _restitution(value: object, of: str) -> float:
-    return number(value, "restitution", of, "Give a number from 0 to 1.", at=("restitution",))
-
-
-def _optional_restitution(value: object, of: str) -> float | None:
-    return None if value is None else _restitution(value, of)
-
-
-def _force(value: object, of: str) -> tuple[Law, Law]:
-    x, y = pair(value, of, "Give (x, y) in N.", at=("force",))
-    return (
-        checked_law(x, "force", of, at=("force", 0)),
-        checked_law(y, "force", of, at=("force", 1)),
-    )
-
-
-def _mass(value: object, of: str) -> float:
-    remedy = "Give a positive mass, or make the body static."
-    mass = number(value, "mass", of, remedy, at=("mass",))
-    return _invertible(mass, "mass", "kg", of)
-
-
-def _inertia(value: object, mass: float, shape: Shape | None, of: str) -> float:
-    if value is not None:
-        remedy = "Give a positive inertia in kg m^2, or leave it out."
-        inertia = number(value, "inertia", of, remedy, at=("inertia",))
-    elif shape is None or isinstance(shape, HalfPlane):
-        return math.inf
-    else:
-        inertia = shape.inertia(mass)
-    return _invertible(inertia, "inertia", "kg m^2", of)
-
-
-def _invertible(value: float, key: str, unit: str, of: str) -> float:
-    """Refuse a value whose inverse float64 cannot hold."""
-    if not 1 / math.inf < value < math.inf or not math.isfinite(1 / value):
-        raise RuleError(
-            f"{key} {value:g} {unit} of {of}: float64 cannot hold its inverse (R4). "
-            "Choose units in which it is nearer to 1.",
-            key,
-        )
-    return value
-
-
-def _refuse_shape(shape: object, of: str, *, static: bool) -> None:
-    known = (Disc, Box, Polygon, HalfPlane)
-    if isinstance(shape, HalfPlane) and not static:
-        raise RuleError(
-            f"shape of {of}: found a half-plane: it cannot move (R4). Add it as a static body.",
-            "shape",
-        )
-    if not (isinstance(shape, known) or (shape is None and not static)):
-        raise RuleError(
-            f"shape of {of}: found {shown(shape)}: must be a shape (R4). "
-            "Give a Disc, Box, Polygon or, for a static body, a HalfPlane.",
-            "shape",
-        )
-
-
-def _refuse_turning_particle(body: Body) -> None:
-    turned = body.angular_velocity != 0 or body.torque != 0.0
-    if turned and body.inertia == math.inf:
-        key = "torque" if body.torque != 0.0 else "angular_velocity"
-        raise RuleError(
-            f"inertia of body '{body.name}': found none, though its {key} is not 0 (R2, IM2). "
-            "State the inertia in kg m^2, or give the body a shape.",
-            "inertia",
-        )

@@ -1,0 +1,119 @@
+"""The checks of a scene's and a body's values, one function a value (R2, R3, R4)."""
+
+import math
+
+from tamias2d.scene.bodies import Body
+from tamias2d.scene.law import Law, checked_law
+from tamias2d.scene.rules import RuleError, number, pair, shown
+from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+
+
+def checked_text(value: object, key: str) -> str:
+    """Return printable text, or raise `RuleError`."""
+    if not isinstance(value, str) or not value.isprintable():
+        raise RuleError(
+            f"{key}: found {shown(value)}: must be text of printable characters (R1). Rewrite it.",
+            key,
+        )
+    return value
+
+
+def checked_duration(value: object) -> float:
+    """Return a positive duration, s."""
+    return number(
+        value, "duration", "the scene", "Give a positive duration in s.", at=("duration",)
+    )
+
+
+def checked_angle(value: object, of: str) -> float:
+    """Return an orientation, rad."""
+    return number(value, "orientation", of, "Give it in rad.", at=("orientation",))
+
+
+def checked_restitution(value: object, of: str) -> float:
+    """Return a restitution, 0 to 1."""
+    return number(value, "restitution", of, "Give a number from 0 to 1.", at=("restitution",))
+
+
+def optional_restitution(value: object, of: str) -> float | None:
+    """Return a restitution, or None where none is stated."""
+    return None if value is None else checked_restitution(value, of)
+
+
+def checked_force(value: object, of: str) -> tuple[Law, Law]:
+    """Return both components of a force, each a number in N or a law of time."""
+    x, y = pair(value, of, "Give (x, y) in N.", at=("force",))
+    return (
+        checked_law(x, "force", of, at=("force", 0)),
+        checked_law(y, "force", of, at=("force", 1)),
+    )
+
+
+def checked_mass(value: object, of: str) -> float:
+    """Return a mass, kg, whose inverse is a number too."""
+    remedy = "Give a positive mass, or make the body static."
+    mass = number(value, "mass", of, remedy, at=("mass",))
+    return _invertible(mass, "mass", "kg", of)
+
+
+def checked_inertia(value: object, mass: float, shape: Shape | None, of: str) -> float:
+    """Return the inertia that is stated or that follows from mass and shape, kg m^2."""
+    if value is not None:
+        remedy = "Give a positive inertia in kg m^2, or leave it out."
+        inertia = number(value, "inertia", of, remedy, at=("inertia",))
+    elif shape is None or isinstance(shape, HalfPlane):
+        return math.inf
+    else:
+        inertia = shape.inertia(mass)
+    return _invertible(inertia, "inertia", "kg m^2", of)
+
+
+def _invertible(value: float, key: str, unit: str, of: str) -> float:
+    """Refuse a value whose inverse float64 cannot hold."""
+    if not 1 / math.inf < value < math.inf or not math.isfinite(1 / value):
+        raise RuleError(
+            f"{key} {value:g} {unit} of {of}: float64 cannot hold its inverse (R4). "
+            "Choose units in which it is nearer to 1.",
+            key,
+        )
+    return value
+
+
+def refuse_shape(shape: object, of: str, *, static: bool) -> None:
+    """Refuse what is no shape, and a half-plane that should move."""
+    known = (Disc, Box, Polygon, HalfPlane)
+    if isinstance(shape, HalfPlane) and not static:
+        raise RuleError(
+            f"shape of {of}: found a half-plane: it cannot move (R4). Add it as a static body.",
+            "shape",
+        )
+    if not (isinstance(shape, known) or (shape is None and not static)):
+        raise RuleError(
+            f"shape of {of}: found {shown(shape)}: must be a shape (R4). "
+            "Give a Disc, Box, Polygon or, for a static body, a HalfPlane.",
+            "shape",
+        )
+
+
+def refuse_turning_particle(body: Body) -> None:
+    """Refuse torque or spin where nothing says the inertia."""
+    turned = body.angular_velocity != 0 or body.torque != 0.0
+    if turned and body.inertia == math.inf:
+        key = "torque" if body.torque != 0.0 else "angular_velocity"
+        raise RuleError(
+            f"inertia of body '{body.name}': found none, though its {key} is not 0 (R2, IM2). "
+            "State the inertia in kg m^2, or give the body a shape.",
+            "inertia",
+        )
+
+
+def refuse_placed_half_plane(body: Body) -> None:
+    """Refuse a half-plane with a position or an orientation: its normal and offset place it."""
+    placed = {"position": body.position != (0, 0), "orientation": body.orientation != 0}
+    for key, given in placed.items():
+        if isinstance(body.shape, HalfPlane) and given:
+            raise RuleError(
+                f"{key} of static body '{body.name}': a half-plane has none (R4). "
+                "Say where it is by its normal and offset.",
+                key,
+            )
