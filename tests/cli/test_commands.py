@@ -215,6 +215,32 @@ def test_a_failed_case_fails_the_command(call: Call, monkeypatch: pytest.MonkeyP
     assert "fail" in result.stdout
 
 
+def test_trace_answers_every_item(call: Call) -> None:
+    call("verify", "TC1")
+    result = call("trace", "--json")
+    assert result.exit_code == 1  # the other cases have not been run
+    items = {item["id"]: item for item in json.loads(result.stdout)["items"]}
+    assert items["TC1"]["verdict"] == "pass"
+    assert items["OS1"]["verdict"] == "uncovered"
+    wanted = {"id", "kind", "title", "file", "line", "links", "code", "cases", "verdict"}
+    assert wanted <= items["IM1"].keys()
+
+
+def test_trace_leads_from_a_requirement_to_the_line_of_its_code(call: Call) -> None:
+    text = call("trace").stdout
+    assert text.index("R5 ") < text.index("IM1 ", text.index("R5 "))
+    _, place, *_ = next(line for line in text.splitlines() if "impact.impulse" in line).split()
+    file, line = place.split(":")
+    source = Path(__file__).parents[2].joinpath(file).read_text().splitlines()
+    assert source[int(line) - 1].startswith("def impulse(")
+
+
+def test_trace_of_an_item_shows_what_depends_on_it(call: Call) -> None:
+    text = call("trace", "A6").stdout
+    assert "A6 rests on: nothing" in text
+    assert "R8 " in text.partition("What depends on A6")[2]
+
+
 # --- as a program ------------------------------------------------------------------------------
 
 

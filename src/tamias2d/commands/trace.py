@@ -1,0 +1,78 @@
+"""`tamias2d trace`: from requirement to model, code, cases and results, or around one item."""
+
+from collections.abc import Iterable, Iterator
+from typing import TypeAlias
+
+from tamias2d.commands.output import print_json, print_table, say
+from tamias2d.trace import Traced, exit_code, neighbourhood, trace
+
+_LISTED = 6  # cases in one row
+_Row: TypeAlias = tuple[str, str, str, str]
+
+
+def trace_items(id: str | None, *, as_json: bool) -> int:
+    """Print all items, or one with its surroundings; return 1 if a demand is not met."""
+    items = trace(id)
+    if as_json:
+        print_json({"items": [item.as_json() for item in items]})
+    elif id is None:
+        _print_all(items)
+    else:
+        _print_around(id)
+    return exit_code(items)
+
+
+def _print_all(items: list[Traced]) -> None:
+    known = {item.id: item for item in items}
+    demands = [item for item in items if item.kind in ("goal", "requirement")]
+    rows: list[_Row] = []
+    shown: set[str] = set()
+    for demand in demands:
+        rows.append(_row(demand))
+        for used in (known[id] for id in demand.links):
+            if used.code:
+                rows.append(_row(used, "  "))
+                rows += () if used.id in shown else _code(used)
+                shown.add(used.id)
+    _print(rows)
+    verdicts = [demand.verdict for demand in demands]
+    counts = ", ".join(f"{verdicts.count(v)} {v}" for v in dict.fromkeys(verdicts))
+    say(f"\n{len(demands)} goals and requirements: {counts}")
+
+
+def _print_around(id: str) -> None:
+    near = neighbourhood(id)
+    _print([_row(near.item, listed=None), *_code(near.item)])
+    for head, items in (
+        (f"{id} rests on", near.rests_on),
+        (f"What depends on {id}", near.depended_on_by),
+    ):
+        say(f"\n{head}" + ("" if items else ": nothing"))
+        if items:
+            _print(row for item in items for row in (_row(item), *_code(item)))
+
+
+def _print(rows: Iterable[_Row]) -> None:
+    print_table(("item", "where", "cases", "verdict"), rows)
+
+
+def _row(item: Traced, indent: str = "", listed: int | None = _LISTED) -> _Row:
+    cases = " ".join(item.cases[:listed])
+    more = len(item.cases) - len(item.cases[:listed])
+    return (
+        f"{indent}{item.id} {item.title}",
+        f"{item.file}:{item.line}",
+        f"{cases} and {more} more" if more else cases,
+        item.verdict,
+    )
+
+
+def _code(item: Traced) -> Iterator[_Row]:
+    for function in item.code:
+        module = function["module"].rpartition(".")[2]
+        yield (
+            f"    {module}.{function['function']}",
+            f"{function['file']}:{function['line']}",
+            "",
+            "",
+        )
