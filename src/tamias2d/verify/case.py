@@ -1,7 +1,7 @@
 """A verification case: what srs/verification says, with the scene and run that belong to it."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -12,7 +12,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue, load
 from tamias2d.simulate import simulate
 from tamias2d.verify.formula import measure
-from tamias2d.verify.items import Item, fingerprint
+from tamias2d.verify.items import Item, scene_hash
 from tamias2d.verify.outcome import FAIL, PASS, Outcome
 
 
@@ -56,9 +56,11 @@ class Case:
         """Judge an error by the tolerance of a comparison."""
         tolerance = float(given["tolerance"])
         verdict = PASS if error <= tolerance else FAIL
-        return Outcome(
-            self.id, quantity, float(error), tolerance, verdict, fingerprint(self.item), note
-        )
+        return self.stamped(Outcome(self.id, quantity, float(error), tolerance, verdict, note=note))
+
+    def stamped(self, outcome: Outcome) -> Outcome:
+        """Return an outcome with what it was judged on, so that it can be found to be stale."""
+        return replace(outcome, hash=str(self.item["hash"]), scene=scene_hash(self.item))
 
 
 def scene_of(data: Any) -> Scene:

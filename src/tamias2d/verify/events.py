@@ -1,9 +1,10 @@
 """An independent simulation: scipy integrates, finds the impacts, and solves for what follows.
 
-Service: times and bodies of all impacts of a scene, and its state at the end. Secret: distances
-from geometry, motion from Newton's law, and the velocities after an impact from a system of linear
-equations (both momentum balances and Newton's law of restitution). It shares no formula with the
-generated models, so that it can judge them. Discs against anything, polygons against half-planes.
+Service: times and bodies of all impacts of a scene, its state at the end, and the separation of
+each contact that could come about. Secret: distances from geometry, motion from Newton's law, and
+the velocities after an impact from a system of linear equations (both momentum balances and
+Newton's law of restitution). It shares no formula with the generated models, so that it can judge
+them. Discs against discs and half-planes, polygons against half-planes.
 """
 
 import math
@@ -43,7 +44,7 @@ def simulate_by_events(scene: Scene, *, duration: float) -> Events:
     """
     from scipy.integrate import solve_ivp
 
-    gaps = _gaps(scene)
+    gaps = separations(scene)
     rates = _rates(scene)
     found = Events(state=_start(scene))
     time = 0.0
@@ -138,7 +139,7 @@ def _part(scene: Scene, state: Array, a: int, b: int, normal: Array, point: Arra
     state[a, 3:], state[b, 3:] = solution[0:3], solution[3:6]
 
 
-def _gaps(scene: Scene) -> dict[tuple[int, int, int], Gap]:
+def separations(scene: Scene) -> dict[tuple[int, int, int], Gap]:
     """Return the separation function of every contact that could come about."""
     gaps: dict[tuple[int, int, int], Gap] = {}
     for a, b in combinations(range(len(scene.bodies)), 2):

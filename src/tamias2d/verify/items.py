@@ -1,6 +1,6 @@
 """The items of the specification, as the generator wrote them down.
 
-Service: items by id. Secret: the file they are in, and that a scene is part of its case.
+Service: items by id. Secret: the file they are in.
 """
 
 import hashlib
@@ -25,11 +25,10 @@ def links(item: Item) -> tuple[str, ...]:
     return tuple(dict.fromkeys(id for ids in item["links"].values() for id in ids if id != "none"))
 
 
-def fingerprint(item: Item) -> str:
-    """Return what changes when an item, what it uses, or its scene in the catalogue changes."""
+def scene_hash(item: Item) -> str:
+    """Return eight hex digits of the catalogue's scene that a case names; nothing without one."""
     scene = item["data"].get("scene")
-    if not isinstance(scene, str):
-        return str(item["hash"])
     file = files("tamias2d.scene.catalogue") / f"{scene}.yaml"
-    content = file.read_bytes() if file.is_file() else b""
-    return f"{item['hash']}-{hashlib.sha256(content).hexdigest()[:8]}"
+    if not isinstance(scene, str) or not file.is_file():
+        return ""
+    return hashlib.sha256(file.read_bytes()).hexdigest()[:8]

@@ -22,8 +22,10 @@ class Outcome:
     """Infinite where nothing could be compared."""
     tolerance: float
     verdict: str
-    hash: str
+    hash: str = ""
     """Of the case and all that it uses, when it was judged."""
+    scene: str = ""
+    """Of the catalogue's scene, when it was judged."""
     note: str = ""
     """Why it failed, where there is more to say than the error."""
 

@@ -1,0 +1,205 @@
+"""Traceability: from a requirement to models, code, cases and their last results, and back.
+
+Service: each item of the specification with its links, generated functions, cases and verdict;
+what an item rests on and what depends on it; the table of the verification plan. Secret: how
+verdicts are rolled up.
+"""
+
+import difflib
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from typing import Any
+
+from tamias2d.errors import InputError
+from tamias2d.verify import results
+from tamias2d.verify.items import Item, items, links, scene_hash
+from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
+
+STALE = "stale"
+"""The specification, or the scene, changed after the last result."""
+UNCOVERED = "uncovered"
+"""No case, or one that has not been run."""
+NONE = "none"
+"""An item that nothing can verify: a change, an erratum."""
+WORST_FIRST = (FAIL, STALE, UNCOVERED, MANUAL, PASS, NONE)
+OPEN = (FAIL, STALE, UNCOVERED)
+_DEMANDS = ("goal", "requirement")
+_UNJUDGED = ("change", "erratum")
+_PASSED_UP = ("model", "definition", "property", "requirement", "scheme", "theory")
+
+
+@dataclass(frozen=True)
+class Traced:
+    """One item, and what is known about it."""
+
+    id: str
+    kind: str
+    title: str
+    file: str
+    line: int
+    links: tuple[str, ...]
+    """The items that it names."""
+    code: tuple[Mapping[str, Any], ...]
+    """The functions generated from it: module, function, file and line."""
+    cases: tuple[str, ...]
+    """Those that name it; where none does, those that rest on it through others."""
+    verdict: str
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the fields as JSON holds them."""
+        return asdict(self) | {"code": [dict(function) for function in self.code]}
+
+
+@dataclass(frozen=True)
+class Neighbourhood:
+    """An item, what it rests on, and what depends on it, through any number of links."""
+
+    item: Traced
+    rests_on: tuple[Traced, ...]
+    depended_on_by: tuple[Traced, ...]
+
+
+def trace(id: str | None = None) -> list[Traced]:
+    """Return all items in reading order; with an id, that item and all that hang together with it.
+
+    Raises:
+        InputError: the id is unknown.
+    """
+    graph = Graph(items(), results.read())
+    if id is None:
+        return [graph.traced(each) for each in graph.items]
+    near = neighbourhood(id)
+    return [near.item, *near.rests_on, *near.depended_on_by]
+
+
+def neighbourhood(id: str) -> Neighbourhood:
+    """Return an item between what it rests on and what depends on it. Raises: InputError."""
+    graph = Graph(items(), results.read())
+    if id not in graph.items:
+        close = difflib.get_close_matches(id, graph.items, n=1)
+        hint = f"Did you mean '{close[0]}'?" if close else "Without an id all items are listed."
+        raise InputError(f"trace: '{id}' is no item of the specification. {hint}")
+    return Neighbourhood(
+        graph.traced(id),
+        tuple(map(graph.traced, graph.reach(id, graph.forward))),
+        tuple(map(graph.traced, graph.dependents(id))),
+    )
+
+
+def exit_code(rows: Iterable[Traced]) -> int:
+    """Return 1 if a goal or requirement failed, is stale or is uncovered; else 0.
+
+    What only people can judge, and have not yet, is shown but is no fault of the program.
+    """
+    return int(any(row.kind in _DEMANDS and row.verdict in OPEN for row in rows))
+
+
+def plan_table() -> tuple[list[str], list[tuple[str, str, list[bool]]]]:
+    """Return the plan's Table 1, corrected: the columns, and for each case id, title and marks."""
+    cases = sorted(
+        (item for item in items().values() if item["id"].startswith("TC")),
+        key=lambda item: (int(item["id"][2:].rstrip("abc")), item["id"]),
+    )
+    named = {item["id"]: [id for id in links(item) if _in_plan(id)] for item in cases}
+    columns = [id for id in items() if any(id in ids for ids in named.values())]
+    columns.sort(key=lambda id: (("IM", "R", "NFR").index(id.rstrip("0123456789")), id))
+    return columns, [
+        (item["id"], item["title"], [column in named[item["id"]] for column in columns])
+        for item in cases
+    ]
+
+
+def _in_plan(id: str) -> bool:
+    return id.rstrip("0123456789") in ("IM", "R", "NFR")
+
+
+class Graph:
+    """The items with their links in both directions, and the last results."""
+
+    def __init__(
+        self, specification: Mapping[str, Item], outcomes: Mapping[str, list[Outcome]]
+    ) -> None:
+        self.items = specification
+        self.outcomes = outcomes
+        self.forward = {id: links(item) for id, item in specification.items()}
+        self._verdicts: dict[str, str] = {}
+
+    @cached_property
+    def backward(self) -> dict[str, tuple[str, ...]]:
+        """The items that name an item."""
+        found: dict[str, list[str]] = {id: [] for id in self.items}
+        for id, targets in self.forward.items():
+            for target in targets:
+                found[target].append(id)
+        return {id: tuple(sources) for id, sources in found.items()}
+
+    def reach(self, id: str, step: Mapping[str, tuple[str, ...]]) -> list[str]:
+        """Return all items that links lead to, in reading order, without the one to start from."""
+        seen = {id}
+        todo = [id]
+        while todo:
+            new = [target for target in step[todo.pop()] if target not in seen]
+            seen.update(new)
+            todo += new
+        return [each for each in self.items if each in seen and each != id]
+
+    def dependents(self, id: str) -> list[str]:
+        """Return what rests on an item. A change or an erratum counts only where it names it."""
+        return [
+            each
+            for each in self.reach(id, self.backward)
+            if self.items[each]["kind"] not in _UNJUDGED or id in self.forward[each]
+        ]
+
+    def traced(self, id: str) -> Traced:
+        """Return an item with its cases and verdict."""
+        item = self.items[id]
+        return Traced(
+            id, item["kind"], item["title"], item["file"], item["line"], self.forward[id],
+            tuple(item["code"]), tuple(self.cases(id)), self.verdict(id),
+        )  # fmt: skip
+
+    def cases(self, id: str) -> list[str]:
+        """Return the cases that name an item, or else rest on it; a case has none but itself."""
+        if self.items[id]["kind"] in ("case", *_UNJUDGED):
+            return []
+        named = [each for each in self.backward[id] if self.items[each]["kind"] == "case"]
+        if named or self.items[id]["kind"] in _DEMANDS:
+            return named
+        return [e for e in self.reach(id, self.backward) if self.items[e]["kind"] == "case"]
+
+    def verdict(self, id: str) -> str:
+        """Return the worst verdict of an item's cases; a demand takes those of what it uses."""
+        if id not in self._verdicts:
+            self._verdicts[id] = UNCOVERED  # ends a circle of links
+            self._verdicts[id] = self._rolled_up(self.items[id])
+        return self._verdicts[id]
+
+    def _rolled_up(self, item: Item) -> str:
+        id, kind = item["id"], item["kind"]
+        if kind in _UNJUDGED:
+            return NONE
+        if kind == "case":
+            return self._of_case(item)
+        verdicts = [self.verdict(case) for case in self.cases(id)]
+        if "judged" in item["data"]:
+            return worst([MANUAL, *verdicts])
+        if kind == "requirement" and not verdicts:
+            return UNCOVERED
+        if kind in _DEMANDS:
+            used = [each for each in self.forward[id] if self.items[each]["kind"] in _PASSED_UP]
+            verdicts += [self.verdict(each) for each in used]
+        return worst(verdicts)
+
+    def _of_case(self, item: Item) -> str:
+        outcomes = self.outcomes.get(item["id"], [])
+        now = (item["hash"], scene_hash(item))
+        if any((outcome.hash, outcome.scene) != now for outcome in outcomes):
+            return STALE
+        return worst(outcome.verdict for outcome in outcomes)
+
+
+def worst(verdicts: Iterable[str]) -> str:
+    """Return the worst of some verdicts; uncovered if there is none."""
+    return min(verdicts, key=WORST_FIRST.index, default=UNCOVERED)
