@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
 from tamias2d.errors import SpecError
@@ -42,11 +43,16 @@ def _read(app: Sphinx) -> None:
         raise ExtensionError(f"the specification has faults:\n{error}") from None
 
 
+def _all_pages(_app: Sphinx, env: BuildEnvironment, *_changes: set[str]) -> set[str]:
+    return env.found_docs  # any page may show code, results or links that have changed
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the mirror, a directive for each kind of fence, the tables and the checks."""
     app.connect("builder-inited", _read)
     app.connect("builder-inited", on_builder_inited)
     app.connect("builder-inited", gallery.on_builder_inited)
+    app.connect("env-get-outdated", _all_pages)
     app.connect("build-finished", on_build_finished)
     for kind in item_kinds():
         app.add_directive(kind, ItemDirective)

@@ -5,9 +5,11 @@ are worded.
 """
 
 from collections.abc import Iterator
+from math import isfinite
 from typing import Any
 
 from tamias2d.spec.chapter import Item
+from tamias2d.verify.outcome import Outcome
 from weave import published
 from weave.formulas import equation, stack
 from weave.links import linked, rank
@@ -15,8 +17,20 @@ from weave.markdown import bullets, code, display, fence, table
 from weave.woven import Woven
 
 NO_RESULTS = "No results on this machine: `tamias2d verify` makes them."
-_ORDER = ("fail", "stale", "uncovered", "pass")
-_SIGNS = {"fail": "✗", "stale": "≠", "uncovered": "○", "pass": "✓"}
+_NAMES = {
+    "exact": "whole history",
+    "final": "final state",
+    "moments": "states on the way",
+    "schemes": "orders of the schemes",
+    "published": "tables of 2018",
+    "conserves": "laws of conservation",
+    "reference": "scipy's solution",
+    "parallel": "independent program",
+    "refuses": "refusals",
+    "pace": "time taken",
+}
+_ORDER = ("fail", "stale", "uncovered", "manual", "pass")
+_SIGNS = {"fail": "✗", "stale": "≠", "uncovered": "○", "manual": "?", "pass": "✓"}
 
 
 def parts(item: Item, woven: Woven) -> Iterator[str]:
@@ -32,10 +46,17 @@ def parts(item: Item, woven: Woven) -> Iterator[str]:
 def _case(item: Item, woven: Woven) -> Iterator[str]:
     data = item.data
     if scene := data.get("scene"):
-        time = f", {data['duration']}" if "duration" in data else ""
-        yield f"Scene `{scene}`{time}.\n"
-    if exact := data.get("exact", {}).get("bodies"):
-        yield display(stack(_exact_lines(exact, woven)))
+        time = f", for {data['duration']}" if "duration" in data else ""
+        where = (
+            f"`{scene}` of the [catalogue](/gallery.md)" if isinstance(scene, str) else "its own"
+        )
+        yield f"*Scene:* {where}{time}.\n"
+    for key, lead in (("exact", "at any time"), ("final", "at the end")):
+        if bodies := data.get(key, {}).get("bodies"):
+            yield f"*Exact {lead}:*\n"
+            yield display(stack(_exact_lines(bodies, woven)))
+    if questions := data.get("survey", {}).get("questions"):
+        yield bullets(questions)
     yield bullets(_judged(name, part, woven) for name, part in data.items() if _is_judged(part))
     yield _results(item, woven)
     if shown := published.part(item):
@@ -57,15 +78,22 @@ def _is_judged(part: Any) -> bool:
 def _judged(name: str, part: dict[str, Any], woven: Woven) -> str:
     source = f" Source: {linked(part['source'], woven)}." if "source" in part else ""
     because = f", because {linked(part['because'], woven)}" if "because" in part else ""
-    return f"**{name}** within `{part['tolerance']}`{because}.{source}"
+    return f"**{_NAMES.get(name, name)}** within `{part['tolerance']}`{because}.{source}"
 
 
 def _results(item: Item, woven: Woven) -> str:
     results = woven.results.get(item.id)
     if not results:
         return f"*{NO_RESULTS}*\n"
-    rows = [[r.quantity, f"{r.error:.2g}", f"{r.tolerance:.2g}", mark(r.verdict)] for r in results]
+    rows = [row(result) for result in results]
     return table(["compared", "error", "tolerance", ""], rows, style="results")
+
+
+def row(result: Outcome) -> list[str]:
+    """The cells of one comparison."""
+    error = f"{result.error:.2g}" if isfinite(result.error) else ""
+    note = f" {result.note}" if result.note else ""
+    return [result.quantity, error, f"{result.tolerance:.2g}", f"{mark(result.verdict)}{note}"]
 
 
 def cases_of(id: str, woven: Woven) -> list[str]:

@@ -45,7 +45,6 @@ def _file(name: str) -> str:
 
 def _draw(name: str, picture: Path) -> None:
     from tamias2d.record.plot import plot
-
     from tamias2d.simulate import simulate
 
     if picture.is_file():
@@ -74,7 +73,8 @@ def _card(name: str, docs: Path) -> str:
     picture = (
         {"img-top": f"/{file}", "img-alt": f"the scene {name}"} if (docs / file).is_file() else {}
     )
-    text = f"{_says(scene)}\n\n+++\n`tamias2d run {name}`: {_contents(scene)}"
+    footer = fence("card-footer", "", f"`tamias2d run {name}`: {_contents(scene)}")
+    text = f"{_says(scene)}\n\n{footer}"
     return fence("grid-item-card", name, text, depth=4, **picture)
 
 

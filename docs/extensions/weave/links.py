@@ -34,6 +34,9 @@ _PREFIXES = [
 _ID = re.compile(r"(?<![\w`-])(?:GS|TM|GD|DD|IM|NFR|LC|UC|TC|O[A-Z]|[APRE])\d+[a-z]?(?![\w`])")
 
 
+_KEY = re.compile(r"\(([a-z]+\d{4}[a-z]?)\)")
+
+
 class ItemRole(SphinxRole):
     """`` {srs}`IM1` `` links to the item, whose title shows when the pointer rests on it."""
 
@@ -53,13 +56,16 @@ class ItemRole(SphinxRole):
 
 
 def linked(text: str, woven: Woven) -> str:
-    """Plain text in which the id of every item has become a link."""
+    """Plain text in which the id of every item, and every key of a book, has become a link."""
 
     def link(match: re.Match[str]) -> str:
         known = match.group() in woven.spec.items
         return f"{{srs}}`{match.group()}`" if known else match.group()
 
-    return _ID.sub(link, " ".join(text.split()))
+    def cited(match: re.Match[str]) -> str:
+        return f"{{cite}}`{match[1]}`" if match[1] in woven.books else match.group()
+
+    return _KEY.sub(cited, _ID.sub(link, " ".join(text.split())))
 
 
 def ids(names: Iterable[str]) -> str:
@@ -76,7 +82,7 @@ def rank(id: str) -> tuple[int, int, str]:
 
 
 class SymbolRole(SphinxRole):
-    """`` {symbol}`mass` `` is an anchor in the table that declares it, elsewhere a link to there."""
+    """`` {symbol}`mass` `` is an anchor in the table that declares it, else a link to there."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         woven: Woven = self.env.app.woven  # type: ignore[attr-defined]

@@ -1,36 +1,23 @@
 """The last results of the verification cases, if there are any on this machine.
 
-Serves: the pages of cases. Hides: the form of the results file.
+Serves: the pages of cases. Hides: how an old result is told from a valid one.
 """
 
-import json
-from collections import defaultdict
-from dataclasses import dataclass
+from dataclasses import replace
 
 from tamias2d.spec.specification import Specification
-from tamias2d.storage import results_path
+from tamias2d.verify import results
+from tamias2d.verify.outcome import Outcome
 
 
-@dataclass(frozen=True)
-class Result:
-    """One comparison of a case."""
-
-    quantity: str
-    error: float
-    tolerance: float
-    verdict: str
-
-
-def last_results(spec: Specification) -> dict[str, list[Result]]:
+def last_results(spec: Specification) -> dict[str, list[Outcome]]:
     """Results by case; those of an older form of the specification are marked stale."""
-    path = results_path()
-    if not path.is_file():
-        return {}
-    found: dict[str, list[Result]] = defaultdict(list)
-    for row in json.loads(path.read_text("utf-8"))["cases"]:
-        item = spec.items.get(row["id"])
-        if item is not None:
-            fresh = spec.hash(item) == row["hash"]
-            verdict = row["verdict"] if fresh else "stale"
-            found[item.id].append(Result(row["quantity"], row["error"], row["tolerance"], verdict))
-    return found
+    known = {id: found for id, found in results.read().items() if id in spec.items}
+    return {
+        id: [_judged(outcome, spec.hash(spec.items[id])) for outcome in found]
+        for id, found in known.items()
+    }
+
+
+def _judged(outcome: Outcome, now: str) -> Outcome:
+    return outcome if outcome.hash == now else replace(outcome, verdict="stale")

@@ -6,7 +6,7 @@ Serves: `{published-tables}` and `{all-results}`. Hides: how cases are summed up
 from docutils import nodes
 
 from weave import published
-from weave.cases import NO_RESULTS, mark
+from weave.cases import NO_RESULTS, row
 from weave.chapter import WovenDirective
 from weave.links import rank
 from weave.markdown import table
@@ -29,9 +29,9 @@ class ResultsDirective(WovenDirective):
         box = nodes.container()
         results = self.woven.results
         rows = [
-            [f"{{srs}}`{id}`", r.quantity, f"{r.error:.2g}", f"{r.tolerance:.2g}", mark(r.verdict)]
+            [f"{{srs}}`{id}`", *row(result)]
             for id in sorted(results, key=rank)
-            for r in results[id]
+            for result in results[id]
         ]
         head = ["case", "compared", "error", "tolerance", "verdict"]
         self.parse(table(head, rows, style="results") if rows else NO_RESULTS, box)

@@ -4,6 +4,7 @@ Serves: every directive. Hides: where the three come from and how links run back
 """
 
 import json
+import re
 from collections import defaultdict
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -14,7 +15,8 @@ from tamias2d.spec.expression import Name
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.tex import tex
-from weave.results import Result, last_results
+from tamias2d.verify.outcome import Outcome
+from weave.results import last_results
 
 
 @dataclass(frozen=True)
@@ -33,7 +35,14 @@ class Woven:
     root: Path
     spec: Specification
     code: dict[str, list[Code]] = field(default_factory=dict)
-    results: dict[str, list[Result]] = field(default_factory=dict)
+    results: dict[str, list[Outcome]] = field(default_factory=dict)
+
+    @cached_property
+    def books(self) -> set[str]:
+        """The keys of references.bib."""
+        return set(
+            re.findall(r"@\w+\{([^,\s]+)", (self.root / "srs/references.bib").read_text("utf-8"))
+        )
 
     @cached_property
     def used_by(self) -> dict[str, list[str]]:
