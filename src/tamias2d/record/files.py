@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol, cast
+from typing import TYPE_CHECKING, Any
 
 from tamias2d.errors import InputError, RecordingError
 from tamias2d.record import history
@@ -13,11 +13,6 @@ if TYPE_CHECKING:
     from tamias2d.record.header import Header
     from tamias2d.record.history import Arrays
     from tamias2d.run import Run
-
-
-class _Kind(Protocol):
-    def write(self, run: Run, path: Path) -> None: ...
-    def read(self, path: Path) -> tuple[Header, Arrays]: ...
 
 
 def save(run: Run, path: str | Path) -> None:
@@ -46,24 +41,29 @@ def stored(path: Path) -> tuple[Header, Arrays]:
     kind = _kind(path)
     if not path.is_file():
         raise RecordingError(f"{path}: there is no such file. Make it by `run.save(path)`.")
-    return kind.read(path)
+    found: tuple[Header, Arrays] = kind.read(path)
+    return found
 
 
-def _kind(path: Path) -> _Kind:
+def _kind(path: Path) -> Any:
     if path.suffix == ".npz":
         return history
     if path.suffix == ".rrd":
-        return _rerun(path)
+        return rerun(path)
     raise InputError(
         f"{path}: suffix {path.suffix!r}: a recording is .rrd (to look at) or .npz (exact). "
         "Give it a name that ends so."
     )
 
 
-def _rerun(path: Path) -> _Kind:
-    """The one way to rerun: it is an extra, large and slow to import."""
+def rerun(path: Path) -> Any:
+    """Load the one way to rerun: an extra, large and slow to import.
+
+    Raises:
+        RecordingError: it is not installed; `path` is what it was wanted for.
+    """
     try:
-        return cast("_Kind", importlib.import_module("tamias2d.record.rerun"))
+        return importlib.import_module("tamias2d.record.rerun")
     except ImportError as fault:
         raise RecordingError(
             f"{path}: .rrd needs rerun, which is not installed ({fault}). "

@@ -5,8 +5,6 @@ The file holds plain arrays (never pickles, which could run code) and the header
 
 from __future__ import annotations
 
-import zipfile
-import zlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -118,7 +116,7 @@ def read(path: Path) -> tuple[headers.Header, Arrays]:
     try:
         with np.load(path, allow_pickle=False) as file:
             stored = {name: file[name] for name in file.files}
-    except (OSError, ValueError, EOFError, MemoryError, zipfile.BadZipFile, zlib.error) as fault:
+    except Exception as fault:  # zipfile, zlib, numpy and its header's tokenizer have their own
         raise RecordingError(
             f"{path}: cannot be read as .npz ({type(fault).__name__}): it is cut, damaged or of "
             "another kind. Record the run again."

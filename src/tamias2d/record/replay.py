@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 import tempfile
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tamias2d.errors import RecordingError, SimulationError
+from tamias2d.errors import SimulationError
 from tamias2d.record import files, header as headers, history
 from tamias2d.record.difference import Difference, first_difference
 from tamias2d.simulate import simulate
@@ -95,41 +91,11 @@ def replay(path: str | Path) -> None:
         RecordingError: the file cannot be read, rerun is not installed, or no window opens.
     """
     path = Path(path)
+    files.stored(path)  # so that a damaged file is told here, not by an empty window
     if path.suffix == ".rrd":
-        files.stored(path)  # so that a damaged file is told here, not by an empty window
-        _open(path)
+        files.rerun(path).view(path)
         return
-    run = files.load(path)
     with tempfile.TemporaryDirectory(prefix="tamias2d-") as folder:
         shown = Path(folder, f"{path.stem}.rrd")
-        files.save(run, shown)
-        _open(shown)
-
-
-def _open(path: Path) -> None:
-    """Run the viewer without its usage statistics, and without a port open to the network."""
-    command = [str(viewer()), str(path.absolute()), "--bind", "127.0.0.1"]
-    done = subprocess.run(
-        command, env={**os.environ, "CI": "true"}, stderr=subprocess.PIPE, text=True, check=False
-    )
-    if done.returncode:
-        lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
-        raise RecordingError(
-            f"{path}: the viewer stopped with code {done.returncode}: {lines[-1] if lines else ''} "
-            "It needs a screen and a Vulkan driver; `--check` needs neither."
-        )
-
-
-def viewer() -> Path:
-    """Return rerun's own program; the one on the path is a script that cannot be stopped well.
-
-    Raises:
-        RecordingError: rerun is not installed.
-    """
-    spec = find_spec("rerun_cli")
-    if spec is None or not spec.submodule_search_locations:
-        raise RecordingError(
-            "viewer: rerun is not installed. Install it by `pip install tamias2d[record]`."
-        )
-    name = "rerun.exe" if sys.platform == "win32" else "rerun"
-    return Path(spec.submodule_search_locations[0], name)
+        files.save(files.load(path), shown)
+        files.rerun(path).view(shown)

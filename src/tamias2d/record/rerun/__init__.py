@@ -4,7 +4,8 @@ Only this package knows rerun, which is an extra, large and slow to import. What
 float32, so the float64 state of each body goes beside it, as the component group `tamias2d.State`.
 """
 
+from tamias2d.record.rerun.program import view
 from tamias2d.record.rerun.reading import read
 from tamias2d.record.rerun.writing import write
 
-__all__ = ["read", "write"]
+__all__ = ["read", "view", "write"]

@@ -11,6 +11,7 @@ from rerun.chunk import RrdReader
 from tamias2d.errors import RecordingError
 from tamias2d.record import header as headers, history
 from tamias2d.record.rerun import layout
+from tamias2d.record.rerun.program import damaged, verify
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,13 +27,11 @@ if TYPE_CHECKING:
 
 def read(path: Path) -> tuple[Header, Arrays]:
     """Read header and arrays; raise `RecordingError` if the file is damaged or not one of ours."""
+    verify(path)
     try:
         text, columns = _columns(path)
-    except (ValueError, RuntimeError, OSError) as fault:
-        raise RecordingError(
-            f"{path}: cannot be read to its end: it is cut, damaged or of another kind. What is "
-            f"left of it: `rerun rrd merge --continue-on-error {path.name} -o rest.rrd`."
-        ) from fault
+    except Exception as fault:  # the many that rerun, arrow and strange columns can raise
+        raise damaged(path) from fault
     if text is None:
         raise RecordingError(
             f"{path}: a recording of another program: it has no {layout.HEADER} in it. "

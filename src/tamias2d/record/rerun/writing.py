@@ -104,10 +104,11 @@ def _lines(body: Body, view: View, colour: Colour) -> rr.LineStrips2D:
     area, half = drawing.filling(body)
     shade = tuple(channel // 2 for channel in colour)
     edge = rr.Radius.ui_points(1.5 if body.dynamic else 1.0)
+    radii: list[Any] = [half] * len(area) + [edge] * len(lines)
     return rr.LineStrips2D(
         [*area, *lines],
         colors=[shade] * len(area) + [colour] * len(lines),
-        radii=[half] * len(area) + [edge] * len(lines),
+        radii=radii,
         labels=[body.name],
         show_labels=False,
         draw_order=20.0 if body.dynamic else 10.0,
