@@ -1,6 +1,7 @@
 """Tamias2D: 2D rigid-body physics, generated from its requirements specification.
 
-The names below are loaded when they are first used, so that importing the package costs little.
+Serves: the public names, at little cost. Hides: their modules, each loaded when a name of it is
+first used.
 """
 
 import sys

@@ -1,4 +1,7 @@
-"""How far a run is from the exact answers that the specification knows for its scene."""
+"""How far a run is from the exact answers that the specification knows for its scene.
+
+Serves: the errors that `run` prints. Hides: which cases fit a run.
+"""
 
 import math
 from dataclasses import dataclass

@@ -1,4 +1,7 @@
-"""`tamias2d explain`: the physics that a scene needs, and why the rest is left out."""
+"""`tamias2d explain`: the physics that a scene needs, and why the rest is left out.
+
+Serves: the command `explain`. Hides: how the reasons are laid out.
+"""
 
 from dataclasses import asdict
 

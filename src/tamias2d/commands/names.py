@@ -1,4 +1,7 @@
-"""What a user types, turned into what the library takes: scenes and times."""
+"""What a user types, turned into what the library takes: scenes and times.
+
+Serves: the commands that take a scene. Hides: how a name is told from a file, and a time is read.
+"""
 
 import difflib
 from pathlib import Path

@@ -1,4 +1,7 @@
-"""`tamias2d replay`: look at a recording, or compute it again and compare every bit."""
+"""`tamias2d replay`: look at a recording, or compute it again and compare every bit.
+
+Serves: the command `replay`. Hides: which part of the recorder answers.
+"""
 
 from pathlib import Path
 

@@ -1,4 +1,7 @@
-"""`tamias2d run`: simulate a scene, print the answer and how wrong it is, keep the run."""
+"""`tamias2d run`: simulate a scene, print the answer and how wrong it is, keep the run.
+
+Serves: the command `run`. Hides: the form of its answer, for people and as JSON.
+"""
 
 import sys
 from dataclasses import dataclass

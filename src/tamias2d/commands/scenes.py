@@ -1,4 +1,7 @@
-"""`tamias2d scenes`: what the catalogue holds."""
+"""`tamias2d scenes`: what the catalogue holds.
+
+Serves: the command `scenes`. Hides: how the list is laid out.
+"""
 
 from tamias2d.commands.output import figure, print_json, print_table
 from tamias2d.scene import catalogue

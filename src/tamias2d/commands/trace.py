@@ -1,4 +1,7 @@
-"""`tamias2d trace`: from requirement to model, code, cases and results, or around one item."""
+"""`tamias2d trace`: from requirement to model, code, cases and results, or around one item.
+
+Serves: the command `trace`. Hides: how the graph is laid out as rows.
+"""
 
 from collections.abc import Iterable, Iterator
 from typing import TypeAlias

@@ -1,4 +1,7 @@
-"""`tamias2d verify`: a row per comparison, and whether all of them hold."""
+"""`tamias2d verify`: a row per comparison, and whether all of them hold.
+
+Serves: the command `verify`. Hides: how the rows are laid out.
+"""
 
 from collections.abc import Sequence
 
