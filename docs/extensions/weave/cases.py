@@ -9,7 +9,8 @@ from math import isfinite
 from typing import Any
 
 from tamias2d.spec.chapter import Item
-from tamias2d.verify.outcome import Outcome
+from tamias2d.trace import STALE
+from tamias2d.verify import Outcome
 from weave import published
 from weave.formulas import equation, stack
 from weave.links import linked, rank
@@ -17,6 +18,7 @@ from weave.markdown import bullets, code, display, fence, table
 from weave.woven import Woven
 
 NO_RESULTS = "No results on this machine: `tamias2d verify` makes them."
+_STALE = "The case, or something that it uses, has changed since."
 _NAMES = {
     "exact": "whole history",
     "final": "final state",
@@ -29,7 +31,6 @@ _NAMES = {
     "refuses": "refusals",
     "pace": "time taken",
 }
-_ORDER = ("fail", "stale", "uncovered", "manual", "pass")
 _SIGNS = {"fail": "✗", "stale": "≠", "uncovered": "○", "manual": "?", "pass": "✓"}
 
 
@@ -82,11 +83,11 @@ def _judged(name: str, part: dict[str, Any], woven: Woven) -> str:
 
 
 def _results(item: Item, woven: Woven) -> str:
-    results = woven.results.get(item.id)
-    if not results:
+    outcomes = woven.outcomes.get(item.id)
+    if not outcomes:
         return f"*{NO_RESULTS}*\n"
-    rows = [row(result) for result in results]
-    return table(["compared", "error", "tolerance", ""], rows, style="results")
+    listing = table(["compared", "error", "tolerance", ""], map(row, outcomes), style="results")
+    return (f"{mark(STALE)} {_STALE}\n\n" if woven.verdict(item.id) == STALE else "") + listing
 
 
 def row(result: Outcome) -> list[str]:
@@ -102,20 +103,14 @@ def cases_of(id: str, woven: Woven) -> list[str]:
     return sorted(found, key=rank)
 
 
-def verdict(id: str, woven: Woven) -> str:
-    """The worst verdict of a case's comparisons."""
-    found = {r.verdict for r in woven.results.get(id, [])}
-    return next((word for word in _ORDER if word in found), "uncovered")
-
-
 def badge(id: str, woven: Woven) -> str:
-    """The verdict of a case as a coloured word."""
-    return mark(verdict(id, woven))
+    """The verdict of an item as a coloured word."""
+    return mark(woven.verdict(id))
 
 
 def checked(ids: list[str], woven: Woven) -> str:
     """Links to cases, each with a sign of its last result."""
-    signs = ((id, verdict(id, woven)) for id in ids)
+    signs = ((id, woven.verdict(id)) for id in ids)
     return " ".join(f"{{srs}}`{id}`[{_SIGNS[word]}]{{.sign .{word}}}" for id, word in signs)
 
 

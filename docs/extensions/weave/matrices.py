@@ -6,6 +6,7 @@ Serves: `{matrix}`, `{requirements}` and `{plan-table}`. Hides: how a chain of l
 from docutils import nodes
 
 from tamias2d.spec.chapter import Item
+from tamias2d.trace import plan_table
 from weave.cases import badge, cases_of, checked
 from weave.chapter import WovenDirective
 from weave.links import ids, rank
@@ -44,43 +45,33 @@ def _names(item: Item, kinds: list[str], woven: Woven) -> list[str]:
 
 
 class RequirementsDirective(WovenDirective):
-    """Requirement, the models that meet it, their functions, the cases and the last results."""
+    """Goal or requirement, what it stands on, the functions that run, the cases, the verdict."""
 
     def run(self) -> list[nodes.Node]:
-        box = nodes.container()
-        rows = [_requirement_row(i, self.woven) for i in self.woven.spec.of_kind("requirement")]
-        self.parse(table(["", "requirement", "stands on", "runs as", "cases"], rows), box)
+        box = nodes.container(classes=["srs-wide"])
+        demands = self.woven.spec.of_kind("goal", "requirement")
+        rows = [_demand_row(item, self.woven) for item in demands]
+        self.parse(table(["", "", "stands on", "runs as", "cases", "verdict"], rows), box)
         return [box]
 
 
-def _requirement_row(item: Item, woven: Woven) -> list[str]:
+def _demand_row(item: Item, woven: Woven) -> list[str]:
     uses = item.data.get("uses", [])
-    code = [f"`{c.function}`" for id in uses for c in woven.code.get(id, [])]
-    by_people = "judged by people" if item.data.get("judged") else "none"
-    checks = checked(cases_of(item.id, woven), woven)
-    return [f"{{srs}}`{item.id}`", item.title, ids(uses), " ".join(code), checks or by_people]
+    code = " ".join(f"`{function}`" for id in uses for function, _ in woven.code(id))
+    cases = checked(cases_of(item.id, woven), woven)
+    return [f"{{srs}}`{item.id}`", item.title, ids(uses), code, cases, badge(item.id, woven)]
 
 
 class PlanTableDirective(WovenDirective):
     """Table 1 of the verification plan, drawn from the cases as they now stand."""
 
     def run(self) -> list[nodes.Node]:
-        box = nodes.container()
-        cases = [i for i in self.woven.spec.of_kind("case") if i.id.startswith("TC")]
-        rows = [
-            _plan_row(case, self.woven) for case in sorted(cases, key=lambda case: rank(case.id))
-        ]
-        self.parse(table(["", "case", "models", "requirements", "last result"], rows), box)
+        box = nodes.container(classes=["srs-wide"])
+        columns, cases = plan_table()
+        head = ["case", *(f"{{srs}}`{id}`" for id in columns)]
+        rows = (
+            [f"{checked([id], self.woven)} {title}", *("●" if mark else "" for mark in marks)]
+            for id, title, marks in cases
+        )
+        self.parse(table(head, rows, style="matrix"), box)
         return [box]
-
-
-def _plan_row(case: Item, woven: Woven) -> list[str]:
-    models = [id for id in case.data.get("uses", []) if id.startswith(("IM", "GD"))]
-    requirements = [id for id in case.data["verifies"] if id.startswith(("R", "NFR"))]
-    return [
-        f"{{srs}}`{case.id}`",
-        case.title,
-        ids(models),
-        ids(requirements),
-        badge(case.id, woven),
-    ]

@@ -170,18 +170,17 @@ def _indented(text: str) -> str:
 
 
 def _code(item: Item, woven: Woven) -> Iterator[str]:
-    functions = woven.code.get(item.id, [])
+    functions = woven.code(item.id)
     if not functions:
         return
     printed = "\n".join(
-        fence("literalinclude", f"/../{f.file}", "", language="python", pyobject=f.function)
-        for f in functions
+        fence("literalinclude", f"/../{file}", "", language="python", pyobject=function)
+        for function, file in functions
     )
-    tabs = fence("tab-item", f"Printed into {functions[0].file}", printed, depth=5)
+    tabs = fence("tab-item", f"Printed into {functions[0][1]}", printed, depth=5)
     tabs += fence("tab-item", f"Written in {item.file}", code("yaml", woven.source(item)), depth=5)
-    yield fence(
-        "dropdown", "Generated code", fence("tab-set", "", tabs, depth=6), depth=7, color="light"
-    )
+    sides = fence("tab-set", "", tabs, depth=6)
+    yield fence("dropdown", "Generated code", sides, depth=7, color="light")
 
 
 def _relations(item: Item, woven: Woven) -> Iterator[str]:

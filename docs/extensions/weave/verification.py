@@ -27,11 +27,11 @@ class ResultsDirective(WovenDirective):
 
     def run(self) -> list[nodes.Node]:
         box = nodes.container()
-        results = self.woven.results
+        outcomes = self.woven.outcomes
         rows = [
-            [f"{{srs}}`{id}`", *row(result)]
-            for id in sorted(results, key=rank)
-            for result in results[id]
+            [f"{{srs}}`{id}`", *row(outcome)]
+            for id in sorted(self.woven.spec.items.keys() & outcomes, key=rank)
+            for outcome in outcomes[id]
         ]
         head = ["case", "compared", "error", "tolerance", "verdict"]
         self.parse(table(head, rows, style="results") if rows else NO_RESULTS, box)

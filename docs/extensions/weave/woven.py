@@ -1,31 +1,23 @@
-"""The specification, its generated code and its last results, as one object for the pages.
+"""The specification, what trace knows of its items, and their last results, as one object.
 
 Serves: every directive. Hides: where the three come from and how links run backwards.
 """
 
-import json
 import re
 from collections import defaultdict
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.expression import Name
 from tamias2d.spec.messages import SpecFault
+from tamias2d.spec.reader import read
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.tex import tex
-from tamias2d.verify.outcome import Outcome
-from weave.results import last_results
-
-
-@dataclass(frozen=True)
-class Code:
-    """A generated function and its place."""
-
-    function: str
-    file: str
-    line: int
+from tamias2d.trace import UNCOVERED, Traced, trace
+from tamias2d.verify import Outcome, results
 
 
 @dataclass
@@ -34,15 +26,14 @@ class Woven:
 
     root: Path
     spec: Specification
-    code: dict[str, list[Code]] = field(default_factory=dict)
-    results: dict[str, list[Outcome]] = field(default_factory=dict)
+    traced: Mapping[str, Traced]
+    outcomes: Mapping[str, Iterable[Outcome]]
 
     @cached_property
     def books(self) -> set[str]:
         """The keys of references.bib."""
-        return set(
-            re.findall(r"@\w+\{([^,\s]+)", (self.root / "srs/references.bib").read_text("utf-8"))
-        )
+        text = (self.root / "srs/references.bib").read_text("utf-8")
+        return set(re.findall(r"@\w+\{([^,\s]+)", text))
 
     @cached_property
     def used_by(self) -> dict[str, list[str]]:
@@ -61,6 +52,15 @@ class Woven:
                 found[id].append(item.id)
         return found
 
+    def verdict(self, id: str) -> str:
+        """Of an item's cases, or of the case itself."""
+        return self.traced[id].verdict if id in self.traced else UNCOVERED
+
+    def code(self, id: str) -> list[tuple[str, str]]:
+        """The functions printed from an item, with their files."""
+        found = self.traced[id].code if id in self.traced else ()
+        return [(function["function"], function["file"]) for function in found]
+
     def source(self, item: Item) -> str:
         """The fence of an item as it is written, without its marks."""
         lines = (self.root / item.file).read_text("utf-8").splitlines()[item.line :]
@@ -75,14 +75,5 @@ class Woven:
 
 
 def weave(root: Path) -> Woven:
-    """Read srs/, generated/srs.json and the last results below the root of the project."""
-    from tamias2d.spec.reader import read
-
-    spec = read(root / "srs")
-    listing = root / "src/tamias2d/generated/srs.json"
-    entries = json.loads(listing.read_text("utf-8"))["items"] if listing.is_file() else []
-    code = {
-        entry["id"]: [Code(c["function"], c["file"], c["line"]) for c in entry["code"]]
-        for entry in entries
-    }
-    return Woven(root, spec, code, last_results(spec))
+    """Read what the pages below the root of the project show."""
+    return Woven(root, read(root / "srs"), {row.id: row for row in trace()}, results.read())
