@@ -4,12 +4,14 @@ Serves: one look for all commands. Hides: which library draws it, and how wide t
 """
 
 import json
+import math
 import os
 import sys
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 _COLOURS = {"pass": "green", "fail": "bold red", "stale": "yellow", "uncovered": "yellow"}
+_WIDE = 1000  # columns: where no screen limits them, no line is folded
 
 
 def command() -> str:
@@ -28,7 +30,7 @@ def print_json(value: Any) -> None:
 
 
 def print_table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Print rows in columns; lines are cut or folded only where a screen is narrow."""
+    """Print rows in columns; cells are folded only where a screen is narrow."""
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
@@ -36,7 +38,13 @@ def print_table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
     table = Table(*heads, box=None, pad_edge=False, header_style="bold")
     for row in rows:
         table.add_row(*(Text(cell, style=_COLOURS.get(cell, "")) for cell in row))
-    Console(width=None if sys.stdout.isatty() else 1000).print(table, soft_wrap=False)
+    if sys.stdout.isatty():
+        Console().print(table)
+        return
+    console = Console(width=_WIDE, color_system=None)
+    with console.capture() as drawn:
+        console.print(table)
+    say("\n".join(line.rstrip() for line in drawn.get().splitlines()))
 
 
 def figure(value: float) -> str:
@@ -49,6 +57,6 @@ def pair(value: Sequence[float]) -> str:
     return f"({figure(value[0])}, {figure(value[1])})"
 
 
-def error_text(value: float | None) -> str:
-    """An error or a tolerance: two digits are enough."""
-    return "-" if value is None else f"{value:.1e}"
+def error_text(value: float) -> str:
+    """An error or a tolerance: two digits are enough; '-' where nothing could be compared."""
+    return f"{value:.1e}" if math.isfinite(value) else "-"

@@ -60,12 +60,14 @@ def run_scene(
     except SimulationError as stop:
         _keep(getattr(stop, "run", None), files)
         raise
-    files.write(run)
     errors = known_errors(run, name)
     if as_json:
+        files.write(run)
         print_json(_as_json(run, name, errors, files))
-    else:
-        _print(run, name, errors, files)
+        return
+    _print(run, name, errors)
+    files.write(run)
+    _print_files(files)
 
 
 def _duration(scene: Scene, name: str, text: str | None) -> float:
@@ -101,7 +103,7 @@ def _keep(run: Run | None, files: _Files) -> None:
         print(f"The run up to {figure(run.times[-1])} s is in {path}.", file=sys.stderr)
 
 
-def _print(run: Run, name: str, errors: list[KnownError], files: _Files) -> None:
+def _print(run: Run, name: str, errors: list[KnownError]) -> None:
     count = sum(body.dynamic for body in run.scene.bodies)
     say(f"{name}: {figure(run.duration)} s, {count} of {len(run.scene.bodies)} bodies can move")
     for note in run.notes:
@@ -122,6 +124,9 @@ def _print(run: Run, name: str, errors: list[KnownError], files: _Files) -> None
     )
     _print_impacts(run)
     _print_errors(errors)
+
+
+def _print_files(files: _Files) -> None:
     if files.record:
         say(f"\nRecording: {files.record}")
         say(f'Look at it: {command()} replay "{files.record}"')
