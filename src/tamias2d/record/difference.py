@@ -61,7 +61,9 @@ def _of_samples(recorded: Run, recomputed: Run) -> Iterator[Difference]:
 
 def _of_impacts(recorded: Run, recomputed: Run) -> Iterator[Difference]:
     a, b = recorded.impacts, recomputed.impacts
-    yield from _counts("impacts", a.time, b.time)
+    unseen = len(b) > len(a) and b.time[len(a)] > recorded.times[-1]
+    if not unseen:  # as they are to a run that was interrupted
+        yield from _counts("impacts", a.time, b.time)
     for quantity in history.OF_IMPACTS:
         ours, theirs = getattr(a, quantity), getattr(b, quantity)
         place = _first(ours, theirs)
@@ -95,7 +97,8 @@ def _difference(
     time: float, of: str, quantity: str, component: tuple[int, ...], a: float, b: float
 ) -> Difference:
     symbol = SYMBOLS.get(_SYMBOL_OF.get(quantity, quantity.removesuffix("s")))
-    axis = f" {'xy'[component[0]]}" if component else ""
+    axes = "AB" if quantity == "bodies" else "xy"
+    axis = f" {axes[component[0]]}" if component else ""
     return Difference(
         float(time), of, quantity + axis, float(a), float(b), symbol.unit if symbol else "1"
     )

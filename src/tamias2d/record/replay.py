@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tamias2d.errors import SimulationError
+from tamias2d.errors import InputError, RecordingError, SimulationError
 from tamias2d.record import files, header as headers, history
 from tamias2d.record.difference import Difference, first_difference
 from tamias2d.simulate import simulate
@@ -36,7 +36,7 @@ def check(path: str | Path) -> Check:
     """
     header, arrays = files.stored(Path(path))
     recorded = history.run_of(header, arrays, where=str(path))
-    recomputed = _again(recorded)
+    recomputed = _again(recorded, where=str(path))
     difference = first_difference(recorded, recomputed)
     if difference is None and recorded.digest() == header.digest:
         says = (
@@ -47,7 +47,7 @@ def check(path: str | Path) -> Check:
     return Check(False, f"{path}: {_differs(difference)}; {_why(header, recorded)}.", difference)
 
 
-def _again(recorded: Run) -> Run:
+def _again(recorded: Run, *, where: str) -> Run:
     """Simulate as recorded; a run that was refused half-way is compared as far as it came."""
     try:
         return simulate(
@@ -57,6 +57,8 @@ def _again(recorded: Run) -> Run:
             time_step=recorded.time_step,
             times=recorded.times,
         )
+    except InputError as fault:
+        raise RecordingError(f"{where}: its inputs are refused: {fault}") from fault
     except SimulationError as refusal:
         reached: Run | None = getattr(refusal, "run", None)
         if reached is None:

@@ -9,9 +9,9 @@ import pyarrow as pa
 import rerun as rr
 
 from tamias2d.errors import RecordingError
-from tamias2d.generated import definitions
 from tamias2d.record import document, drawing, header as headers, history
 from tamias2d.record.aside import aside
+from tamias2d.record.kinetic import kinetic_energy
 from tamias2d.record.rerun import layout
 from tamias2d.scene import scene_text
 
@@ -140,7 +140,7 @@ def _block(stream: rr.RecordingStream, run: Run, clock: NDArray[np.int64], part:
             stream.send_columns(layout.body_path(body.name), times, columns)
             speed = np.hypot(*run.velocity[part, index].T)
             _plot(stream, layout.speed_path(body.name), times, speed)
-    kinetic = _kinetic(run, part)
+    kinetic = kinetic_energy(run, part)
     energies = np.column_stack([run.energy[part], kinetic, run.energy[part] - kinetic])
     _plot(stream, layout.ENERGY, times, energies)
     _plot(stream, layout.MOMENTUM, times, run.momentum[part])
@@ -184,19 +184,6 @@ def _column(values: NDArray[Any]) -> Any:
     if values.ndim == 1:
         return values
     return pa.FixedSizeListArray.from_arrays(pa.array(values.ravel()), values.shape[1])
-
-
-def _kinetic(run: Run, part: slice) -> NDArray[np.float64]:
-    """Kinetic energy of all bodies together, (samples,), J."""
-    moving = [i for i, body in enumerate(run.scene.bodies) if body.dynamic]
-    mass = np.array([run.scene.bodies[i].mass for i in moving])
-    inertia = np.array([run.scene.bodies[i].inertia for i in moving])
-    inertia[~np.isfinite(inertia)] = 0.0  # what cannot turn has no energy of rotation
-    velocity = (run.velocity[part, moving, 0], run.velocity[part, moving, 1])
-    spin = run.angular_velocity[part, moving]
-    energies = definitions.kinetic_energy(mass, velocity, inertia, spin)
-    total: NDArray[np.float64] = energies.sum(axis=-1)
-    return total
 
 
 def _impacts(stream: rr.RecordingStream, run: Run, view: View) -> None:

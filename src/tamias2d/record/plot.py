@@ -1,0 +1,134 @@
+"""A picture of a run: where the bodies went, how high, and what became of the energy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tamias2d.errors import InputError, RecordingError
+from tamias2d.record import drawing
+from tamias2d.record.aside import aside
+from tamias2d.record.kinetic import kinetic_energy
+from tamias2d.scene import HalfPlane
+
+if TYPE_CHECKING:
+    from tamias2d.record.drawing import View
+    from tamias2d.run import Run
+
+INSTANTS = 6
+"""How many times each body is drawn, the last one strongest."""
+NAMED = 10
+"""So many bodies have their names in the legend; more would hide the picture."""
+
+
+def plot(run: Run, path: str | Path) -> None:
+    """Draw a run: paths and bodies at a few instants, heights over time, and energy over time.
+
+    The kind of picture follows from the suffix: `.png`, `.svg`, `.pdf`.
+
+    Raises:
+        InputError: no kind of picture has this suffix.
+        RecordingError: matplotlib is not installed, or the file cannot be written.
+    """
+    path = Path(path)
+    figure = _figure(path)
+    kinds = figure.canvas.get_supported_filetypes()
+    if path.suffix[1:] not in kinds:
+        raise InputError(
+            f"{path}: suffix {path.suffix!r}: a picture is one of {', '.join(sorted(kinds))}. "
+            "Give it such a name, .png for one."
+        )
+    grid = figure.add_gridspec(2, 2, width_ratios=[3, 2])
+    _world(figure.add_subplot(grid[:, 0]), run)
+    _heights(figure.add_subplot(grid[0, 1]), run)
+    _energy(figure.add_subplot(grid[1, 1]), run)
+    with aside(path) as draft:
+        figure.savefig(draft, format=path.suffix[1:], dpi=120)
+
+
+def _figure(path: Path) -> Any:
+    """A figure without a window: it belongs to no backend but Agg's canvas."""
+    try:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+    except ImportError as fault:
+        raise RecordingError(
+            f"{path}: a plot needs matplotlib, which is not installed ({fault}). "
+            "Install it by `pip install tamias2d[plot]`."
+        ) from fault
+    figure = Figure(figsize=(10, 5.6), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def _world(axes: Any, run: Run) -> None:
+    view = drawing.view_of(run)
+    (x, y), (width, height) = view.center, view.half
+    instants = np.unique(np.linspace(0, len(run.times) - 1, INSTANTS).round().astype(int))
+    for index, colour in enumerate(_colours(run)):
+        body = run.scene.bodies[index]
+        if isinstance(body.shape, HalfPlane):
+            _ground(axes, run, index, view)
+            continue
+        if body.dynamic:
+            axes.plot(*run.position[:, index].T, color=colour, linewidth=0.8, alpha=0.6)
+        for k in instants if body.dynamic else instants[:1]:
+            strength = 1.0 if k == instants[-1] or not body.dynamic else 0.35
+            _body(axes, run, int(k), index, view, colour, strength)
+    axes.plot(*run.impacts.point.T, "x", color="black", markersize=4, markeredgewidth=0.8)
+    axes.set(xlim=(x - width, x + width), ylim=(y - height, y + height), aspect="equal")
+    shown = ", ".join(f"{run.times[k]:.3g}" for k in instants)
+    axes.set(xlabel="x, m", ylabel="y, m", title=f"{run.scene.name}: bodies at {shown} s")
+
+
+def _body(
+    axes: Any, run: Run, k: int, index: int, view: View, colour: Any, strength: float
+) -> None:
+    """Draw a body at sample k; earlier ones are paler."""
+    body = run.scene.bodies[index]
+    position, orientation = run.position[k, index], float(run.orientation[k, index])
+    rim = drawing.placed(drawing.outline(body), position, orientation)
+    axes.fill(*rim.T, color=colour, alpha=0.3 * strength, linewidth=0)
+    for stroke in drawing.strokes(body, view):
+        line = drawing.placed(stroke, position, orientation)
+        axes.plot(*line.T, color=colour, alpha=strength, linewidth=1.0)
+
+
+def _ground(axes: Any, run: Run, index: int, view: View) -> None:
+    body = run.scene.bodies[index]
+    for stroke in drawing.strokes(body, view):
+        axes.plot(*stroke.T, color=_colours(run)[index], linewidth=0.8)
+
+
+def _heights(axes: Any, run: Run) -> None:
+    for index, colour in enumerate(_colours(run)):
+        body = run.scene.bodies[index]
+        if body.dynamic:
+            axes.plot(
+                run.times, run.position[:, index, 1], color=colour, linewidth=1.2, label=body.name
+            )
+    axes.set(xlabel="time, s", ylabel="height y of the centre, m")
+    axes.margins(x=0)
+    if sum(body.dynamic for body in run.scene.bodies) <= NAMED:
+        axes.legend(frameon=False, fontsize="small")
+
+
+def _energy(axes: Any, run: Run) -> None:
+    kinetic = kinetic_energy(run, slice(None))
+    series = {"kinetic": kinetic, "potential": run.energy - kinetic, "together": run.energy}
+    for (name, values), colour in zip(series.items(), drawing.PALETTE, strict=False):
+        axes.plot(run.times, values, label=name, color=_unit(colour), linewidth=1.2)
+    axes.set(xlabel="time, s", ylabel="energy, J")
+    axes.margins(x=0)
+    axes.legend(frameon=False, fontsize="small")
+
+
+def _colours(run: Run) -> list[tuple[float, ...]]:
+    return [_unit(colour) for colour in drawing.colours(run)]
+
+
+def _unit(colour: drawing.Colour) -> tuple[float, ...]:
+    """Red, green and blue, 0 to 1."""
+    return tuple(channel / 255 for channel in colour)

@@ -1,0 +1,64 @@
+"""Rerun's own program: the viewer, and a reader that may crash without taking us with it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+from tamias2d.errors import RecordingError
+
+
+def program() -> Path:
+    """Return the program itself; `rerun` on the path is a script that cannot be stopped well.
+
+    Raises:
+        RecordingError: it is not installed.
+    """
+    spec = find_spec("rerun_cli")
+    if spec is None or not spec.submodule_search_locations:
+        raise RecordingError(
+            "rerun: its viewer is not installed. Install it by `pip install tamias2d[record]`."
+        )
+    name = "rerun.exe" if sys.platform == "win32" else "rerun"
+    return Path(spec.submodule_search_locations[0], name)
+
+
+def verify(path: Path) -> None:
+    """Raise `RecordingError` if the file is damaged: read in this process, it would end us."""
+    done = _run("rrd", "verify", str(path.absolute()))
+    if done.returncode:
+        raise damaged(path)
+
+
+def damaged(path: Path) -> RecordingError:
+    """Say that a file cannot be read, and what can be done."""
+    return RecordingError(
+        f"{path}: cannot be read as .rrd: it is cut, damaged or of another kind. What is left of a "
+        "cut one: `rerun rrd merge --continue-on-error CUT.rrd -o REST.rrd`."
+    )
+
+
+def view(path: Path) -> None:
+    """Open the viewer, without a port open to the network, and wait until it is closed."""
+    done = _run(str(path.absolute()), "--bind", "127.0.0.1")
+    if done.returncode:
+        why = next((line for line in done.stderr.splitlines() if "rror" in line), "").strip()
+        raise RecordingError(
+            f"{path}: the viewer ended with code {done.returncode}: {why} It needs a screen and a "
+            "graphics driver; `tamias2d replay --check` needs neither."
+        )
+
+
+def _run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run it; in CI, as it then believes to be, it neither collects nor sends usage statistics."""
+    return subprocess.run(
+        [str(program()), *arguments],
+        env={**os.environ, "CI": "true"},
+        capture_output=True,
+        encoding="utf-8",
+        errors="replace",
+        check=False,
+    )
