@@ -134,14 +134,19 @@ class Graph:
                 found[target].append(id)
         return {id: tuple(sources) for id, sources in found.items()}
 
-    def reach(self, id: str, step: Mapping[str, tuple[str, ...]]) -> list[str]:
-        """Return all items that links lead to, in reading order, without the one to start from."""
+    def reach(
+        self, id: str, step: Mapping[str, tuple[str, ...]], *, ends: tuple[str, ...] = ()
+    ) -> list[str]:
+        """Return all items that links lead to, in reading order, without the one to start from.
+
+        From items of the kinds `ends` no links are followed.
+        """
         seen = {id}
         todo = [id]
         while todo:
             new = [target for target in step[todo.pop()] if target not in seen]
             seen.update(new)
-            todo += new
+            todo += [each for each in new if self.items[each]["kind"] not in ends]
         return [each for each in self.items if each in seen and each != id]
 
     def dependents(self, id: str) -> list[str]:
@@ -167,7 +172,8 @@ class Graph:
         named = [each for each in self.backward[id] if self.items[each]["kind"] == "case"]
         if named or self.items[id]["kind"] in _DEMANDS:
             return named
-        return [e for e in self.reach(id, self.backward) if self.items[e]["kind"] == "case"]
+        around = self.reach(id, self.backward, ends=_DEMANDS)  # to verify is not to rest on
+        return [each for each in around if self.items[each]["kind"] == "case"]
 
     def verdict(self, id: str) -> str:
         """Return the worst verdict of an item's cases; a demand takes those of what it uses."""

@@ -40,11 +40,11 @@ COMPARISONS: dict[str, Comparison] = {
 }
 
 
-def verify(ids: Iterable[str] | None = None) -> list[Outcome]:
+def verify(ids: str | Iterable[str] | None = None) -> list[Outcome]:
     """Run cases, judge them, keep the verdicts for `trace`, and return them.
 
-    An id of a case names it; the id of any other item names all cases that rest on it. Without
-    ids all cases are run.
+    The id of another item names the cases that name it, or else all that rest on it. Without ids
+    all cases are run.
 
     Raises:
         InputError: an id is unknown, or no case rests on it.
@@ -54,13 +54,14 @@ def verify(ids: Iterable[str] | None = None) -> list[Outcome]:
     return outcomes
 
 
-def cases(ids: Iterable[str] | None = None) -> list[Case]:
+def cases(ids: str | Iterable[str] | None = None) -> list[Case]:
     """Return the cases that `verify` would run, in the order of their labels."""
     chosen = sorted(
         (id for id, item in items().items() if item["kind"] == "case"), key=_label_order
     )
     if ids is not None:
-        wanted = {case for id in ids for case in _named(id, chosen)}
+        asked = [ids] if isinstance(ids, str) else ids
+        wanted = {case for id in asked for case in _named(id, chosen)}
         chosen = [id for id in chosen if id in wanted]
     return [Case(items()[id]) for id in chosen]
 
@@ -83,18 +84,21 @@ def _named(id: str, every: Iterable[str]) -> list[str]:
         close = difflib.get_close_matches(id, items(), n=1)
         hint = f"Did you mean '{close[0]}'?" if close else "`trace` lists all items."
         raise InputError(f"verify: '{id}' is no item of the specification. {hint}")
-    found = [case for case in every if id == case or id in rests_on(case)]
+    if items()[id]["kind"] == "case":
+        return [id]
+    found = [case for case in every if id in links(items()[case])]
+    found = found or [case for case in every if id in _rests_on(case)]
     if not found:
         raise InputError(f"verify: no case rests on '{id}'. Name a case, a model or a requirement.")
     return found
 
 
-def rests_on(id: str) -> set[str]:
-    """Return all items that an item names, directly or through others."""
+def _rests_on(id: str) -> set[str]:
+    """Return all items that an item uses, directly or through others."""
     seen: set[str] = set()
     todo = [id]
     while todo:
-        new = set(links(items()[todo.pop()])) - seen
+        new = set(items()[todo.pop()]["links"].get("uses", ())) - seen
         seen |= new
         todo += new
     return seen

@@ -48,8 +48,7 @@ def simulate_by_events(scene: Scene, *, duration: float) -> Events:
     rates = _rates(scene)
     found = Events(state=_start(scene))
     time = 0.0
-    hit = _smallest(gaps)
-    hit.terminal, hit.direction = True, -1  # type: ignore[attr-defined]
+    hits = [_closing(gap) for gap in gaps.values()]
     while time < duration:
         piece = solve_ivp(
             rates,
@@ -59,7 +58,7 @@ def simulate_by_events(scene: Scene, *, duration: float) -> Events:
             rtol=RTOL,
             atol=RTOL,
             max_step=duration / _PIECES,
-            events=hit if gaps else None,
+            events=hits,
         )
         time, found.state = float(piece.t[-1]), piece.y[:, -1].reshape(-1, 6)
         if piece.status == 1:
@@ -92,12 +91,14 @@ def _rates(scene: Scene) -> Callable[[float, Array], Array]:
     return rates
 
 
-def _smallest(gaps: dict[tuple[int, int, int], Gap]) -> Callable[[float, Array], float]:
-    def smallest(_time: float, flat: Array) -> float:
-        state = flat.reshape(-1, 6)
-        return min(gap(state)[0] for gap in gaps.values())
+def _closing(gap: Gap) -> Callable[[float, Array], float]:
+    """Return the event at which a separation falls below 0."""
 
-    return smallest
+    def separation(_time: float, flat: Array) -> float:
+        return gap(flat.reshape(-1, 6))[0]
+
+    separation.terminal, separation.direction = True, -1  # type: ignore[attr-defined]
+    return separation
 
 
 def _respond(

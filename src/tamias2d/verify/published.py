@@ -35,11 +35,8 @@ class Sample:
     reproduced: float
     """By the scheme of 2018."""
     exact: float
-
-    @property
-    def misprint(self) -> bool:
-        """Whether the case lists this number as one."""
-        return self.published != self.reads
+    misprint: bool
+    """Whether the case lists this number as one."""
 
 
 def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
@@ -89,6 +86,7 @@ def _rows(
                 reads=readings.get((k + 1, name), float(number)),
                 reproduced=float(found[k].flat[axis]),
                 exact=float(exact[k].flat[axis]),
+                misprint=(k + 1, name) in readings,
             )  # fmt: skip
 
 

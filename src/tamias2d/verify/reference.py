@@ -38,7 +38,7 @@ def _off(run: Run, events: Events) -> float:
 
 def _overlap(run: Run) -> float:
     gaps = separations(run.scene).values()
-    return max(-float(gap(state)[0]) for state in _states(run) for gap in gaps)
+    return max(0.0, *(-float(gap(state)[0]) for state in _states(run) for gap in gaps))
 
 
 def _states(run: Run) -> Array:

@@ -15,7 +15,7 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
     for label, entry in given["scenes"].items():
         message = _refusal(entry["scene"])
         good = message is not None and entry["says"] in message
-        note = message or "was accepted"
+        note = "" if good else message or "was accepted"
         yield case.outcome(given, f"refused: {label}", 0.0 if good else math.inf, note)
 
 

@@ -1,0 +1,169 @@
+"""Verdicts are rolled up, the worst one wins, and a change of the specification shows."""
+
+import sys
+from typing import Any
+
+import pytest
+from hypothesis import given, strategies as st
+
+from tamias2d.errors import InputError
+from tamias2d.trace import (
+    WORST_FIRST,
+    Graph,
+    exit_code,
+    neighbourhood,
+    plan_table,
+    trace,
+    worst,
+)
+from tamias2d.verify import results, verify
+from tamias2d.verify.items import items
+from tamias2d.verify.outcome import Outcome
+
+
+def item(id: str, kind: str, *, hash: str = "h", **links: list[str]) -> dict[str, Any]:
+    return {
+        "id": id, "kind": kind, "title": "", "file": "f", "line": 1, "hash": hash,
+        "links": links, "code": [], "data": {},
+    }  # fmt: skip
+
+
+def small(**verdicts: str) -> Graph:
+    """A goal on two requirements on two models on an assumption, with a case for each model."""
+    found = [
+        item("A1", "assumption"),
+        item("IM1", "model", uses=["A1"]),
+        item("IM2", "model", uses=["A1"]),
+        item("R1", "requirement", uses=["IM1"]),
+        item("R2", "requirement", uses=["IM2"]),
+        item("GS1", "goal", uses=["R1", "R2"]),
+        item("TC1", "case", verifies=["R1"], uses=["IM1"]),
+        item("TC2", "case", verifies=["R2"], uses=["IM2"]),
+        item("LC1", "change", affects=["A1"]),
+    ]
+    outcomes = {
+        id: [Outcome(id, "q", 0.0, 1.0, verdict.split()[0], "old" if "stale" in verdict else "h")]
+        for id, verdict in verdicts.items()
+    }
+    return Graph({each["id"]: each for each in found}, outcomes)
+
+
+def test_all_passes() -> None:
+    graph = small(TC1="pass", TC2="pass")
+    assert {graph.verdict(id) for id in graph.items if id != "LC1"} == {"pass"}
+    assert graph.verdict("LC1") == "none"
+
+
+@pytest.mark.parametrize(
+    ("second", "expected"),
+    [("fail", "fail"), ("pass stale", "stale"), ("fail stale", "stale"), ("manual", "manual")],
+)
+def test_the_worst_verdict_rises_to_the_goal(second: str, expected: str) -> None:
+    graph = small(TC1="pass", TC2=second)
+    assert [graph.verdict(id) for id in ("R1", "IM1")] == ["pass", "pass"]
+    assert [graph.verdict(id) for id in ("R2", "IM2", "A1", "GS1")] == [expected] * 4
+
+
+def test_a_case_that_was_not_run_is_uncovered() -> None:
+    graph = small(TC1="pass")
+    assert [graph.verdict(id) for id in ("TC2", "R2", "GS1")] == ["uncovered"] * 3
+
+
+def test_a_requirement_without_cases_is_uncovered_whatever_its_models_say() -> None:
+    graph = small(TC1="pass", TC2="pass")
+    graph.items["R3"] = item("R3", "requirement", uses=["IM1"])
+    again = Graph(graph.items, graph.outcomes)
+    assert again.verdict("R3") == "uncovered"
+
+
+def test_what_people_judge_is_manual_without_cases() -> None:
+    graph = small()
+    graph.items["NFR5"] = item("NFR5", "requirement") | {"data": {"judged": "by people"}}
+    assert Graph(graph.items, {}).verdict("NFR5") == "manual"
+
+
+def test_a_circle_of_links_ends() -> None:
+    graph = small(TC1="pass", TC2="pass")
+    graph.items["R1"]["links"]["uses"].append("R2")
+    graph.items["R2"]["links"]["uses"].append("R1")
+    assert Graph(graph.items, graph.outcomes).verdict("GS1") in ("pass", "uncovered")
+
+
+@given(st.lists(st.sampled_from(["fail", "stale", "uncovered", "manual", "pass", "none"])))
+def test_worst(verdicts: list[str]) -> None:
+    found = worst(verdicts)
+    assert found == "uncovered" if not verdicts else found in verdicts
+    assert all(WORST_FIRST.index(found) <= WORST_FIRST.index(verdict) for verdict in verdicts)
+
+
+def test_every_item_is_traced() -> None:
+    rows = trace()
+    assert [row.id for row in rows] == list(items())
+    assert set(rows[0].as_json()) == {
+        "id", "kind", "title", "file", "line", "links", "code", "cases", "verdict"
+    }  # fmt: skip
+
+
+def test_nothing_is_left_without_a_case() -> None:
+    """Whoever adds a requirement or a model has to say how it is checked."""
+    open_ = [
+        row.id
+        for row in trace()
+        if row.kind in ("requirement", "model", "property", "scheme", "definition", "theory")
+        and not row.cases
+        and "judged" not in items()[row.id]["data"]
+    ]
+    assert open_ == []
+
+
+def test_a_result_is_stale_when_the_case_or_its_scene_changes(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    verify(["TC8", "TC9"])
+    rows = {row.id: row.verdict for row in trace()}
+    assert (rows["TC8"], rows["TC9"]) == ("pass", "pass")
+    monkeypatch.setitem(items()["TC8"], "hash", "changed")  # type: ignore[arg-type]
+    monkeypatch.setattr(
+        sys.modules["tamias2d.trace"],
+        "scene_hash",
+        lambda item: "new" if item["id"] == "TC9" else "",
+    )
+    rows = {row.id: row.verdict for row in trace()}
+    assert (rows["TC8"], rows["TC9"]) == ("stale", "stale")
+
+
+def test_a_failure_reaches_requirement_and_goal() -> None:
+    outcome = verify("TC8")[0]
+    results.add([Outcome(**{**vars(outcome), "verdict": "fail"})])
+    rows = {row.id: row.verdict for row in trace()}
+    assert [rows[id] for id in ("TC8", "IM2", "R6", "GS2")] == ["fail"] * 4
+    assert exit_code(trace()) == 1
+
+
+def test_what_hangs_together_with_an_assumption() -> None:
+    near = neighbourhood("A6")
+    ids = {row.id for row in near.depended_on_by}
+    assert {"IM1", "IM2", "IM3", "R5", "GS1", "TC1", "LC2"} <= ids
+    assert "UC1" not in ids
+    assert near.item.id == "A6"
+    assert {row.id for row in trace("A6")} == {"A6", *ids}
+
+
+def test_what_a_case_rests_on() -> None:
+    ids = {row.id for row in neighbourhood("TC8").rests_on}
+    assert {"R6", "IM2", "TM4"} <= ids
+
+
+@pytest.mark.parametrize("id", ["A66", "", "a6"])
+def test_an_unknown_id_is_refused(id: str) -> None:
+    with pytest.raises(InputError, match="trace: "):
+        trace(id)
+
+
+def test_the_plan_table_is_corrected() -> None:
+    columns, rows = plan_table()
+    marked = {id: [c for c, m in zip(columns, marks, strict=True) if m] for id, _, marks in rows}
+    assert marked["TC1"] == ["IM1", "R1", "R2", "R4", "R5"]
+    assert marked["TC9"] == ["IM2", "R1", "R2", "R4", "R6"]
+    assert marked["TC14"][-1] == "NFR1"
+    assert [id for id, *_ in rows][-3:] == ["TC12", "TC13", "TC14"]
