@@ -57,7 +57,7 @@ def simulate(
     and IM3 says how it parts. Without a `method` it is the closed form if every force and torque
     is constant, and the reference otherwise. `times` are those of the samples, s, sorted and
     within the run; without them it is 60 a second, or every step (`time_step`, s) of a stepped
-    method. `progress` shows a bar.
+    method. `progress` shows a bar on standard error.
 
     Raises:
         InputError: an argument breaks a rule.
@@ -142,9 +142,10 @@ def _go(located: Located, duration: float, progress: bool) -> None:
     if not progress:
         located.go(duration)
         return
+    from rich.console import Console
     from rich.progress import Progress
 
-    with Progress() as bar:
+    with Progress(console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("simulating", total=duration)
         located.go(duration, told=lambda time: bar.update(task, completed=time))
 
