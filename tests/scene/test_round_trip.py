@@ -116,3 +116,9 @@ def test_a_change_in_the_last_digit_is_another_scene() -> None:
     assert one(0.1 + 0.2).digest() != one(0.3).digest()
     assert one(-0.0) == one(0.0)
     assert one(-0.0).digest() == one(0.0).digest()
+
+
+def test_a_nearly_level_floor_has_no_negative_zero() -> None:
+    """Its slope underflows; -0.0 and 0.0 are equal, so their texts must be."""
+    floor = HalfPlane(normal=(-5e-324, 9), offset=-0.0)
+    assert repr(floor) == "HalfPlane(normal=(0.0, 1.0), offset=0.0)"

@@ -64,7 +64,7 @@ def checked_law(value: object, symbol: str, of: str, *, at: tuple[str | int, ...
         raise RuleError(str(error), *at) from None
     if "time" in {getattr(part, "name", None) for part in walk(law.node)}:
         return law
-    return at_start
+    return at_start + 0.0
 
 
 def value_at(law: Law, time: float) -> float:

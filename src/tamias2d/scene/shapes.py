@@ -117,7 +117,7 @@ class HalfPlane:
                 f"normal ({x:g}, {y:g}) of {of}: has no direction (R4). {remedy}", "normal"
             )
         if abs(length - 1) > 4 * _EPSILON:  # a unit vector stays as it is, to the last bit
-            x, y = x / length, y / length
+            x, y = x / length + 0.0, y / length + 0.0
         offset = number(
             self.offset, "offset", of, "Give its distance from the origin in m.", at=("offset",)
         )
