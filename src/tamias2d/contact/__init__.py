@@ -1,4 +1,24 @@
-class Refusal(Exception): pass
-class Located:
-    can_meet = False
-    def __init__(self, scene, motion): pass
+"""Contacts: who touches, and what follows.
+
+Service: the bodies of a scene followed through all that they meet, impacts located to rounding.
+Secret: how a contact is found (conservative advancement along separating axes) and in which order
+what happens at one instant is decided.
+"""
+
+from tamias2d.contact.located import Located
+from tamias2d.contact.refusal import (
+    LastingContactError,
+    OverlapError,
+    Refusal,
+    SimultaneousImpactsError,
+    UndecidedContactError,
+)
+
+__all__ = [
+    "LastingContactError",
+    "Located",
+    "OverlapError",
+    "Refusal",
+    "SimultaneousImpactsError",
+    "UndecidedContactError",
+]

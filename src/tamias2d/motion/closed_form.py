@@ -88,6 +88,10 @@ class ClosedFormMotion:
         acceleration = self._loads.acceleration(body, start, hold)
         return Uniform(start=start, end=end, state=state, acceleration=acceleration)
 
+    def free(self, body: int, time: float) -> Acceleration:
+        """Return the acceleration of a body that nothing holds, at a time in s."""
+        return self._loads.acceleration(body, time)
+
     def history(self, times: Array) -> History:
         """Return the states at times (k,), s: all bodies and times at once."""
         bodies = range(len(self._scene.bodies))

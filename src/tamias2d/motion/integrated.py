@@ -10,7 +10,7 @@ from tamias2d.motion.loads import Field, Loads, coordinates, start_states
 from tamias2d.motion.piece import Piece
 from tamias2d.motion.polynomial import Chain, Stretch
 from tamias2d.scene import Scene
-from tamias2d.state import Array, History, Hold, State
+from tamias2d.state import Acceleration, Array, History, Hold, State
 
 
 class Integrator(Protocol):
@@ -55,6 +55,10 @@ class IntegratedMotion:
         steps = list(self._stretches(field, start, end, *coordinates([state])))
         pieces = [stretch.piece(0) for stretch in steps]
         return pieces[0] if len(pieces) == 1 else Chain(pieces)
+
+    def free(self, body: int, time: float) -> Acceleration:
+        """Return the acceleration of a body that nothing holds, at a time in s."""
+        return self._loads.acceleration(body, time)
 
     def history(self, times: Array) -> History:
         """Return the states at sorted times (k,), s: all bodies at once."""

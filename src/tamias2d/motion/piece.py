@@ -53,5 +53,8 @@ class Motion(Protocol):
     ) -> Piece:
         """Return the path of one body from a new state at `start` to `end`, s."""
 
+    def free(self, body: int, time: float) -> Acceleration:
+        """Return the acceleration of a body that nothing holds, at a time in s."""
+
     def history(self, times: Array) -> History:
         """Return the states at sorted times (k,), s, where nothing touches."""

@@ -1,0 +1,160 @@
+"""When a pair meets next: conservative advancement of second order.
+
+At a time t an axis gives for every corner a gap s with rate b. If the gap's second derivative is
+at least c up to a time t + window, the gap stays above s + b h + c h^2/2, so that t + h is safe
+up to the smallest root h. The largest such step over the axes is taken, again and again. It never
+passes an impact, and closes in on one quadratically; where c is the second derivative itself, as
+for a disc over a half-plane under constant force, in one step.
+"""
+
+import math
+
+from tamias2d.contact.core import Core, place
+from tamias2d.contact.gap import Axis, Gap, Placed, axes, gaps, resolution
+from tamias2d.contact.path import Bounds, Piece
+
+
+class Pair:
+    """Two bodies on their paths."""
+
+    def __init__(self, a: Core, b: Core, path_a: Piece, path_b: Piece) -> None:
+        self.cores = (a, b)
+        self._paths = (path_a, path_b)
+
+    def placed(self, time: float) -> tuple[Placed, Placed]:
+        """Return both bodies at a time in s."""
+        (a, b), (path_a, path_b) = self.cores, self._paths
+        return place(a, path_a.at(time)), place(b, path_b.at(time))
+
+    def meets(self, start: float, end: float) -> float | None:
+        """Return the first time in s from `start` to `end` at which they touch and do not part."""
+        time = start
+        while True:
+            step = self._safe_step(time, end)
+            if step is None:
+                return time
+            after = time + step
+            if after >= end:
+                return None
+            if after == time:
+                return time
+            time = after
+
+    def _safe_step(self, time: float, end: float) -> float | None:
+        """Return how long no contact can come about, s, or None if one is there."""
+        a, b = self.placed(time)
+        tolerance = resolution(a, b, time)
+        far, step = self._far_step(a, b, time, end)
+        if far:
+            return step
+        found = axes(a, b)
+        largest = max(axis.gap for axis in found)
+        steps = []
+        for axis in found:
+            if axis.gap >= largest - tolerance:
+                near = gaps(a, b, axis)
+                if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
+                    continue
+                steps.append(self._step_along(axis, near, a, b, time, end))
+        return max(max(steps), step) if steps else None
+
+    def _far_step(self, a: Placed, b: Placed, time: float, end: float) -> tuple[bool, float]:
+        """Return whether circles around the bodies are well apart, and how long they stay so."""
+        radius = a.core.bounding_radius + b.core.bounding_radius
+        if math.isinf(radius) or len(a.corners) == len(b.corners) == 1:
+            return False, 0.0
+        (ax, ay), (bx, by) = a.state.position, b.state.position
+        x, y = bx - ax, by - ay
+        distance = math.hypot(x, y)
+        if distance <= radius:
+            return False, 0.0
+        ux, uy = x / distance, y / distance
+        (au, av), (bu, bv) = a.state.velocity, b.state.velocity
+        rate = ux * (bu - au) + uy * (bv - av)
+        middle, deviation = _relative(*self._bounds(time, end))
+        bend = ux * middle[0] + uy * middle[1] - deviation
+        return distance > 1.1 * radius, _root(distance - radius, rate, bend)
+
+    def _step_along(
+        self, axis: Axis, near: list[Gap], a: Placed, b: Placed, time: float, end: float
+    ) -> float:
+        """Return the safe step along one axis, from bounds over a window that suits it."""
+        window = end - time
+        step = self._smallest_root(axis, near, a, b, time, window)
+        if step < window / 4:
+            window = 2 * step
+            refined = self._smallest_root(axis, near, a, b, time, window)
+            step = max(step, min(refined, window))
+        return step
+
+    def _smallest_root(
+        self, axis: Axis, near: list[Gap], a: Placed, b: Placed, time: float, window: float
+    ) -> float:
+        bounds = self._bounds(time, time + window)
+        bend_of = _Bend(axis, a, b, *bounds, window)
+        return min(_root(gap.value, gap.rate, bend_of(gap)) for gap in near)
+
+    def _bounds(self, first: float, last: float) -> tuple[Bounds, Bounds]:
+        path_a, path_b = self._paths
+        return path_a.bounds(first, last), path_b.bounds(first, last)
+
+
+class _Bend:
+    """The least second derivative that the gap to a corner can have within a window, m/s^2.
+
+    From differentiating the gaps twice, term by term; `gap.py` states them.
+    """
+
+    def __init__(
+        self, axis: Axis, a: Placed, b: Placed, bounds_a: Bounds, bounds_b: Bounds, window: float
+    ) -> None:
+        p, q = (b, a) if axis.swapped else (a, b)
+        on_p, on_q = (bounds_b, bounds_a) if axis.swapped else (bounds_a, bounds_b)
+        middle, deviation = _relative(on_p, on_q)
+        ux, uy = axis.direction
+        turning = axis.side is not None and (on_p.angular_speed or on_p.angular_acceleration)
+        if turning:
+            self._common = -_turning(p, q, on_p, math.hypot(*middle) + deviation, window)
+        else:
+            self._common = ux * middle[0] + uy * middle[1] - deviation
+        self._p = on_p.angular_speed**2 + on_p.angular_acceleration
+        self._q = on_q.angular_speed**2 + on_q.angular_acceleration
+        if turning:
+            relative = abs(q.state.angular_velocity - p.state.angular_velocity)
+            slip = on_p.angular_acceleration + on_q.angular_acceleration
+            self._q = (relative + slip * window) ** 2 + slip
+
+    def __call__(self, gap: Gap) -> float:
+        reach_p, reach_q = gap.reach
+        return self._common - reach_p * self._p - reach_q * self._q
+
+
+def _turning(p: Placed, q: Placed, on_p: Bounds, acceleration: float, window: float) -> float:
+    """Bound the second derivative of u . (q - p) for an axis u that turns with P, m/s^2."""
+    (px, py), (qx, qy) = p.state.position, q.state.position
+    (pu, pv), (qu, qv) = p.state.velocity, q.state.velocity
+    speed = math.hypot(qu - pu, qv - pv) + acceleration * window
+    distance = math.hypot(qx - px, qy - py) + speed * window
+    spin = on_p.angular_speed
+    return (spin**2 + on_p.angular_acceleration) * distance + 2 * spin * speed + acceleration
+
+
+def _relative(on_p: Bounds, on_q: Bounds) -> tuple[tuple[float, float], float]:
+    (px, py), (qx, qy) = on_p.acceleration, on_q.acceleration
+    return (qx - px, qy - py), on_p.deviation + on_q.deviation
+
+
+def _root(value: float, rate: float, bend: float) -> float:
+    """Return the first positive root h of value + rate h + bend h^2/2, or infinity.
+
+    A value that is 0 or, by rounding, less is being left: the rate is positive there.
+    """
+    inside = rate * rate - 2 * bend * value
+    if inside < 0:
+        if value > 0:
+            return math.inf
+        inside = rate * rate
+    root = math.sqrt(inside)
+    if rate > 0:
+        return (rate + root) / -bend if bend < 0 else math.inf
+    return 2 * value / (root - rate) if root > rate else math.inf

@@ -1,0 +1,83 @@
+"""Bodies as whoever looks for contacts sees them: corners, sides and a radius around them."""
+
+import math
+from typing import NamedTuple
+
+from tamias2d.scene import Body, Disc, HalfPlane
+from tamias2d.state import State, Vector
+
+
+class Side(NamedTuple):
+    """A straight side of a body, in the body's own axes."""
+
+    normal: Vector
+    """Unit, out of the body."""
+    offset: float
+    """Distance of the side from the centre of mass along the normal, m."""
+    ends: Vector
+    """Where the side begins and ends along the normal turned left, from the centre of mass, m."""
+
+
+class Core:
+    """What of a body can touch: its corners thickened by a radius (a disc is one corner)."""
+
+    def __init__(self, index: int, body: Body) -> None:
+        shape = body.shape
+        self.index = index
+        self.name = body.name
+        self.dynamic = body.dynamic
+        self.solid = shape is not None
+        self.inverse_mass = body.inverse_mass
+        self.inverse_inertia = body.inverse_inertia
+        self.corners: tuple[Vector, ...] = ((0.0, 0.0),)
+        self.sides: tuple[Side, ...] = ()
+        self.radius = 0.0
+        if isinstance(shape, Disc):
+            self.radius = shape.radius
+        elif isinstance(shape, HalfPlane):
+            self.corners = ()
+            self.sides = (Side(shape.normal, shape.offset, (-math.inf, math.inf)),)
+        elif shape is not None:
+            self.corners = shape.vertices
+            self.sides = _sides(shape.vertices)
+        self.reaches = tuple(math.hypot(x, y) for x, y in self.corners)
+        """Distance of each corner from the centre of mass, m."""
+        self.bounding_radius = max(self.reaches) + self.radius if self.corners else math.inf
+        self.size = self.bounding_radius if self.corners else abs(self.sides[0].offset)
+        """How far off the centre of mass its numbers lie, m."""
+
+
+class Placed(NamedTuple):
+    """A body in the world at one instant."""
+
+    core: Core
+    state: State
+    cosine: float
+    sine: float
+    corners: tuple[Vector, ...]
+    """From the centre of mass, in world axes, m."""
+
+    def turned(self, local: Vector) -> Vector:
+        """Return a vector of the body's axes in world axes."""
+        x, y = local
+        return self.cosine * x - self.sine * y, self.sine * x + self.cosine * y
+
+
+def place(core: Core, state: State) -> Placed:
+    """Put a body into the world."""
+    angle = state.orientation
+    if angle == 0 or len(core.corners) == 1:  # nothing to turn
+        return Placed(core, state, 1.0, 0.0, core.corners)
+    c, s = math.cos(angle), math.sin(angle)
+    corners = tuple([(c * x - s * y, s * x + c * y) for x, y in core.corners])
+    return Placed(core, state, c, s, corners)
+
+
+def _sides(vertices: tuple[Vector, ...]) -> tuple[Side, ...]:
+    sides = []
+    for (ax, ay), (bx, by) in zip(vertices, vertices[1:] + vertices[:1], strict=True):
+        length = math.hypot(bx - ax, by - ay)
+        nx, ny = (by - ay) / length, (ax - bx) / length
+        along_a, along_b = ay * nx - ax * ny, by * nx - bx * ny
+        sides.append(Side((nx, ny), nx * ax + ny * ay, (along_a, along_b)))
+    return tuple(sides)

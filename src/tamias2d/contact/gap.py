@@ -1,0 +1,147 @@
+"""How far two bodies are apart, along an axis that separates them.
+
+An axis belongs to a side of one of the bodies, and turns with it, or to the world. Along it, the
+gap between one body and each corner of the other is a smooth function of time, and the smallest
+of these gaps is never more than the true separation of the two convex bodies:
+
+    side of P, corner of Q:    gap = u . (q + w - p) - offset - radius_q
+    corner of P, corner of Q:  gap = u . (q + w - p - v) - radius_p - radius_q
+
+with centres p and q, corners v and w from them, and the unit axis u from P to Q.
+"""
+
+import math
+from typing import NamedTuple
+
+from tamias2d.contact.core import Placed, Side
+from tamias2d.state import Vector
+
+EPSILON = 2.0**-52
+
+
+class Axis(NamedTuple):
+    """A direction that separates a pair: `side` of the owner, or of the world if it is None."""
+
+    swapped: bool
+    """Whether the owner, P, is the second of the pair."""
+    side: Side | None
+    direction: Vector
+    """u at this instant, from P to Q."""
+    gap: float
+    """The smallest gap at this instant, m."""
+
+
+class Gap(NamedTuple):
+    """The gap to one corner at one instant."""
+
+    value: float
+    """m"""
+    rate: float
+    """m/s"""
+    reach: tuple[float, float]
+    """Distance of the corners of P and Q from their centres, m; 0 for a side."""
+    corner: Vector
+    """The corner of Q, from its centre, m."""
+    corner_p: Vector
+    """The corner of P, from its centre, m; (0, 0) for a side."""
+
+
+def axes(a: Placed, b: Placed) -> list[Axis]:
+    """Return the axes of a pair; the largest of their gaps is at most the separation.
+
+    It is 0 exactly when they touch, and negative when they overlap.
+    """
+    found = []
+    if a.core.sides and b.core.corners:
+        found += _of_sides(a, b, swapped=False)
+    if b.core.sides and a.core.corners:
+        found += _of_sides(b, a, swapped=True)
+    if not found:
+        return [_of_centres(a, b)]
+    if len(a.core.corners) == 1:
+        return _with_corner(found, b, a, swapped=True)
+    if len(b.core.corners) == 1:
+        return _with_corner(found, a, b, swapped=False)
+    return found
+
+
+def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:
+    """Return the gaps along an axis, with their rates, one for each corner."""
+    p, q = (b, a) if axis.swapped else (a, b)
+    ux, uy = axis.direction
+    (px, py), (qx, qy) = p.state.position, q.state.position
+    (pu, pv), (qu, qv) = p.state.velocity, q.state.velocity
+    dx, dy, u, v = qx - px, qy - py, qu - pu, qv - pv
+    spin_p, spin_q = p.state.angular_velocity, q.state.angular_velocity
+    found = []
+    if axis.side is not None:
+        base = axis.side.offset + q.core.radius
+        for (wx, wy), reach in zip(q.corners, q.core.reaches, strict=True):
+            x, y = dx + wx, dy + wy
+            rate = spin_p * (ux * y - uy * x) + ux * (u - spin_q * wy) + uy * (v + spin_q * wx)
+            found.append(Gap(ux * x + uy * y - base, rate, (0.0, reach), (wx, wy), (0.0, 0.0)))
+        return found
+    base = p.core.radius + q.core.radius
+    for (vx, vy), reach_p in zip(p.corners, p.core.reaches, strict=True):
+        for (wx, wy), reach_q in zip(q.corners, q.core.reaches, strict=True):
+            x, y = dx + wx - vx, dy + wy - vy
+            rate = ux * (u - spin_q * wy + spin_p * vy) + uy * (v + spin_q * wx - spin_p * vx)
+            value = ux * x + uy * y - base
+            found.append(Gap(value, rate, (reach_p, reach_q), (wx, wy), (vx, vy)))
+    return found
+
+
+def resolution(a: Placed, b: Placed, time: float) -> float:
+    """Return the gap in m that float64 cannot tell from none, for places and time such as these."""
+    (ax, ay), (bx, by) = a.state.position, b.state.position
+    (au, av), (bu, bv) = a.state.velocity, b.state.velocity
+    length = abs(ax) + abs(ay) + abs(bx) + abs(by) + a.core.size + b.core.size
+    speed = abs(bu - au) + abs(bv - av)
+    for body in (a, b):
+        if body.core.sides:
+            speed += abs(body.state.angular_velocity) * body.core.size
+    return EPSILON * (16 * length + 4 * speed * time)
+
+
+def _of_sides(p: Placed, q: Placed, *, swapped: bool) -> list[Axis]:
+    (px, py), (qx, qy) = p.state.position, q.state.position
+    dx, dy = qx - px, qy - py
+    c, s, radius, corners = p.cosine, p.sine, q.core.radius, q.corners
+    found = []
+    for side in p.core.sides:
+        nx, ny = side.normal
+        ux, uy = c * nx - s * ny, s * nx + c * ny
+        nearest = min([ux * wx + uy * wy for wx, wy in corners])
+        gap = ux * dx + uy * dy + nearest - side.offset - radius
+        found.append(Axis(swapped, side, (ux, uy), gap))
+    return found
+
+
+def _of_centres(a: Placed, b: Placed) -> Axis:
+    (ax, ay), (bx, by) = a.state.position, b.state.position
+    return _between((bx - ax, by - ay), a.core.radius + b.core.radius, swapped=False)
+
+
+def _with_corner(found: list[Axis], p: Placed, disc: Placed, *, swapped: bool) -> list[Axis]:
+    """Add the axis from a polygon's corner to a disc, if a corner is what is nearest to it."""
+    best = max(found, key=lambda axis: axis.gap)
+    radius = disc.core.radius
+    if best.side is None or best.gap + radius <= 0 or math.isinf(best.side.ends[0]):
+        return found
+    ux, uy = best.direction
+    (px, py), (qx, qy) = p.state.position, disc.state.position
+    dx, dy = qx - px, qy - py
+    along = dy * ux - dx * uy
+    low, high = best.side.ends
+    if low <= along <= high:
+        return found
+    t = low if along < low else high
+    corner = (best.side.offset * ux - t * uy, best.side.offset * uy + t * ux)
+    return [_between((dx - corner[0], dy - corner[1]), radius, swapped=swapped)]
+
+
+def _between(difference: Vector, base: float, *, swapped: bool) -> Axis:
+    x, y = difference
+    distance = math.hypot(x, y)
+    direction = (x / distance, y / distance) if distance else (1.0, 0.0)
+    return Axis(swapped, None, direction, distance - base)

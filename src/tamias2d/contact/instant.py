@@ -1,0 +1,259 @@
+"""What happens at one instant to bodies that touch: they part, or stay.
+
+In this order: find all that touches; let what approaches part (IM3), unless impacts act on each
+other; let what neither approaches nor parts stay (GD3), if a contact can last.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.gap import EPSILON, axes, resolution
+from tamias2d.contact.manifold import Contact, approach, manifold
+from tamias2d.contact.refusal import SimultaneousImpactsError, named
+from tamias2d.contact.response import coupling, impulses, pushed
+from tamias2d.contact.rest import Island, opening
+from tamias2d.state import Acceleration, Hold, State
+
+PairOf = tuple[int, int]
+
+
+class Surroundings(NamedTuple):
+    """What an instant may ask of the world."""
+
+    cores: Sequence[Core]
+    state: Callable[[int], State]
+    """Of a body, now."""
+    near: Callable[[int], Iterable[int]]
+    """The bodies that may touch a body now."""
+    free: Callable[[int], Acceleration]
+    """The acceleration of a body that nothing holds, now."""
+    held: Callable[[PairOf], bool]
+    """Whether a contact of the pair has lasted until now."""
+    restitution: Callable[[int, int], float]
+
+
+class Hit(NamedTuple):
+    """One impulse."""
+
+    contact: Contact
+    impulse: float
+    normal_velocity: float
+
+
+@dataclass
+class Touch:
+    """A touching pair."""
+
+    pair: PairOf
+    contacts: list[Contact]
+    tolerance: float
+    """What counts as no gap, m."""
+    noise: float
+    """What counts as no normal velocity, m/s."""
+    staying: list[Contact] = field(default_factory=list)
+    rest_at: float = 0.0
+    """When its bounces end if they go on as a geometric series of times, s; 0 if they do not."""
+
+
+class Instant:
+    """One instant, and what it has made of the bodies."""
+
+    def __init__(self, time: float, world: Surroundings, bodies: Iterable[int]) -> None:
+        self.time = time
+        self._world = world
+        self._placed: dict[int, Placed] = {}
+        self.states: dict[int, State] = {}
+        """Of the bodies that were looked at, as they are after it."""
+        self.touches: dict[PairOf, Touch] = {}
+        self.hits: list[Hit] = []
+        self.changed: set[int] = set()
+        self.holds: dict[int, Hold] = {}
+        self.opening: dict[PairOf, float] = {}
+        """Pairs that part without normal velocity, with the second derivative of the gap."""
+        self._explore(list(bodies))
+        self._part()
+        self._stay()
+
+    def _explore(self, todo: list[int]) -> None:
+        seen = set(todo)
+        for body in todo:  # grows while it is gone through
+            for other in self._world.near(body):
+                pair = (min(body, other), max(body, other))
+                if pair in self.touches or not (touch := self._touch(pair)):
+                    continue
+                self.touches[pair] = touch
+                for i in pair:
+                    if i not in seen and self._world.cores[i].dynamic:
+                        seen.add(i)
+                        todo.append(i)
+
+    def _place(self, body: int) -> Placed:
+        if body not in self._placed:
+            self.states[body] = self._world.state(body)
+            self._placed[body] = place(self._world.cores[body], self.states[body])
+        return self._placed[body]
+
+    def _touch(self, pair: PairOf) -> Touch | None:
+        a, b = (self._place(i) for i in pair)
+        tolerance = resolution(a, b, self.time)
+        if self._world.held(pair):  # what rounding did to it meanwhile does not count
+            tolerance = max(tolerance, 1e-9 * min(a.core.size, b.core.size))
+        elif _far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance:
+            return None
+        contacts = manifold(a, b, tolerance, self.time)
+        noise = 64 * EPSILON * max(_speed(c, a.state, b.state) for c in contacts)
+        return Touch(pair, contacts, tolerance, noise)
+
+    def _approaches(self, touch: Touch) -> bool:
+        return any(self._rate(contact) < -touch.noise for contact in touch.contacts)
+
+    def _rate(self, contact: Contact) -> float:
+        return approach(contact, self.states[contact.a], self.states[contact.b])
+
+    def _part(self) -> None:
+        meeting = [touch for touch in self.touches.values() if self._approaches(touch)]
+        self._refuse_coupled(meeting)
+        cores, states = self._world.cores, self.states
+        for touch in meeting:
+            a, b = touch.pair
+            restitution = self._world.restitution(a, b)
+            found = impulses(cores, touch.contacts, states[a], states[b], restitution)
+            hits = [
+                Hit(contact, impulse, self._rate(contact))
+                for contact, impulse in zip(touch.contacts, found, strict=True)
+                if impulse > 0
+            ]
+            for hit in hits:
+                states[a], states[b] = pushed(cores, hit.contact, hit.impulse, states[a], states[b])
+            self.hits += hits
+            self.changed.update(i for i in touch.pair if cores[i].dynamic)
+        self._refuse_driven(meeting)
+
+    def _refuse_coupled(self, meeting: Sequence[Touch]) -> None:
+        for k, first in enumerate(meeting):
+            for second in meeting[k + 1 :]:
+                if any(
+                    self._coupled(one, other) for one in first.contacts for other in second.contacts
+                ):
+                    self._refuse(first, second, "meet")
+
+    def _coupled(self, first: Contact, second: Contact) -> bool:
+        cores = self._world.cores
+        both = coupling(cores, first, second)
+        own = coupling(cores, first, first) * coupling(cores, second, second)
+        return both * both > 1e-24 * own
+
+    def _refuse_driven(self, meeting: Sequence[Touch]) -> None:
+        """Refuse impacts that drive a touching pair into another impact."""
+        for touch in self.touches.values():
+            if meeting and self._approaches(touch):
+                by = next(m for m in meeting if set(m.pair) & set(touch.pair))
+                self._refuse(by, touch, "drive together")
+
+    def _refuse(self, first: Touch, second: Touch, what: str) -> None:
+        cores = self._world.cores
+        one, other = (named(*(cores[i].name for i in touch.pair)) for touch in (first, second))
+        raise SimultaneousImpactsError(
+            f"{one} {what} {other} at {self.time!r} s: impacts at one instant act on each other, "
+            "and rigid bodies leave open what follows (IM3). Put a small gap between them.",
+            time=self.time,
+        )
+
+    def _stay(self) -> None:
+        """Let what neither approaches nor parts stay, and what bounces too low to be seen."""
+        staying = [
+            contact
+            for touch in self.touches.values()
+            for contact in touch.contacts
+            if abs(self._rate(contact)) <= touch.noise
+        ]
+        islands = self._islands(staying)
+        while low := self._too_low(islands, staying):
+            staying += low
+            islands = self._islands(staying)
+        lasting = [contact for island in islands for contact in island.lasting]
+        self._open(islands, [contact for contact in staying if contact not in lasting])
+        for contact in lasting:
+            self.touches[contact.a, contact.b].staying.append(contact)
+        for island in islands:
+            if island.lasting:
+                self._hold(island)
+        freed = [t.pair for t in self.touches.values() if self._world.held(t.pair)]
+        self.changed.update(i for pair in freed for i in pair if self._world.cores[i].dynamic)
+
+    def _islands(self, contacts: Sequence[Contact]) -> list[Island]:
+        """Return the islands that contacts make."""
+        cores = self._world.cores
+        groups: list[tuple[set[int], list[Contact]]] = []
+        for contact in contacts:
+            bodies = {i for i in (contact.a, contact.b) if cores[i].dynamic}
+            joined = [contact]
+            for group in [group for group in groups if group[0] & bodies]:
+                groups.remove(group)
+                bodies |= group[0]
+                joined = group[1] + joined
+            groups.append((bodies, joined))
+        placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
+        return [
+            Island(cores, placed, joined, {i: self._world.free(i) for i in sorted(bodies)})
+            for bodies, joined in groups
+        ]
+
+    def _accelerations(self, islands: Sequence[Island]) -> dict[int, Acceleration]:
+        free = {i: self._world.free(i) for i in self.states if self._world.cores[i].dynamic}
+        for island in islands:
+            free.update(island.accelerations)
+        return free
+
+    def _too_low(self, islands: Sequence[Island], staying: Sequence[Contact]) -> list[Contact]:
+        """Return the contacts whose next flight is lower than what counts as no gap."""
+        by = self._accelerations(islands)
+        placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
+        found = []
+        for touch in self.touches.values():
+            for contact in touch.contacts:
+                if contact in staying:
+                    continue
+                bend = opening(contact, placed, by)
+                rate = self._rate(contact)
+                if bend < 0:
+                    self._forecast(touch, 2 * rate / -bend)
+                    if rate**2 <= -2 * bend * touch.tolerance:
+                        found.append(contact)
+        return found
+
+    def _forecast(self, touch: Touch, flight: float) -> None:
+        restitution = self._world.restitution(*touch.pair)
+        if restitution < 1:
+            touch.rest_at = max(touch.rest_at, self.time + flight / (1 - restitution))
+
+    def _open(self, islands: Sequence[Island], contacts: Sequence[Contact]) -> None:
+        by = self._accelerations(islands)
+        placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
+        for contact in contacts:
+            self.opening[contact.a, contact.b] = opening(contact, placed, by)
+
+    def _hold(self, island: Island) -> None:
+        self.states.update(island.stopped(self.states))
+        island.refuse_what_moves_on(self.states, self.time)
+        self.holds.update(island.holds())
+        self.changed.update(island.bodies)
+
+
+def _far(a: Placed, b: Placed, tolerance: float) -> bool:
+    (ax, ay), (bx, by) = a.state.position, b.state.position
+    reach = a.core.bounding_radius + b.core.bounding_radius
+    return math.hypot(bx - ax, by - ay) > reach + tolerance
+
+
+def _speed(contact: Contact, a: State, b: State) -> float:
+    """Return the size of the terms that make up a normal velocity, m/s."""
+    return (
+        math.hypot(*a.velocity)
+        + math.hypot(*b.velocity)
+        + abs(a.angular_velocity) * math.hypot(*contact.arm_a)
+        + abs(b.angular_velocity) * math.hypot(*contact.arm_b)
+    )

@@ -1,0 +1,170 @@
+"""The located way: follow the paths from one impact to the next (R7, R8)."""
+
+import heapq
+import math
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from tamias2d.contact.advance import Pair
+from tamias2d.contact.core import Core, place
+from tamias2d.contact.forecast import Forecasts
+from tamias2d.contact.gap import axes, resolution
+from tamias2d.contact.instant import Hit, Instant, PairOf, Surroundings
+from tamias2d.contact.manifold import Contact
+from tamias2d.contact.near import Swept
+from tamias2d.contact.path import Motion, Piece
+from tamias2d.contact.refusal import OverlapError, named
+from tamias2d.scene import Scene
+from tamias2d.state import Array, Hold, State
+
+
+class Located:
+    """The bodies of a scene under way: `go` to a time, then read `tracks` and `impacts`."""
+
+    def __init__(self, scene: Scene, motion: Motion) -> None:
+        self._scene = scene
+        self._motion = motion
+        self._cores = [Core(i, body) for i, body in enumerate(scene.bodies)]
+        solid = [core for core in self._cores if core.solid]
+        self.can_meet = len(solid) > 1 and any(core.dynamic for core in solid)
+        self.time = 0.0
+        self.tracks: list[list[Piece]] = [[] for _ in self._cores]
+        """The pieces that each body has gone through, in order."""
+        self.notes: tuple[str, ...] = ()
+        self._hits: list[tuple[float, Hit]] = []
+        self._holds: list[Hold | None] = [None for _ in self._cores]
+        self._held: dict[PairOf, list[Contact]] = {}
+        self._resume: dict[PairOf, float] = {}
+        self._version = [0 for _ in self._cores]
+        self._events: list[tuple[float, int, int, int, int]] = []
+        self._swept = Swept(self._cores)
+        self._forecasts = Forecasts()
+
+    def go(self, duration: float, *, told: Callable[[float], None] = lambda time: None) -> None:
+        """Go on to a time in s; `told` hears of every time that is reached.
+
+        Raises:
+            OverlapError: bodies overlap at the start.
+            Refusal: what follows is not unique, or not within the models.
+        """
+        states = [
+            State(b.position, b.orientation, b.velocity, b.angular_velocity)
+            for b in self._scene.bodies
+        ]
+        self._refuse_overlap(states)
+        while self.time < duration:
+            end = self._segment(states)
+            while self._events and self._events[0][0] <= end:
+                self._next_event(end)
+                told(self.time)
+            self.time = end
+            states = [self._state(i) for i in range(len(self._cores))]
+            told(end)
+
+    def impacts(self) -> dict[str, Array]:
+        """Return what the run's `Impacts` hold."""
+        hits = [(time, *hit) for time, hit in self._hits]
+        return {
+            "time": np.array([time for time, *_ in hits]),
+            "bodies": np.array([(c.a, c.b) for _, c, *_ in hits], dtype=np.int64).reshape(-1, 2),
+            "point": np.array([c.point for _, c, *_ in hits]).reshape(-1, 2),
+            "normal": np.array([c.normal for _, c, *_ in hits]).reshape(-1, 2),
+            "impulse": np.array([impulse for *_, impulse, _ in hits]),
+            "normal_velocity": np.array([rate for *_, rate in hits]),
+        }
+
+    def _segment(self, states: list[State]) -> float:
+        """Lay the paths of all bodies from now on, and look for what meets on them."""
+        self._events.clear()
+        self._resume.clear()
+        end, paths = self._motion.segment(self.time, states, self._holds)
+        for body, path in enumerate(paths):
+            self._lay(body, path)
+        if self.time == 0:
+            self._happens(0.0, [core.index for core in self._cores if core.dynamic], end)
+        self._predict(range(len(self._cores)))
+        return end
+
+    def _lay(self, body: int, path: Piece) -> None:
+        self.tracks[body].append(path)
+        self._version[body] += 1
+        self._swept.put(body, path)
+
+    def _state(self, body: int) -> State:
+        return self.tracks[body][-1].at(self.time)
+
+    def _predict(self, bodies: Iterable[int]) -> None:
+        """Put the next meeting of each pair with one of the bodies on the list."""
+        seen = set()
+        for body in bodies:
+            for other in self._swept.near(body):
+                pair = (min(body, other), max(body, other))
+                if pair not in seen and pair not in self._held:
+                    seen.add(pair)
+                    self._predict_pair(pair)
+
+    def _predict_pair(self, pair: PairOf) -> None:
+        i, j = pair
+        path_i, path_j = self.tracks[i][-1], self.tracks[j][-1]
+        start = self._resume.get(pair, self.time)
+        end = min(path_i.end, path_j.end)
+        time = Pair(self._cores[i], self._cores[j], path_i, path_j).meets(start, end)
+        if time is not None:
+            heapq.heappush(self._events, (time, i, j, self._version[i], self._version[j]))
+
+    def _next_event(self, end: float) -> None:
+        time, i, j, version_i, version_j = heapq.heappop(self._events)
+        if (version_i, version_j) == (self._version[i], self._version[j]):
+            self.time = time
+            self._happens(time, [i, j], end)
+
+    def _happens(self, time: float, bodies: list[int], end: float) -> None:
+        """Let an instant happen around some bodies, and lay the paths from it on."""
+        world = Surroundings(
+            self._cores,
+            self._state,
+            self._swept.near,
+            lambda body: self._motion.free(body, time),
+            self._held.__contains__,
+            self._scene.restitution,
+        )
+        instant = Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
+        self._hits += [(time, hit) for hit in instant.hits]
+        self._forecasts.hear(instant)
+        for touch in instant.touches.values():
+            if touch.staying and touch.pair not in self._held:
+                names = named(*(self._cores[i].name for i in touch.pair))
+                since = self._forecasts.rest_of(touch.pair, time)
+                self.notes += (f"rest: {names} stay in contact from {since!r} s",)
+            self._held.pop(touch.pair, None)
+            if touch.staying:
+                self._held[touch.pair] = touch.staying
+        for body in sorted(instant.changed):
+            self._holds[body] = hold = instant.holds.get(body)
+            path = self._motion.restart(body, time, instant.states[body], end, hold)
+            self._lay(body, path)
+        self._depart(instant)
+        self._predict(sorted(instant.changed) if instant.changed else bodies)
+
+    def _depart(self, instant: Instant) -> None:
+        """Find out from when on pairs that part without normal velocity are seen to be apart."""
+        for pair, bend in instant.opening.items():
+            i, j = pair
+            tolerance = instant.touches[pair].tolerance
+            step = math.sqrt(8 * tolerance / bend)
+            path_i, path_j = self.tracks[i][-1], self.tracks[j][-1]
+            self._resume[pair] = min(instant.time + step, path_i.end, path_j.end)
+
+    def _refuse_overlap(self, states: list[State]) -> None:
+        placed = [place(core, state) for core, state in zip(self._cores, states, strict=True)]
+        for a in placed:
+            for b in placed[a.core.index + 1 :]:
+                if not (a.core.solid and b.core.solid and (a.core.dynamic or b.core.dynamic)):
+                    continue
+                gap = max(axis.gap for axis in axes(a, b))
+                if gap < -resolution(a, b, 0.0):
+                    raise OverlapError(
+                        f"{named(a.core.name, b.core.name)}: they overlap by {-gap:.6g} m at the "
+                        "start: bodies must not (R4). Move them apart."
+                    )

@@ -1,0 +1,144 @@
+"""Where a touching pair touches: one point, or the two ends of what a flat contact has in common.
+
+Contacts answer in velocities (IM3) and accelerations (GD3), through the generated functions.
+"""
+
+from typing import NamedTuple
+
+from tamias2d.contact.core import Placed
+from tamias2d.contact.gap import Axis, Gap, axes, gaps
+from tamias2d.contact.refusal import UndecidedContactError, named
+from tamias2d.generated import impact, rest
+from tamias2d.state import Acceleration, State, Vector
+
+
+class Contact(NamedTuple):
+    """One touching point of bodies A and B."""
+
+    a: int
+    b: int
+    normal: Vector
+    """Unit, from A to B."""
+    arm_a: Vector
+    """From the centre of mass of A to the point, m."""
+    arm_b: Vector
+    point: Vector
+    """In the world, m."""
+    axis: Axis
+    gap: Gap
+
+
+def manifold(a: Placed, b: Placed, tolerance: float, time: float) -> list[Contact]:
+    """Return the contacts of a pair that touches within a tolerance in m."""
+    found = axes(a, b)
+    axis = max(found, key=lambda each: each.gap)
+    _refuse_corner_on_corner(a, b, found, axis, tolerance, time)
+    near = [gap for gap in gaps(a, b, axis) if gap.value <= axis.gap + tolerance]
+    if axis.side is None or len(near) == 1:
+        return [_contact(a, b, axis, near[0], None)]
+    ux, uy = axis.direction
+    along = [_along(a, b, axis, gap) for gap in near]
+    first, last = along.index(min(along)), along.index(max(along))
+    low, high = axis.side.ends
+    ends = [(first, max(along[first], low)), (last, min(along[last], high))]
+    if ends[0][1] >= ends[1][1]:  # the ends of both sides meet: one point
+        ends = ends[:1]
+    return [_contact(a, b, axis, near[k], None if end == along[k] else end) for k, end in ends]
+
+
+def approach(contact: Contact, a: State, b: State) -> float:
+    """Return the normal velocity of a contact, m/s; negative when the bodies approach."""
+    return float(
+        impact.normal_velocity(
+            a.velocity,
+            a.angular_velocity,
+            contact.arm_a,
+            b.velocity,
+            b.angular_velocity,
+            contact.arm_b,
+            contact.normal,
+        )
+    )
+
+
+def parting(
+    contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration
+) -> float:
+    """Return the second derivative of the gap, m/s^2, under given accelerations.
+
+    To the acceleration of the points along the normal (GD3) come the terms of what turns or slips.
+    """
+    points = rest.normal_acceleration(
+        of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
+    )
+    return float(points) + _turning(contact, a, b)
+
+
+def slip(contact: Contact, a: State, b: State) -> float:
+    """Return how fast the corner of Q moves along the side or past the corner of P, m/s.
+
+    A disc is the corner in its middle: its spin slips nowhere.
+    """
+    p, q = (b, a) if contact.axis.swapped else (a, b)
+    ux, uy = contact.axis.direction
+    (pu, pv), (qu, qv) = p.velocity, q.velocity
+    spin_p, spin_q = p.angular_velocity, q.angular_velocity
+    (vx, vy), (wx, wy) = contact.gap.corner_p, contact.gap.corner
+    along_x = qu - pu - spin_q * wy + spin_p * vy
+    along_y = qv - pv + spin_q * wx - spin_p * vx
+    return ux * along_y - uy * along_x
+
+
+def _turning(contact: Contact, a: Placed, b: Placed) -> float:
+    p, q = (b, a) if contact.axis.swapped else (a, b)
+    ux, uy = contact.axis.direction
+    (px, py), (qx, qy) = p.state.position, q.state.position
+    spin_p, spin_q = p.state.angular_velocity, q.state.angular_velocity
+    (vx, vy), (wx, wy) = contact.gap.corner_p, contact.gap.corner
+    distance = ux * (qx - px + wx - vx) + uy * (qy - py + wy - vy)
+    along = slip(contact, a.state, b.state)
+    inward = spin_q**2 * (ux * wx + uy * wy)
+    if contact.axis.side is not None:
+        return 2 * spin_p * along - spin_p**2 * distance - inward
+    turn = along**2 / distance if distance else 0.0
+    return turn - inward + spin_p**2 * (ux * vx + uy * vy)
+
+
+def _along(a: Placed, b: Placed, axis: Axis, gap: Gap) -> float:
+    """Return where a corner of Q lies along the side of P, from the centre of P, m."""
+    p, q = (b, a) if axis.swapped else (a, b)
+    ux, uy = axis.direction
+    (px, py), (qx, qy) = p.state.position, q.state.position
+    return ux * (qy - py + gap.corner[1]) - uy * (qx - px + gap.corner[0])
+
+
+def _contact(a: Placed, b: Placed, axis: Axis, gap: Gap, end: float | None) -> Contact:
+    """Return the contact at a corner of Q, or at the end of the side of P."""
+    p, q = (b, a) if axis.swapped else (a, b)
+    ux, uy = axis.direction
+    (px, py), (qx, qy) = p.state.position, q.state.position
+    if end is not None and axis.side is not None:
+        offset = axis.side.offset
+        arm_p = (offset * ux - end * uy, offset * uy + end * ux)
+        arm_q = (arm_p[0] - (qx - px), arm_p[1] - (qy - py))
+    else:
+        arm_q = (gap.corner[0] - q.core.radius * ux, gap.corner[1] - q.core.radius * uy)
+        arm_p = (arm_q[0] + (qx - px), arm_q[1] + (qy - py))
+    point = (qx + arm_q[0], qy + arm_q[1])
+    if axis.swapped:
+        return Contact(a.core.index, b.core.index, (-ux, -uy), arm_q, arm_p, point, axis, gap)
+    return Contact(a.core.index, b.core.index, (ux, uy), arm_p, arm_q, point, axis, gap)
+
+
+def _refuse_corner_on_corner(
+    a: Placed, b: Placed, found: list[Axis], best: Axis, tolerance: float, time: float
+) -> None:
+    ux, uy = best.direction
+    for axis in found:
+        across = abs(ux * axis.direction[1] - uy * axis.direction[0])
+        if axis.gap >= best.gap - tolerance and across > 1e-9:
+            raise UndecidedContactError(
+                f"{named(a.core.name, b.core.name)} at {time!r} s: corner meets corner, so that "
+                "the normal is not unique (IM3). Move one of them a little.",
+                time=time,
+            )

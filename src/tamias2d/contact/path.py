@@ -1,0 +1,59 @@
+"""What this part asks of a body's path and of whoever makes paths; `motion` answers it."""
+
+from collections.abc import Sequence
+from typing import Any, Protocol
+
+from tamias2d.state import Acceleration, Hold, State, Vector
+
+
+class Bounds(Protocol):
+    """What holds at every time of a window."""
+
+    @property
+    def acceleration(self) -> Vector:
+        """The acceleration in the middle of its range, m/s^2."""
+
+    @property
+    def deviation(self) -> float:
+        """How far any acceleration of the window is from it at most, m/s^2."""
+
+    @property
+    def angular_speed(self) -> float:
+        """At most, rad/s."""
+
+    @property
+    def angular_acceleration(self) -> float:
+        """Its size at most, rad/s^2."""
+
+
+class Piece(Protocol):
+    """The path of one body between two times, with continuous velocity."""
+
+    start: float
+    end: float
+
+    def at(self, time: float) -> State:
+        """Return the state at a time of the piece, s."""
+
+    def acceleration(self, time: float) -> Acceleration:
+        """Return the acceleration at a time of the piece, s."""
+
+    def bounds(self, first: float, last: float) -> Any:
+        """Return the `Bounds` from the time `first` to the time `last`, s."""
+
+
+class Motion(Protocol):
+    """Whoever makes paths."""
+
+    def segment(
+        self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
+    ) -> tuple[float, Sequence[Piece]]:
+        """Return a time and the path of every body from `start` (s) to that time."""
+
+    def restart(
+        self, body: int, start: float, state: State, end: float, hold: Hold | None
+    ) -> Piece:
+        """Return the path of one body from a new state at `start` to `end`, s."""
+
+    def free(self, body: int, time: float) -> Acceleration:
+        """Return the acceleration of a body that nothing holds, at a time in s."""

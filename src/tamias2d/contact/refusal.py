@@ -1,0 +1,49 @@
+"""What the located way cannot decide, each case under a name of its own.
+
+A refusal says when, which bodies and why; its `run` is the history up to there.
+"""
+
+from typing import ClassVar
+
+from tamias2d.errors import SceneError, SimulationError
+
+
+class Refusal(SimulationError):
+    """The base of all refusals of the located way."""
+
+    code: ClassVar[str] = "refused"
+
+    def __init__(self, message: str, *, time: float) -> None:
+        super().__init__(message)
+        self.time = time
+        self.run: object = None
+
+
+class SimultaneousImpactsError(Refusal):
+    """Impacts at one instant that act on each other: rigid bodies leave the answer open."""
+
+    code = "simultaneous-impacts"
+
+
+class LastingContactError(Refusal):
+    """A contact that lasts while its normal turns, tips or moves: not within the models."""
+
+    code = "lasting-contact"
+
+
+class UndecidedContactError(Refusal):
+    """Float64 cannot tell whether bodies part."""
+
+    code = "undecided-contact"
+
+
+class OverlapError(SceneError):
+    """Bodies overlap at the start of a run."""
+
+    code = "overlap"
+
+
+def named(*names: str) -> str:
+    """Return names as a message lists them."""
+    quoted = [f"'{name}'" for name in names]
+    return " and ".join(filter(None, [", ".join(quoted[:-1]), quoted[-1]]))
