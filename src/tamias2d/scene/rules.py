@@ -46,7 +46,8 @@ def number(value: object, symbol: str, of: str, remedy: str, *, at: tuple[str | 
     if not math.isfinite(plain):
         raise RuleError(f"{what}: found {shown(value)}: must be finite (R4). {remedy}", *at)
     if not meaning.admits(plain):
-        raise RuleError(f"{label(at)} {plain:.17g}{unit} of {of}: {meaning.rule}. {remedy}", *at)
+        found = repr(plain).removesuffix(".0")
+        raise RuleError(f"{label(at)} {found}{unit} of {of}: {meaning.rule}. {remedy}", *at)
     return plain + 0.0  # no negative zero: equal scenes have equal texts
 
 
