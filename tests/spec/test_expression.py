@@ -1,10 +1,11 @@
 """The expression language: what it reads, what it refuses, and that its printers agree."""
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import example, given, strategies as st
 
 from tamias2d.spec.derivative import differentiate
 from tamias2d.spec.evaluate import evaluate
@@ -122,7 +123,17 @@ def test_evaluation_is_what_python_computes(text: str, a: float, b: float) -> No
 
 @pytest.mark.parametrize(
     "text",
-    ["a*a*b", "sin(a*b)", "a/(b + a)", "(a + b)**3", "exp(-a)*cos(b*a)", "sqrt(a + b)", "log(a)/a"],
+    [
+        "a*a*b",
+        "sin(a*b)",
+        "a/(b + a)",
+        "(a + b)**3",
+        "exp(-a)*cos(b*a)",
+        "sqrt(a + b)",
+        "log(a)/a",
+        "phi1(-a*b)",
+        "a*phi2(-3*a)",
+    ],
 )
 def test_derivative_is_the_slope(text: str) -> None:
     tree, at, h = parse(text), {"a": 1.3, "b": 0.7}, 1e-6
@@ -153,6 +164,23 @@ def test_arrays_give_the_same_bits_as_floats() -> None:
     many = evaluate(tree, {"a": a, "b": b})
     single = [evaluate(tree, {"a": float(p), "b": float(q)}) for p, q in zip(a, b, strict=True)]
     assert many.tolist() == single
+
+
+@given(st.integers(-40 * 2**20, 40 * 2**20).map(lambda n: n / 2**20))
+@example(0.0)
+@example(-1e-9)
+@example(-1.0)
+def test_phi_functions_are_the_integrals_of_the_exponential(z: float) -> None:
+    # phi_k(z) = sum of z^n/(n + k)!, summed here without rounding
+    exact = Fraction(z)
+    for name, k in (("phi1", 1), ("phi2", 2)):
+        total, term = Fraction(0), Fraction(1, math.factorial(k))
+        for n in range(220):
+            total += term
+            term *= exact / (n + 1 + k)
+        wanted = pytest.approx(float(total), rel=2e-15)
+        assert evaluate(parse(f"{name}(z)"), {"z": z}) == wanted
+        assert evaluate(parse(f"{name}(z)"), {"z": np.array([z])})[0] == wanted
 
 
 def test_a_measure_is_in_si_units() -> None:

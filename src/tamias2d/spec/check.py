@@ -183,7 +183,7 @@ class _Checker:
     def call(self, node: Call) -> Type:
         first, *rest = node.arguments
         match node.function:
-            case "sin" | "cos" | "tan" | "exp" | "log":
+            case "sin" | "cos" | "tan" | "exp" | "log" | "phi1" | "phi2":
                 return self.pure(first)
             case "sqrt":
                 dimension = self.scalar(first).dimension

@@ -10,6 +10,12 @@ from tamias2d.spec.expression import Binary, Call, Measure, Name, Negative, Node
 
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
+
+
+def _less_twice(first: Node, second: Node) -> Node:
+    return Binary("-", first, Binary("*", Number(Fraction(2)), second))
+
+
 _OUTER: dict[str, Callable[[Node], Node]] = {
     "sin": lambda a: Call("cos", (a,)),
     "cos": lambda a: Negative(Call("sin", (a,))),
@@ -17,6 +23,8 @@ _OUTER: dict[str, Callable[[Node], Node]] = {
     "log": lambda a: Binary("/", ONE, a),
     "sqrt": lambda a: Power(a, Fraction(-1, 2)),
     "tan": lambda a: Power(Call("cos", (a,)), Fraction(-2)),
+    "phi1": lambda a: Binary("-", Call("phi1", (a,)), Call("phi2", (a,))),
+    "phi2": lambda a: Binary("/", _less_twice(Call("phi1", (a,)), Call("phi2", (a,))), a),
 }
 
 

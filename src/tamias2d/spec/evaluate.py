@@ -92,6 +92,8 @@ _CALL: dict[str, Callable[..., Value]] = {
     "tan": fn.tan,
     "exp": fn.exp,
     "log": fn.log,
+    "phi1": fn.phi1,
+    "phi2": fn.phi2,
     "abs": abs,
     "min": fn.least,
     "max": fn.largest,

@@ -33,6 +33,30 @@ least = _either(min, np.minimum)
 largest = _either(max, np.maximum)
 
 
+def phi1(argument: Scalar) -> Scalar:
+    """(exp z - 1)/z, the mean of the exponential from 0 to z; 1 at 0, without cancellation."""
+    if isinstance(argument, np.ndarray):
+        return np.expm1(argument) / np.where(argument == 0, 1.0, argument) + (argument == 0)
+    return math.expm1(argument) / argument if argument else 1.0
+
+
+def phi2(argument: Scalar) -> Scalar:
+    """(exp z - 1 - z)/z^2; 1/2 at 0, and near 0 by its series, where the quotient cancels."""
+    if isinstance(argument, np.ndarray):
+        near = np.abs(argument) < 1
+        far = np.where(near, 1.0, argument)
+        return np.where(near, _series(np.where(near, argument, 0.0)), (phi1(far) - 1) / far)
+    return _series(argument) if abs(argument) < 1 else (phi1(argument) - 1) / argument
+
+
+def _series(argument: Scalar) -> Scalar:
+    """Sum of z^k/(k + 2)!; for |z| < 1 what is left out is below rounding."""
+    result = 0.0
+    for divisor in range(19, 2, -1):
+        result = (result + 1) * argument / divisor
+    return (result + 1) / 2
+
+
 def power(base: Scalar, exponent: int) -> Scalar:
     """A whole positive power as repeated products: `**` rounds differently for arrays."""
     result = base

@@ -38,8 +38,22 @@ _CALLS = {
     "max": r"\max\left({0}, {1}\right)",
     "atan2": r"\operatorname{{atan2}}\left({0}, {1}\right)",
     "sum": r"\sum {0}",
+    "phi1": r"\phi_1\left({0}\right)",
+    "phi2": r"\phi_2\left({0}\right)",
 }
-_BARE = ("norm", "abs", "sqrt", "vector", "min", "max", "atan2", "x", "y")  # own brackets
+_BARE = (
+    "norm",
+    "abs",
+    "sqrt",
+    "vector",
+    "min",
+    "max",
+    "atan2",
+    "x",
+    "y",
+    "phi1",
+    "phi2",
+)  # own brackets
 
 
 def plain(node: Node) -> str:
