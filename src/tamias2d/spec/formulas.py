@@ -10,7 +10,7 @@ from tamias2d.spec.check import Type
 from tamias2d.spec.derivation import check_closed_form, check_derivation
 from tamias2d.spec.equations import Report, functions, parsed, relation, typed
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
-from tamias2d.spec.scheme import check_order
+from tamias2d.spec.order import check_orders
 from tamias2d.spec.symbols import Symbol, SymbolTable
 from tamias2d.spec.units import SECOND
 
@@ -20,7 +20,7 @@ def check_item(item: Item, table: SymbolTable) -> list[Diagnostic]:
     faults: list[Diagnostic] = []
     report = faults.append
     if item.kind == "scheme":
-        check_order(item, report)
+        check_orders(item, report)
     elif item.kind == "case":
         check_case(item, table, report)
     elif item.kind in ("theory", "definition", "model", "property"):
