@@ -27,12 +27,12 @@ def test_tc12_usability_survey() -> None:
 
 
 def test_tc13_agreement_with_independent_programs() -> None:
-    """TC13, srs/verification/nonfunctional.md:42; verifies NFR2, R5, R6, R7, R8."""
+    """TC13, srs/verification/nonfunctional.md:44; verifies NFR2, R5, R6, R7, R8."""
     passes("TC13")
 
 
 def test_tc14_stress_scene_of_2018() -> None:
-    """TC14, srs/verification/nonfunctional.md:66; verifies NFR1."""
+    """TC14, srs/verification/nonfunctional.md:68; verifies NFR1."""
     passes("TC14")
 
 

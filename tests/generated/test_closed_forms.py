@@ -5,8 +5,24 @@ Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this fi
 
 from hypothesis import given
 
-from tamias2d.generated import rotation, translation
+from tamias2d.generated import drag, rotation, spring, translation
 from tests.support import Value, close, only, solve, values
+
+
+@given(
+    position_start=values("position_start"),
+    velocity_start=values("velocity_start"),
+    acceleration=values("acceleration"),
+    drag_rate=values("drag_rate"),
+    time=values("time"),
+)
+def test_im6_closed_form_solves_its_equations(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    solution = solve(
+        {"position": "velocity", "velocity": "acceleration - drag_rate*velocity"}, given
+    )
+    close(drag.position(**only(given, drag.position)), solution["position"])
+    close(drag.velocity(**only(given, drag.velocity)), solution["velocity"])
 
 
 @given(
@@ -25,6 +41,22 @@ def test_im2_closed_form_solves_its_equations(**given: Value) -> None:
         rotation.angular_velocity(**only(given, rotation.angular_velocity)),
         solution["angular_velocity"],
     )
+
+
+@given(
+    equilibrium=values("equilibrium"),
+    position_start=values("position_start"),
+    velocity_start=values("velocity_start"),
+    angular_frequency=values("angular_frequency"),
+    time=values("time"),
+)
+def test_im7_closed_form_solves_its_equations(**given: Value) -> None:
+    """IM7, srs/models/spring.md:30."""
+    solution = solve(
+        {"position": "velocity", "velocity": "angular_frequency**2*(equilibrium - position)"}, given
+    )
+    close(spring.position(**only(given, spring.position)), solution["position"])
+    close(spring.velocity(**only(given, spring.velocity)), solution["velocity"])
 
 
 @given(

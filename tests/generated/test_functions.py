@@ -5,7 +5,17 @@ Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this fi
 
 from hypothesis import given
 
-from tamias2d.generated import definitions, detection, impact, rest, rotation, translation
+from tamias2d.generated import (
+    definitions,
+    detection,
+    drag,
+    gravitation,
+    impact,
+    rest,
+    rotation,
+    spring,
+    translation,
+)
 from tests.support import Value, agrees, values
 
 
@@ -122,6 +132,94 @@ def test_overlap_is_im4(**given: Value) -> None:
         detection.overlap,
         "abs(x(center_a) - x(center_b)) <= (width_a + width_b)/2 and abs(y(center_a) - y(center_b)) <= (height_a + height_b)/2",
         given,
+    )
+
+
+@given(linear_drag=values("linear_drag"), velocity=values("velocity"))
+def test_linear_drag_force_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(drag.linear_drag_force, "-linear_drag*velocity", given)
+
+
+@given(quadratic_drag=values("quadratic_drag"), velocity=values("velocity"))
+def test_quadratic_drag_force_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(
+        drag.quadratic_drag_force,
+        "-quadratic_drag*speed*velocity",
+        given,
+        {"speed": "norm(velocity)"},
+    )
+
+
+@given(linear_drag=values("linear_drag"), mass=values("mass"))
+def test_drag_rate_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(drag.drag_rate, "linear_drag/mass", given)
+
+
+@given(
+    position_start=values("position_start"),
+    velocity_start=values("velocity_start"),
+    acceleration=values("acceleration"),
+    drag_rate=values("drag_rate"),
+    time=values("time"),
+)
+def test_position_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(
+        drag.position,
+        "position_start + velocity_start*time*phi1(-drag_rate*time) + acceleration*time**2*phi2(-drag_rate*time)",
+        given,
+    )
+
+
+@given(
+    velocity_start=values("velocity_start"),
+    acceleration=values("acceleration"),
+    drag_rate=values("drag_rate"),
+    time=values("time"),
+)
+def test_velocity_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(
+        drag.velocity,
+        "velocity_start*exp(-drag_rate*time) + acceleration*time*phi1(-drag_rate*time)",
+        given,
+    )
+
+
+@given(
+    gravitational_constant=values("gravitational_constant"),
+    mass_a=values("mass_a"),
+    mass_b=values("mass_b"),
+    position_a=values("position_a"),
+    position_b=values("position_b"),
+)
+def test_attraction_is_im5(**given: Value) -> None:
+    """IM5, srs/models/gravitation.md:12."""
+    agrees(
+        gravitation.attraction,
+        "gravitational_constant*mass_a*mass_b*span/distance**3",
+        given,
+        {"span": "position_b - position_a", "distance": "norm(span)"},
+    )
+
+
+@given(
+    gravitational_constant=values("gravitational_constant"),
+    mass_a=values("mass_a"),
+    mass_b=values("mass_b"),
+    position_a=values("position_a"),
+    position_b=values("position_b"),
+)
+def test_gravitational_energy_is_im5(**given: Value) -> None:
+    """IM5, srs/models/gravitation.md:12."""
+    agrees(
+        gravitation.gravitational_energy,
+        "-gravitational_constant*mass_a*mass_b/distance",
+        given,
+        {"span": "position_b - position_a", "distance": "norm(span)"},
     )
 
 
@@ -289,6 +387,100 @@ def test_orientation_is_im2(**given: Value) -> None:
 def test_angular_velocity_is_im2(**given: Value) -> None:
     """IM2, srs/models/rotation.md:27."""
     agrees(rotation.angular_velocity, "angular_velocity_start + angular_acceleration*time", given)
+
+
+@given(
+    stiffness=values("stiffness"),
+    rest_length=values("rest_length"),
+    damping=values("damping"),
+    point_a=values("point_a"),
+    point_velocity_a=values("point_velocity_a"),
+    point_b=values("point_b"),
+    point_velocity_b=values("point_velocity_b"),
+)
+def test_spring_force_is_im7(**given: Value) -> None:
+    """IM7, srs/models/spring.md:30."""
+    agrees(
+        spring.spring_force,
+        "tension*axis",
+        given,
+        {
+            "span": "point_b - point_a",
+            "distance": "norm(span)",
+            "extension": "distance - rest_length",
+            "axis": "span/max(distance, 1e-150[m])",
+            "extension_rate": "dot(point_velocity_b - point_velocity_a, axis)",
+            "tension": "stiffness*extension + damping*extension_rate",
+        },
+    )
+
+
+@given(
+    stiffness=values("stiffness"),
+    rest_length=values("rest_length"),
+    point_a=values("point_a"),
+    point_b=values("point_b"),
+)
+def test_spring_energy_is_im7(**given: Value) -> None:
+    """IM7, srs/models/spring.md:30."""
+    agrees(
+        spring.spring_energy,
+        "stiffness*extension**2/2",
+        given,
+        {
+            "span": "point_b - point_a",
+            "distance": "norm(span)",
+            "extension": "distance - rest_length",
+        },
+    )
+
+
+@given(stiffness=values("stiffness"), mass=values("mass"))
+def test_angular_frequency_is_im7(**given: Value) -> None:
+    """IM7, srs/models/spring.md:30."""
+    agrees(spring.angular_frequency, "sqrt(stiffness/mass)", given)
+
+
+@given(
+    point=values("point"),
+    acceleration=values("acceleration"),
+    angular_frequency=values("angular_frequency"),
+)
+def test_equilibrium_is_im7(**given: Value) -> None:
+    """IM7, srs/models/spring.md:30."""
+    agrees(spring.equilibrium, "point + acceleration/angular_frequency**2", given)
+
+
+@given(
+    equilibrium=values("equilibrium"),
+    position_start=values("position_start"),
+    velocity_start=values("velocity_start"),
+    angular_frequency=values("angular_frequency"),
+    time=values("time"),
+)
+def test_position_is_im7(**given: Value) -> None:
+    """IM7, srs/models/spring.md:30."""
+    agrees(
+        spring.position,
+        "equilibrium + (position_start - equilibrium)*cos(angular_frequency*time) + velocity_start*(sin(angular_frequency*time)/angular_frequency)",
+        given,
+    )
+
+
+@given(
+    equilibrium=values("equilibrium"),
+    position_start=values("position_start"),
+    velocity_start=values("velocity_start"),
+    angular_frequency=values("angular_frequency"),
+    time=values("time"),
+)
+def test_velocity_is_im7(**given: Value) -> None:
+    """IM7, srs/models/spring.md:30."""
+    agrees(
+        spring.velocity,
+        "velocity_start*cos(angular_frequency*time) + (equilibrium - position_start)*(angular_frequency*sin(angular_frequency*time))",
+        given,
+    )
 
 
 @given(gravity=values("gravity"), force=values("force"), mass=values("mass"))

@@ -9,6 +9,21 @@ from tamias2d.generated import schemes
 from tests.support import observed_order, observed_order_of_levels
 
 
+def test_yoshida_4_has_order_4() -> None:
+    """srs/schemes/composed.md:10."""
+    assert observed_order(schemes.yoshida_4) == pytest.approx(4, abs=0.1)
+
+
+def test_dormand_prince_5_has_order_5() -> None:
+    """srs/schemes/embedded.md:16."""
+    assert observed_order(schemes.dormand_prince_5) == pytest.approx(5, abs=0.1)
+
+
+def test_dop853_has_order_8() -> None:
+    """srs/schemes/embedded.md:58."""
+    assert observed_order(schemes.dop853) == pytest.approx(8, abs=0.1)
+
+
 def test_explicit_euler_has_order_1() -> None:
     """srs/schemes/euler.md:22."""
     assert observed_order(schemes.explicit_euler) == pytest.approx(1, abs=0.1)

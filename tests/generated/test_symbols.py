@@ -105,15 +105,133 @@ def test_range_of_pair_restitution() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
 
 
+def test_range_of_linear_drag() -> None:
+    """srs/symbols.md:192: >= 0."""
+    symbol = SYMBOLS["linear_drag"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_quadratic_drag() -> None:
+    """srs/symbols.md:198: >= 0."""
+    symbol = SYMBOLS["quadratic_drag"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_drag_rate() -> None:
+    """srs/symbols.md:214: >= 0."""
+    symbol = SYMBOLS["drag_rate"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_speed() -> None:
+    """srs/symbols.md:219: >= 0."""
+    symbol = SYMBOLS["speed"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_stiffness() -> None:
+    """srs/symbols.md:224: > 0."""
+    symbol = SYMBOLS["stiffness"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_rest_length() -> None:
+    """srs/symbols.md:230: >= 0."""
+    symbol = SYMBOLS["rest_length"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_damping() -> None:
+    """srs/symbols.md:236: >= 0."""
+    symbol = SYMBOLS["damping"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_distance() -> None:
+    """srs/symbols.md:252: >= 0."""
+    symbol = SYMBOLS["distance"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_spring_energy() -> None:
+    """srs/symbols.md:279: >= 0."""
+    symbol = SYMBOLS["spring_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_angular_frequency() -> None:
+    """srs/symbols.md:284: > 0."""
+    symbol = SYMBOLS["angular_frequency"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
 def test_range_of_inverse_effective_mass() -> None:
-    """srs/symbols.md:210: > 0."""
+    """srs/symbols.md:340: > 0."""
     symbol = SYMBOLS["inverse_effective_mass"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_impulse() -> None:
-    """srs/symbols.md:221: >= 0."""
+    """srs/symbols.md:351: >= 0."""
     symbol = SYMBOLS["impulse"]
     assert all(
         symbol.admits(value)
@@ -126,7 +244,7 @@ def test_range_of_impulse() -> None:
 
 
 def test_range_of_contact_force() -> None:
-    """srs/symbols.md:231: >= 0."""
+    """srs/symbols.md:361: >= 0."""
     symbol = SYMBOLS["contact_force"]
     assert all(
         symbol.admits(value)
@@ -139,7 +257,7 @@ def test_range_of_contact_force() -> None:
 
 
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:254: >= 0."""
+    """srs/symbols.md:384: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -152,28 +270,28 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:272: > 0."""
+    """srs/symbols.md:402: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:277: > 0."""
+    """srs/symbols.md:407: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:282: > 0."""
+    """srs/symbols.md:412: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:301: > 0."""
+    """srs/symbols.md:431: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
