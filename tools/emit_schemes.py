@@ -18,10 +18,28 @@ acceleration is a function of time, position and velocity.
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 Acceleration = Callable[[Any, Any, Any], Any]
+
+
+class Pair(NamedTuple):
+    """A step that knows its error.
+
+    `position_errors` and `velocity_errors` have one estimate for each lower order, the highest
+    first. Where a share x of the step has passed, the velocity is that at the start plus the
+    time step times the sum of `dense[k]` times the power k + 1 of x.
+    """
+
+    position: Any
+    velocity: Any
+    position_errors: tuple[Any, ...]
+    velocity_errors: tuple[Any, ...]
+    dense: tuple[Any, ...]
+
+
 '''
+_LARGEST = 10**12  # denominators beyond it are those of decimal coefficients
 _STEP = "time: Any, time_step: Any, position: Any, velocity: Any, acceleration: Acceleration"
 _LEVELS = "time_step: Any, position: Any, velocity: Any, previous: Any, current: Any"
 
@@ -40,7 +58,8 @@ def _function(item: Item) -> str:
         raise ValueError(item.id)
     body = {"runge_kutta": _runge_kutta, "splitting": _splitting, "two_level": _two_level}
     arguments = _LEVELS if scheme.family == "two_level" else _STEP
-    lines = [f"def {scheme.name}({arguments}) -> tuple[Any, Any]:"]
+    result = "Pair" if scheme.error else "tuple[Any, Any]"
+    lines = [f"def {scheme.name}({arguments}) -> {result}:"]
     says = textwrap.wrap(" ".join(item.data["says"].split()) + ".", 92)
     lines += [f'    """{item.title}, of order {scheme.order}.', ""]
     lines += [
@@ -56,6 +75,8 @@ def _function(item: Item) -> str:
 
 def _times(weight: Fraction, factor: str) -> str:
     """weight * factor, as one writes it."""
+    if weight.denominator > _LARGEST:
+        return f"{float(weight)!r} * {factor}"
     above = factor if weight.numerator == 1 else f"{weight.numerator} * {factor}"
     return above if weight.denominator == 1 else f"{above} / {weight.denominator}"
 
@@ -90,24 +111,48 @@ def _runge_kutta(scheme: Scheme) -> list[str]:
         velocities.append(velocity)
         rates.append(f"rate_{stage}")
         lines.append(f"rate_{stage} = acceleration({_at(moment)}, {position}, {velocity})")
-    lines.append(f"position = {_moved('position', scheme.b, velocities)}")
-    lines.append(f"velocity = {_moved('velocity', scheme.b, rates)}")
-    return [*lines, "return position, velocity"]
+    lines.append(f"position_end = {_moved('position', scheme.b, velocities)}")
+    lines.append(f"velocity_end = {_moved('velocity', scheme.b, rates)}")
+    if not scheme.error:
+        return [*lines, "return position_end, velocity_end"]
+    return [
+        *lines,
+        "return Pair(",
+        "    position_end,",
+        "    velocity_end,",
+        f"    ({', '.join(_increment(row, velocities) for row in scheme.error)},),",
+        f"    ({', '.join(_increment(row, rates) for row in scheme.error)},),",
+        f"    ({', '.join(_sum(column, rates) for column in zip(*scheme.dense, strict=True))},),",
+        ")",
+    ]
 
 
 def _moved(start: str, weights: Sequence[Fraction], slopes: Sequence[str]) -> str:
-    """start + time_step * (weighted sum of slopes), over a common denominator."""
+    """start + time_step * (weighted sum of slopes)."""
+    return f"{start} + {_increment(weights, slopes)}" if any(weights) else start
+
+
+def _increment(weights: Sequence[Fraction], slopes: Sequence[str]) -> str:
+    """time_step * (weighted sum of slopes), over a common denominator where that is short."""
     common = math.lcm(*(weight.denominator for weight in weights)) if weights else 1
-    terms = [
-        slope if weight * common == 1 else f"{weight * common} * {slope}"
-        for weight, slope in zip(weights, slopes, strict=True)
-        if weight
-    ]
-    if not terms:
-        return start
-    total = terms[0] if len(terms) == 1 else f"({' + '.join(terms)})"
+    if common > _LARGEST:
+        return f"time_step * ({_sum(weights, slopes)})"
+    total = _sum([weight * common for weight in weights], slopes)
     step = "time_step" if common == 1 else f"time_step / {common}"
-    return f"{start} + {step} * {total}"
+    return f"{step} * {total if ' ' not in total else f'({total})'}"
+
+
+def _sum(weights: Sequence[Fraction], slopes: Sequence[str]) -> str:
+    text = ""
+    for weight, slope in zip(weights, slopes, strict=True):
+        if not weight:
+            continue
+        sign = "-" if weight < 0 else "+"
+        size = abs(weight)
+        short = size.denominator == 1
+        term = slope if size == 1 else f"{size if short else repr(float(size))} * {slope}"
+        text += f" {sign} {term}" if text else f"{'-' if weight < 0 else ''}{term}"
+    return text
 
 
 def _two_level(scheme: Scheme) -> list[str]:

@@ -11,9 +11,24 @@ acceleration is a function of time, position and velocity.
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 Acceleration = Callable[[Any, Any, Any], Any]
+
+
+class Pair(NamedTuple):
+    """A step that knows its error.
+
+    `position_errors` and `velocity_errors` have one estimate for each lower order, the highest
+    first. Where a share x of the step has passed, the velocity is that at the start plus the
+    time step times the sum of `dense[k]` times the power k + 1 of x.
+    """
+
+    position: Any
+    velocity: Any
+    position_errors: tuple[Any, ...]
+    velocity_errors: tuple[Any, ...]
+    dense: tuple[Any, ...]
 
 
 def yoshida_4(
@@ -25,67 +40,25 @@ def yoshida_4(
 
     Source: srs/schemes/composed.md:10; forest1990, yoshida1990.
     """
-    velocity = (
-        velocity
-        + 67560359597982881702384390448573
-        * time_step
-        / 100000000000000000000000000000000
-        * acceleration(time, position, velocity)
+    velocity = velocity + 0.6756035959798288 * time_step * acceleration(time, position, velocity)
+    position = position + 1.3512071919596575 * time_step * velocity
+    velocity = velocity + -0.17560359597982883 * time_step * acceleration(
+        time + 1.3512071919596575 * time_step, position, velocity
     )
-    position = (
-        position
-        + 2702414383919315268095375617943 * time_step / 2000000000000000000000000000000 * velocity
+    position = position + -1.7024143839193153 * time_step * velocity
+    velocity = velocity + -0.17560359597982883 * time_step * acceleration(
+        time + -0.35120719195965766 * time_step, position, velocity
     )
-    velocity = (
-        velocity
-        + -17560359597982881702384390448573
-        * time_step
-        / 100000000000000000000000000000000
-        * acceleration(
-            time + 2702414383919315268095375617943 * time_step / 2000000000000000000000000000000,
-            position,
-            velocity,
-        )
-    )
-    position = (
-        position
-        + -17024143839193152680953756179429
-        * time_step
-        / 10000000000000000000000000000000
-        * velocity
-    )
-    velocity = (
-        velocity
-        + -17560359597982881702384390448573
-        * time_step
-        / 100000000000000000000000000000000
-        * acceleration(
-            time + -1756035959798288170238439044857 * time_step / 5000000000000000000000000000000,
-            position,
-            velocity,
-        )
-    )
-    position = (
-        position
-        + 2702414383919315268095375617943 * time_step / 2000000000000000000000000000000 * velocity
-    )
-    velocity = (
-        velocity
-        + 67560359597982881702384390448573
-        * time_step
-        / 100000000000000000000000000000000
-        * acceleration(
-            time + 10000000000000000000000000000001 * time_step / 10000000000000000000000000000000,
-            position,
-            velocity,
-        )
+    position = position + 1.3512071919596575 * time_step * velocity
+    velocity = velocity + 0.6756035959798288 * time_step * acceleration(
+        time + 1.0 * time_step, position, velocity
     )
     return position, velocity
 
 
 def dormand_prince_5(
     time: Any, time_step: Any, position: Any, velocity: Any, acceleration: Acceleration
-) -> tuple[Any, Any]:
+) -> Pair:
     """Dormand-Prince 5(4), of order 5.
 
     Seven slopes, the last of which is the first of the next step; the weights of order four,
@@ -102,25 +75,25 @@ def dormand_prince_5(
         position + time_step / 40 * (3 * velocity + 9 * velocity_2),
         velocity_3,
     )
-    velocity_4 = velocity + time_step / 45 * (44 * rate_1 + -168 * rate_2 + 160 * rate_3)
+    velocity_4 = velocity + time_step / 45 * (44 * rate_1 - 168 * rate_2 + 160 * rate_3)
     rate_4 = acceleration(
         time + 4 * time_step / 5,
-        position + time_step / 45 * (44 * velocity + -168 * velocity_2 + 160 * velocity_3),
+        position + time_step / 45 * (44 * velocity - 168 * velocity_2 + 160 * velocity_3),
         velocity_4,
     )
     velocity_5 = velocity + time_step / 6561 * (
-        19372 * rate_1 + -76080 * rate_2 + 64448 * rate_3 + -1908 * rate_4
+        19372 * rate_1 - 76080 * rate_2 + 64448 * rate_3 - 1908 * rate_4
     )
     rate_5 = acceleration(
         time + 8 * time_step / 9,
         position
         + time_step
         / 6561
-        * (19372 * velocity + -76080 * velocity_2 + 64448 * velocity_3 + -1908 * velocity_4),
+        * (19372 * velocity - 76080 * velocity_2 + 64448 * velocity_3 - 1908 * velocity_4),
         velocity_5,
     )
     velocity_6 = velocity + time_step / 167904 * (
-        477901 * rate_1 + -1806240 * rate_2 + 1495424 * rate_3 + 46746 * rate_4 + -45927 * rate_5
+        477901 * rate_1 - 1806240 * rate_2 + 1495424 * rate_3 + 46746 * rate_4 - 45927 * rate_5
     )
     rate_6 = acceleration(
         time + time_step,
@@ -129,15 +102,15 @@ def dormand_prince_5(
         / 167904
         * (
             477901 * velocity
-            + -1806240 * velocity_2
+            - 1806240 * velocity_2
             + 1495424 * velocity_3
             + 46746 * velocity_4
-            + -45927 * velocity_5
+            - 45927 * velocity_5
         ),
         velocity_6,
     )
     velocity_7 = velocity + time_step / 142464 * (
-        12985 * rate_1 + 64000 * rate_3 + 92750 * rate_4 + -45927 * rate_5 + 18656 * rate_6
+        12985 * rate_1 + 64000 * rate_3 + 92750 * rate_4 - 45927 * rate_5 + 18656 * rate_6
     )
     rate_7 = acceleration(
         time + time_step,
@@ -148,27 +121,75 @@ def dormand_prince_5(
             12985 * velocity
             + 64000 * velocity_3
             + 92750 * velocity_4
-            + -45927 * velocity_5
+            - 45927 * velocity_5
             + 18656 * velocity_6
         ),
         velocity_7,
     )
-    position = position + time_step / 142464 * (
+    position_end = position + time_step / 142464 * (
         12985 * velocity
         + 64000 * velocity_3
         + 92750 * velocity_4
-        + -45927 * velocity_5
+        - 45927 * velocity_5
         + 18656 * velocity_6
     )
-    velocity = velocity + time_step / 142464 * (
-        12985 * rate_1 + 64000 * rate_3 + 92750 * rate_4 + -45927 * rate_5 + 18656 * rate_6
+    velocity_end = velocity + time_step / 142464 * (
+        12985 * rate_1 + 64000 * rate_3 + 92750 * rate_4 - 45927 * rate_5 + 18656 * rate_6
     )
-    return position, velocity
+    return Pair(
+        position_end,
+        velocity_end,
+        (
+            time_step
+            / 21369600
+            * (
+                -26341 * velocity
+                + 90880 * velocity_3
+                - 790230 * velocity_4
+                + 1086939 * velocity_5
+                - 895488 * velocity_6
+                + 534240 * velocity_7
+            ),
+        ),
+        (
+            time_step
+            / 21369600
+            * (
+                -26341 * rate_1
+                + 90880 * rate_3
+                - 790230 * rate_4
+                + 1086939 * rate_5
+                - 895488 * rate_6
+                + 534240 * rate_7
+            ),
+        ),
+        (
+            rate_1,
+            -2.8535800653862835 * rate_1
+            + 4.023133379230305 * rate_3
+            - 3.7324019615885042 * rate_4
+            + 2.5548038301849423 * rate_5
+            - 1.3744241142186024 * rate_6
+            + 1.3824689317781436 * rate_7,
+            3.0717434641059005 * rate_1
+            - 6.249321565289 * rate_3
+            + 10.068970589843675 * rate_4
+            - 6.399112377351017 * rate_5
+            + 3.272657752246729 * rate_6
+            - 3.764937863556287 * rate_7,
+            -1.1270175653862835 * rate_1
+            + 2.675424484351598 * rate_3
+            - 5.685526961588504 * rate_4
+            + 3.5219323679207912 * rate_5
+            - 1.7672812570757455 * rate_6
+            + 2.382468931778144 * rate_7,
+        ),
+    )
 
 
 def dop853(
     time: Any, time_step: Any, position: Any, velocity: Any, acceleration: Acceleration
-) -> tuple[Any, Any]:
+) -> Pair:
     """Dormand-Prince 8(5,3), of order 8.
 
     Twelve slopes for a step of order eight; an error of order five that one of order three
@@ -177,345 +198,443 @@ def dop853(
     Source: srs/schemes/embedded.md:58; hairer1993.
     """
     rate_1 = acceleration(time, position, velocity)
-    velocity_2 = (
-        velocity
-        + time_step / 1250000000000000000000000000000 * 65750189948459664848198443061 * rate_1
-    )
+    velocity_2 = velocity + time_step * (0.05260015195876773 * rate_1)
     rate_2 = acceleration(
-        time + 65750189948459664848198443061 * time_step / 1250000000000000000000000000000,
-        position
-        + time_step / 1250000000000000000000000000000 * 65750189948459664848198443061 * velocity,
+        time + 0.05260015195876773 * time_step,
+        position + time_step * (0.05260015195876773 * velocity),
         velocity_2,
     )
-    velocity_3 = velocity + time_step / 10000000000000000000000000000000 * (
-        197250569845378994544595329183 * rate_1 + 591751709536136983633785987549 * rate_2
-    )
+    velocity_3 = velocity + time_step * (0.0197250569845379 * rate_1 + 0.0591751709536137 * rate_2)
     rate_3 = acceleration(
-        time + 197250569845378994544595329183 * time_step / 2500000000000000000000000000000,
-        position
-        + time_step
-        / 10000000000000000000000000000000
-        * (197250569845378994544595329183 * velocity + 591751709536136983633785987549 * velocity_2),
+        time + 0.0789002279381516 * time_step,
+        position + time_step * (0.0197250569845379 * velocity + 0.0591751709536137 * velocity_2),
         velocity_3,
     )
-    velocity_4 = velocity + time_step / 10000000000000000000000000000000 * (
-        295875854768068491816892993775 * rate_1 + 887627564304205475450678981324 * rate_3
+    velocity_4 = velocity + time_step * (
+        0.02958758547680685 * rate_1 + 0.08876275643042054 * rate_3
     )
     rate_4 = acceleration(
-        time + 11835034190722739672675719751 * time_step / 100000000000000000000000000000,
-        position
-        + time_step
-        / 10000000000000000000000000000000
-        * (295875854768068491816892993775 * velocity + 887627564304205475450678981324 * velocity_3),
+        time + 0.1183503419072274 * time_step,
+        position + time_step * (0.02958758547680685 * velocity + 0.08876275643042054 * velocity_3),
         velocity_4,
     )
-    velocity_5 = velocity + time_step / 1000000000000000000000000000000 * (
-        241365134159266685502369798665 * rate_1
-        + -884549479328286085344864962717 * rate_3
-        + 924834003261792003115737966543 * rate_4
+    velocity_5 = velocity + time_step * (
+        0.2413651341592667 * rate_1 - 0.8845494793282861 * rate_3 + 0.924834003261792 * rate_4
     )
     rate_5 = acceleration(
-        time + 28164965809277260327324280249 * time_step / 100000000000000000000000000000,
+        time + 0.2816496580927726 * time_step,
         position
         + time_step
-        / 1000000000000000000000000000000
         * (
-            241365134159266685502369798665 * velocity
-            + -884549479328286085344864962717 * velocity_3
-            + 924834003261792003115737966543 * velocity_4
+            0.2413651341592667 * velocity
+            - 0.8845494793282861 * velocity_3
+            + 0.924834003261792 * velocity_4
         ),
         velocity_5,
     )
-    velocity_6 = velocity + time_step / 1000000000000000000000000000000 * (
-        37037037037037037037037037037 * rate_1
-        + 170828608729473871279604482173 * rate_4
-        + 125467687566822425016691814123 * rate_5
+    velocity_6 = velocity + time_step * (
+        0.037037037037037035 * rate_1 + 0.17082860872947386 * rate_4 + 0.12546768756682242 * rate_5
     )
     rate_6 = acceleration(
-        time + 333333333333333333333333333333 * time_step / 1000000000000000000000000000000,
+        time + 0.3333333333333333 * time_step,
         position
         + time_step
-        / 1000000000000000000000000000000
         * (
-            37037037037037037037037037037 * velocity
-            + 170828608729473871279604482173 * velocity_4
-            + 125467687566822425016691814123 * velocity_5
+            0.037037037037037035 * velocity
+            + 0.17082860872947386 * velocity_4
+            + 0.12546768756682242 * velocity_5
         ),
         velocity_6,
     )
-    velocity_7 = velocity + time_step / 10000000000000000000000000000000 * (
-        371093750000000000000000000000 * rate_1
-        + 1702522110195440393149780602720 * rate_4
-        + 602165389804559606850219397283 * rate_5
-        + -175781250000000000000000000000 * rate_6
+    velocity_7 = velocity + time_step * (
+        0.037109375 * rate_1
+        + 0.17025221101954405 * rate_4
+        + 0.06021653898045596 * rate_5
+        - 0.017578125 * rate_6
     )
     rate_7 = acceleration(
         time + time_step / 4,
         position
         + time_step
-        / 10000000000000000000000000000000
         * (
-            371093750000000000000000000000 * velocity
-            + 1702522110195440393149780602720 * velocity_4
-            + 602165389804559606850219397283 * velocity_5
-            + -175781250000000000000000000000 * velocity_6
+            0.037109375 * velocity
+            + 0.17025221101954405 * velocity_4
+            + 0.06021653898045596 * velocity_5
+            - 0.017578125 * velocity_6
         ),
         velocity_7,
     )
-    velocity_8 = velocity + time_step / 50000000000000000000000000000000 * (
-        1854600005925239635543896599180 * rate_1
-        + 8519196285611999690510702735250 * rate_4
-        + 5363101522318664232590459958400 * rate_5
-        + -765971887431220087639680791180 * rate_6
-        + 413689458190701144379236883001 * rate_7
+    velocity_8 = velocity + time_step * (
+        0.03709200011850479 * rate_1
+        + 0.17038392571223998 * rate_4
+        + 0.10726203044637328 * rate_5
+        - 0.015319437748624402 * rate_6
+        + 0.008273789163814023 * rate_7
     )
     rate_8 = acceleration(
-        time + 76923076923076923076923076923 * time_step / 250000000000000000000000000000,
+        time + 0.3076923076923077 * time_step,
         position
         + time_step
-        / 50000000000000000000000000000000
         * (
-            1854600005925239635543896599180 * velocity
-            + 8519196285611999690510702735250 * velocity_4
-            + 5363101522318664232590459958400 * velocity_5
-            + -765971887431220087639680791180 * velocity_6
-            + 413689458190701144379236883001 * velocity_7
+            0.03709200011850479 * velocity
+            + 0.17038392571223998 * velocity_4
+            + 0.10726203044637328 * velocity_5
+            - 0.015319437748624402 * velocity_6
+            + 0.008273789163814023 * velocity_7
         ),
         velocity_8,
     )
-    velocity_9 = velocity + time_step / 1000000000000000000000000000000 * (
-        624110958716075717114429577812 * rate_1
-        + -3360892629446941294068571098250 * rate_4
-        + -868219346841726006818189891453 * rate_5
-        + 27592099699446708304941560079700 * rate_6
-        + 20154067550477893408618678897900 * rate_7
-        + -43489884181069958847736625514400 * rate_8
+    velocity_9 = velocity + time_step * (
+        0.6241109587160757 * rate_1
+        - 3.3608926294469414 * rate_4
+        - 0.868219346841726 * rate_5
+        + 27.59209969944671 * rate_6
+        + 20.154067550477894 * rate_7
+        - 43.48988418106996 * rate_8
     )
     rate_9 = acceleration(
-        time + 325641025641025641025641025641 * time_step / 500000000000000000000000000000,
+        time + 0.6512820512820513 * time_step,
         position
         + time_step
-        / 1000000000000000000000000000000
         * (
-            624110958716075717114429577812 * velocity
-            + -3360892629446941294068571098250 * velocity_4
-            + -868219346841726006818189891453 * velocity_5
-            + 27592099699446708304941560079700 * velocity_6
-            + 20154067550477893408618678897900 * velocity_7
-            + -43489884181069958847736625514400 * velocity_8
+            0.6241109587160757 * velocity
+            - 3.3608926294469414 * velocity_4
+            - 0.868219346841726 * velocity_5
+            + 27.59209969944671 * velocity_6
+            + 20.154067550477894 * velocity_7
+            - 43.48988418106996 * velocity_8
         ),
         velocity_9,
     )
-    velocity_10 = velocity + time_step / 10000000000000000000000000000000 * (
-        4776625364382643658904339085270 * rate_1
-        + -24881146199716676419264258646800 * rate_4
-        + -5902908268368429963714464757430 * rate_5
-        + 212300514481811942347288949897000 * rate_6
-        + 152792336328824235832596922938000 * rate_7
-        + -332882109689848629194453265587000 * rate_8
-        + -203312017085086261358222928593 * rate_9
+    velocity_10 = velocity + time_step * (
+        0.47766253643826434 * rate_1
+        - 2.4881146199716677 * rate_4
+        - 0.590290826836843 * rate_5
+        + 21.230051448181193 * rate_6
+        + 15.279233632882423 * rate_7
+        - 33.28821096898486 * rate_8
+        - 0.020331201708508627 * rate_9
     )
     rate_10 = acceleration(
         time + 3 * time_step / 5,
         position
         + time_step
-        / 10000000000000000000000000000000
         * (
-            4776625364382643658904339085270 * velocity
-            + -24881146199716676419264258646800 * velocity_4
-            + -5902908268368429963714464757430 * velocity_5
-            + 212300514481811942347288949897000 * velocity_6
-            + 152792336328824235832596922938000 * velocity_7
-            + -332882109689848629194453265587000 * velocity_8
-            + -203312017085086261358222928593 * velocity_9
+            0.47766253643826434 * velocity
+            - 2.4881146199716677 * velocity_4
+            - 0.590290826836843 * velocity_5
+            + 21.230051448181193 * velocity_6
+            + 15.279233632882423 * velocity_7
+            - 33.28821096898486 * velocity_8
+            - 0.020331201708508627 * velocity_9
         ),
         velocity_10,
     )
-    velocity_11 = velocity + time_step / 100000000000000000000000000000 * (
-        -93714243008598732571704021658 * rate_1
-        + 518637242884406370830023853209 * rate_4
-        + 109143734899672957818500254654 * rate_5
-        + -814978701074692612513997267357 * rate_6
-        + -1852006565999695986415661807010 * rate_7
-        + 2273948709935050428189700567340 * rate_8
-        + 249360555267965238987089396762 * rate_9
-        + -304676447189821950038236690220 * rate_10
+    velocity_11 = velocity + time_step * (
+        -0.9371424300859873 * rate_1
+        + 5.186372428844064 * rate_4
+        + 1.0914373489967295 * rate_5
+        - 8.149787010746927 * rate_6
+        - 18.52006565999696 * rate_7
+        + 22.739487099350505 * rate_8
+        + 2.4936055526796523 * rate_9
+        - 3.0467644718982196 * rate_10
     )
     rate_11 = acceleration(
-        time + 428571428571428571428571428571 * time_step / 500000000000000000000000000000,
+        time + 0.8571428571428571 * time_step,
         position
         + time_step
-        / 100000000000000000000000000000
         * (
-            -93714243008598732571704021658 * velocity
-            + 518637242884406370830023853209 * velocity_4
-            + 109143734899672957818500254654 * velocity_5
-            + -814978701074692612513997267357 * velocity_6
-            + -1852006565999695986415661807010 * velocity_7
-            + 2273948709935050428189700567340 * velocity_8
-            + 249360555267965238987089396762 * velocity_9
-            + -304676447189821950038236690220 * velocity_10
+            -0.9371424300859873 * velocity
+            + 5.186372428844064 * velocity_4
+            + 1.0914373489967295 * velocity_5
+            - 8.149787010746927 * velocity_6
+            - 18.52006565999696 * velocity_7
+            + 22.739487099350505 * velocity_8
+            + 2.4936055526796523 * velocity_9
+            - 3.0467644718982196 * velocity_10
         ),
         velocity_11,
     )
-    velocity_12 = velocity + time_step / 500000000000000000000000000000 * (
-        1136655073758269103961798842245 * rate_1
-        + -5267247733368625099203334493950 * rate_4
-        + -1000436029112431249548378592220 * rate_5
-        + -8979465931559399458638297526700 * rate_6
-        + 13974442264709980025424990441850 * rate_7
-        + -1429499138567511847370327543370 * rate_8
-        + -4436428466765314772167746446290 * rate_9
-        + 6180283587897151532363310076400 * rate_10
-        + 321696373007881765177985242023 * rate_11
+    velocity_12 = velocity + time_step * (
+        2.273310147516538 * rate_1
+        - 10.53449546673725 * rate_4
+        - 2.0008720582248625 * rate_5
+        - 17.9589318631188 * rate_6
+        + 27.94888452941996 * rate_7
+        - 2.8589982771350235 * rate_8
+        - 8.87285693353063 * rate_9
+        + 12.360567175794303 * rate_10
+        + 0.6433927460157636 * rate_11
     )
     rate_12 = acceleration(
         time + time_step,
         position
         + time_step
-        / 500000000000000000000000000000
         * (
-            1136655073758269103961798842245 * velocity
-            + -5267247733368625099203334493950 * velocity_4
-            + -1000436029112431249548378592220 * velocity_5
-            + -8979465931559399458638297526700 * velocity_6
-            + 13974442264709980025424990441850 * velocity_7
-            + -1429499138567511847370327543370 * velocity_8
-            + -4436428466765314772167746446290 * velocity_9
-            + 6180283587897151532363310076400 * velocity_10
-            + 321696373007881765177985242023 * velocity_11
+            2.273310147516538 * velocity
+            - 10.53449546673725 * velocity_4
+            - 2.0008720582248625 * velocity_5
+            - 17.9589318631188 * velocity_6
+            + 27.94888452941996 * velocity_7
+            - 2.8589982771350235 * velocity_8
+            - 8.87285693353063 * velocity_9
+            + 12.360567175794303 * velocity_10
+            + 0.6433927460157636 * velocity_11
         ),
         velocity_12,
     )
-    velocity_13 = velocity + time_step / 10000000000000000000000000000000 * (
-        542937341165687622380535766363 * rate_1
-        + 44503128927524088814411395056600 * rate_6
-        + 18915178993145003830428159904400 * rate_7
-        + -58012039600105847814672114227000 * rate_8
-        + 3111643669578198944089160623700 * rate_9
-        + -1521609496625160785561788068050 * rate_10
-        + 2013654008040303483747765375010 * rate_11
-        + 447106157277725905176885569043 * rate_12
+    velocity_13 = velocity + time_step * (
+        0.054293734116568765 * rate_1
+        + 4.450312892752409 * rate_6
+        + 1.8915178993145003 * rate_7
+        - 5.801203960010585 * rate_8
+        + 0.3111643669578199 * rate_9
+        - 0.1521609496625161 * rate_10
+        + 0.20136540080403034 * rate_11
+        + 0.04471061572777259 * rate_12
     )
     rate_13 = acceleration(
         time + time_step,
         position
         + time_step
-        / 10000000000000000000000000000000
         * (
-            542937341165687622380535766363 * velocity
-            + 44503128927524088814411395056600 * velocity_6
-            + 18915178993145003830428159904400 * velocity_7
-            + -58012039600105847814672114227000 * velocity_8
-            + 3111643669578198944089160623700 * velocity_9
-            + -1521609496625160785561788068050 * velocity_10
-            + 2013654008040303483747765375010 * velocity_11
-            + 447106157277725905176885569043 * velocity_12
+            0.054293734116568765 * velocity
+            + 4.450312892752409 * velocity_6
+            + 1.8915178993145003 * velocity_7
+            - 5.801203960010585 * velocity_8
+            + 0.3111643669578199 * velocity_9
+            - 0.1521609496625161 * velocity_10
+            + 0.20136540080403034 * velocity_11
+            + 0.04471061572777259 * velocity_12
         ),
         velocity_13,
     )
-    velocity_14 = velocity + time_step / 100000000000000000000000000000000 * (
-        5616750228304795233929092196810 * rate_1
-        + 25350021021662481108879476533300 * rate_7
-        + -24623903747080248991744147544100 * rate_8
-        + -12419142326381636046901014062600 * rate_9
-        + 15329179827876569731206322685000 * rate_10
-        + 820105229563468988491666602057 * rate_11
-        + 756789766054569976138603589584 * rate_12
-        + -829800000000000000000000000000 * rate_13
+    velocity_14 = velocity + time_step * (
+        0.056167502283047954 * rate_1
+        + 0.25350021021662483 * rate_7
+        - 0.2462390374708025 * rate_8
+        - 0.12419142326381637 * rate_9
+        + 0.15329179827876568 * rate_10
+        + 0.00820105229563469 * rate_11
+        + 0.007567897660545699 * rate_12
+        - 0.008298 * rate_13
     )
     rate_14 = acceleration(
         time + time_step / 10,
         position
         + time_step
-        / 100000000000000000000000000000000
         * (
-            5616750228304795233929092196810 * velocity
-            + 25350021021662481108879476533300 * velocity_7
-            + -24623903747080248991744147544100 * velocity_8
-            + -12419142326381636046901014062600 * velocity_9
-            + 15329179827876569731206322685000 * velocity_10
-            + 820105229563468988491666602057 * velocity_11
-            + 756789766054569976138603589584 * velocity_12
-            + -829800000000000000000000000000 * velocity_13
+            0.056167502283047954 * velocity
+            + 0.25350021021662483 * velocity_7
+            - 0.2462390374708025 * velocity_8
+            - 0.12419142326381637 * velocity_9
+            + 0.15329179827876568 * velocity_10
+            + 0.00820105229563469 * velocity_11
+            + 0.007567897660545699 * velocity_12
+            - 0.008298 * velocity_13
         ),
         velocity_14,
     )
-    velocity_15 = velocity + time_step / 1000000000000000000000000000000000 * (
-        31834648163502140506076847326100 * rate_1
-        + 28300909672366775528832296140200 * rate_6
-        + 53541988307438567622379738437200 * rate_7
-        + -54923748571390988464656934030600 * rate_8
-        + -108347328697249322858509316994 * rate_11
-        + 382571090835658412954920192323 * rate_12
-        + -340465008687404560802977114492 * rate_13
-        + 141312443674632500278074618366000 * rate_14
+    velocity_15 = velocity + time_step * (
+        0.03183464816350214 * rate_1
+        + 0.028300909672366776 * rate_6
+        + 0.053541988307438566 * rate_7
+        - 0.05492374857139099 * rate_8
+        - 0.00010834732869724932 * rate_11
+        + 0.0003825710908356584 * rate_12
+        - 0.00034046500868740456 * rate_13
+        + 0.1413124436746325 * rate_14
     )
     rate_15 = acceleration(
         time + time_step / 5,
         position
         + time_step
-        / 1000000000000000000000000000000000
         * (
-            31834648163502140506076847326100 * velocity
-            + 28300909672366775528832296140200 * velocity_6
-            + 53541988307438567622379738437200 * velocity_7
-            + -54923748571390988464656934030600 * velocity_8
-            + -108347328697249322858509316994 * velocity_11
-            + 382571090835658412954920192323 * velocity_12
-            + -340465008687404560802977114492 * velocity_13
-            + 141312443674632500278074618366000 * velocity_14
+            0.03183464816350214 * velocity
+            + 0.028300909672366776 * velocity_6
+            + 0.053541988307438566 * velocity_7
+            - 0.05492374857139099 * velocity_8
+            - 0.00010834732869724932 * velocity_11
+            + 0.0003825710908356584 * velocity_12
+            - 0.00034046500868740456 * velocity_13
+            + 0.1413124436746325 * velocity_14
         ),
         velocity_15,
     )
-    velocity_16 = velocity + time_step / 50000000000000000000000000000000 * (
-        -21444815079189596170428676934600 * rate_1
-        + -234881070768058192157224723603000 * rate_6
-        + 384171059803129952092120476939000 * rate_7
-        + 203449490919855503985106777165500 * rate_8
-        + 17836359372764055463533477151050 * rate_9
-        + -69951208257950731064709004867 * rate_13
-        + 147375739457638616947781360745000 * rate_14
-        + -457547923608993500540935093569000 * rate_15
+    velocity_16 = velocity + time_step * (
+        -0.42889630158379194 * rate_1
+        - 4.697621415361164 * rate_6
+        + 7.683421196062599 * rate_7
+        + 4.06898981839711 * rate_8
+        + 0.3567271874552811 * rate_9
+        - 0.0013990241651590145 * rate_13
+        + 2.9475147891527724 * rate_14
+        - 9.15095847217987 * rate_15
     )
     rate_16 = acceleration(
-        time + 388888888888888888888888888889 * time_step / 500000000000000000000000000000,
+        time + 0.7777777777777778 * time_step,
         position
         + time_step
-        / 50000000000000000000000000000000
         * (
-            -21444815079189596170428676934600 * velocity
-            + -234881070768058192157224723603000 * velocity_6
-            + 384171059803129952092120476939000 * velocity_7
-            + 203449490919855503985106777165500 * velocity_8
-            + 17836359372764055463533477151050 * velocity_9
-            + -69951208257950731064709004867 * velocity_13
-            + 147375739457638616947781360745000 * velocity_14
-            + -457547923608993500540935093569000 * velocity_15
+            -0.42889630158379194 * velocity
+            - 4.697621415361164 * velocity_6
+            + 7.683421196062599 * velocity_7
+            + 4.06898981839711 * velocity_8
+            + 0.3567271874552811 * velocity_9
+            - 0.0013990241651590145 * velocity_13
+            + 2.9475147891527724 * velocity_14
+            - 9.15095847217987 * velocity_15
         ),
         velocity_16,
     )
-    position = position + time_step / 10000000000000000000000000000000 * (
-        542937341165687622380535766363 * velocity
-        + 44503128927524088814411395056600 * velocity_6
-        + 18915178993145003830428159904400 * velocity_7
-        + -58012039600105847814672114227000 * velocity_8
-        + 3111643669578198944089160623700 * velocity_9
-        + -1521609496625160785561788068050 * velocity_10
-        + 2013654008040303483747765375010 * velocity_11
-        + 447106157277725905176885569043 * velocity_12
+    position_end = position + time_step * (
+        0.054293734116568765 * velocity
+        + 4.450312892752409 * velocity_6
+        + 1.8915178993145003 * velocity_7
+        - 5.801203960010585 * velocity_8
+        + 0.3111643669578199 * velocity_9
+        - 0.1521609496625161 * velocity_10
+        + 0.20136540080403034 * velocity_11
+        + 0.04471061572777259 * velocity_12
     )
-    velocity = velocity + time_step / 10000000000000000000000000000000 * (
-        542937341165687622380535766363 * rate_1
-        + 44503128927524088814411395056600 * rate_6
-        + 18915178993145003830428159904400 * rate_7
-        + -58012039600105847814672114227000 * rate_8
-        + 3111643669578198944089160623700 * rate_9
-        + -1521609496625160785561788068050 * rate_10
-        + 2013654008040303483747765375010 * rate_11
-        + 447106157277725905176885569043 * rate_12
+    velocity_end = velocity + time_step * (
+        0.054293734116568765 * rate_1
+        + 4.450312892752409 * rate_6
+        + 1.8915178993145003 * rate_7
+        - 5.801203960010585 * rate_8
+        + 0.3111643669578199 * rate_9
+        - 0.1521609496625161 * rate_10
+        + 0.20136540080403034 * rate_11
+        + 0.04471061572777259 * rate_12
     )
-    return position, velocity
+    return Pair(
+        position_end,
+        velocity_end,
+        (
+            time_step
+            * (
+                0.01312004499419488 * velocity
+                - 1.2251564463762044 * velocity_6
+                - 0.4957589496572502 * velocity_7
+                + 1.6643771824549864 * velocity_8
+                - 0.35032884874997366 * velocity_9
+                + 0.3341791187130175 * velocity_10
+                + 0.08192320648511571 * velocity_11
+                - 0.022355307863886294 * velocity_12
+            ),
+            time_step
+            * (
+                -0.18980075407240762 * velocity
+                + 4.450312892752409 * velocity_6
+                + 1.8915178993145003 * velocity_7
+                - 5.801203960010585 * velocity_8
+                - 0.42268232132379197 * velocity_9
+                - 0.1521609496625161 * velocity_10
+                + 0.20136540080403034 * velocity_11
+                + 0.022651792198360825 * velocity_12
+            ),
+        ),
+        (
+            time_step
+            * (
+                0.01312004499419488 * rate_1
+                - 1.2251564463762044 * rate_6
+                - 0.4957589496572502 * rate_7
+                + 1.6643771824549864 * rate_8
+                - 0.35032884874997366 * rate_9
+                + 0.3341791187130175 * rate_10
+                + 0.08192320648511571 * rate_11
+                - 0.022355307863886294 * rate_12
+            ),
+            time_step
+            * (
+                -0.18980075407240762 * rate_1
+                + 4.450312892752409 * rate_6
+                + 1.8915178993145003 * rate_7
+                - 5.801203960010585 * rate_8
+                - 0.42268232132379197 * rate_9
+                - 0.1521609496625161 * rate_10
+                + 0.20136540080403034 * rate_11
+                + 0.022651792198360825 * rate_12
+            ),
+        ),
+        (
+            rate_1,
+            -10.266057073759306 * rate_1
+            + 13.917653631776604 * rate_6
+            + 2.6056037519936095 * rate_7
+            - 15.018944223519684 * rate_8
+            + 3.050527683318488 * rate_9
+            - 1.3278744327655212 * rate_10
+            + 2.844533632672879 * rate_11
+            + 0.7657106259527866 * rate_12
+            - 1.0889903364513334 * rate_13
+            + 18.148505520854727 * rate_14
+            - 9.194632392478356 * rate_15
+            - 4.436036387594894 * rate_16,
+            48.161850968566455 * rate_1
+            - 154.78787266663716 * rate_6
+            - 21.622822384626506 * rate_7
+            + 160.09447708973047 * rate_8
+            - 38.54396729189063 * rate_9
+            + 16.661770430049543 * rate_10
+            - 36.55829548991012 * rate_11
+            - 9.906995535619366 * rate_12
+            + 14.097013042320002 * rate_13
+            - 127.63310949253875 * rate_14
+            + 93.3567459327894 * rate_15
+            + 56.68120539776666 * rate_16,
+            -114.93304874997833 * rate_1
+            + 522.9219089608218 * rate_6
+            + 2.535182028966755 * rate_7
+            - 474.3071826037644 * rate_8
+            + 174.47140009219885 * rate_9
+            - 74.44027814126304 * rate_10
+            + 170.69007169147514 * rate_11
+            + 46.8029919188744 * rate_12
+            - 66.68230591294363 * rate_13
+            + 357.3419516129657 * rate_14
+            - 282.6272618704363 * rate_15
+            - 261.77342902691703 * rate_16,
+            147.46446875669767 * rate_1
+            - 456.25918840208783 * rate_6
+            + 292.25417465990404 * rate_7
+            + 135.96036916173838 * rate_8
+            - 337.0513470238771 * rate_9
+            + 140.75210016191608 * rate_10
+            - 345.9748485480496 * rate_11
+            - 96.5198694669957 * rate_12
+            + 137.96299063474376 * rate_13
+            - 500.7031507909224 * rate_14
+            + 361.14007718803333 * rate_15
+            + 520.9742236688993 * rate_16,
+            -97.06685363011368 * rate_1
+            - 75.53193732135753 * rate_6
+            - 505.40999933296894 * rate_7
+            + 545.1091945264187 * rate_8
+            + 291.78987509083254 * rate_9
+            - 119.2562021040512 * rate_10
+            + 313.299553623578 * rate_11
+            + 88.74316650017616 * rate_12
+            - 127.82216401767992 * rate_13
+            + 349.17035710882897 * rate_14
+            - 201.85219053352347 * rate_15
+            - 461.17279991013964 * rate_16,
+            25.69393346270375 * rate_1
+            + 154.18974869023643 * rate_6
+            + 231.5293791760455 * rate_7
+            - 357.6391179106141 * rate_8
+            - 93.40532418362432 * rate_9
+            + 37.45832313645163 * rate_10
+            - 104.0996495089623 * rate_11
+            - 29.8402934266605 * rate_12
+            + 43.53345659001114 * rate_13
+            - 96.32455395918828 * rate_14
+            + 39.17726167561544 * rate_15
+            + 149.72683625798564 * rate_16,
+        ),
+    )
 
 
 def explicit_euler(
@@ -528,9 +647,9 @@ def explicit_euler(
     Source: srs/schemes/euler.md:22; hairer1993.
     """
     rate_1 = acceleration(time, position, velocity)
-    position = position + time_step * velocity
-    velocity = velocity + time_step * rate_1
-    return position, velocity
+    position_end = position + time_step * velocity
+    velocity_end = velocity + time_step * rate_1
+    return position_end, velocity_end
 
 
 def semi_implicit_euler(
@@ -596,9 +715,11 @@ def runge_kutta_4(
     rate_3 = acceleration(time + time_step / 2, position + time_step / 2 * velocity_2, velocity_3)
     velocity_4 = velocity + time_step * rate_3
     rate_4 = acceleration(time + time_step, position + time_step * velocity_3, velocity_4)
-    position = position + time_step / 6 * (velocity + 2 * velocity_2 + 2 * velocity_3 + velocity_4)
-    velocity = velocity + time_step / 6 * (rate_1 + 2 * rate_2 + 2 * rate_3 + rate_4)
-    return position, velocity
+    position_end = position + time_step / 6 * (
+        velocity + 2 * velocity_2 + 2 * velocity_3 + velocity_4
+    )
+    velocity_end = velocity + time_step / 6 * (rate_1 + 2 * rate_2 + 2 * rate_3 + rate_4)
+    return position_end, velocity_end
 
 
 def velocity_verlet(
