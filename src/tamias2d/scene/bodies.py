@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from tamias2d.scene.law import Law, value_at
+from tamias2d.scene.law import Law, Value, value_at, varies
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.shapes import Shape
 
@@ -32,9 +32,13 @@ class Body:
     angular_velocity: float = 0.0
     """At the start, rad/s."""
     force: tuple[Law, Law] = (0.0, 0.0)
-    """Applied besides gravity, N; a number, or a law of time."""
+    """Applied besides gravity, N; numbers, or laws of time and the body's state."""
     torque: Law = 0.0
-    """Applied, N m; a number, or a law of time."""
+    """Applied, N m; a number, or a law of time and the body's state."""
+    linear_drag: float = 0.0
+    """Drag force per velocity, kg/s."""
+    quadratic_drag: float = 0.0
+    """Drag force per squared speed, kg/m."""
     restitution: float | None = None
     """0 to 1, or None where only the other body of a pair or the scene says it."""
     inertia_stated: bool = False
@@ -52,14 +56,27 @@ class Body:
 
     @property
     def constant(self) -> bool:
-        """Whether force and torque are the same at all times."""
-        return all(isinstance(law, float) for law in (*self.force, self.torque))
+        """Whether its own force and torque are the same at all times."""
+        return not any(varies(law) for law in (*self.force, self.torque))
 
-    def force_at(self, time: float) -> Vector:
-        """Return the applied force at a time in s, N."""
+    @property
+    def start(self) -> dict[str, Value]:
+        """What laws may use, as it is at the start: time, state and mass."""
+        return {
+            "time": 0.0,
+            "position": self.position,
+            "velocity": self.velocity,
+            "orientation": self.orientation,
+            "angular_velocity": self.angular_velocity,
+            "mass": self.mass,
+        }
+
+    def force_at(self, time: float, **state: Value) -> Vector:
+        """Return the applied force at a time in s, N; `state` holds what else its laws use."""
         x, y = self.force
-        return value_at(x, time), value_at(y, time)
+        known = {"time": time, "mass": self.mass, **state}
+        return value_at(x, known), value_at(y, known)
 
-    def torque_at(self, time: float) -> float:
-        """Return the applied torque at a time in s, N m."""
-        return value_at(self.torque, time)
+    def torque_at(self, time: float, **state: Value) -> float:
+        """Return the applied torque at a time in s, N m; `state` holds what else its law uses."""
+        return float(value_at(self.torque, {"time": time, "mass": self.mass, **state}))

@@ -2,8 +2,9 @@
 
 import math
 
+from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
-from tamias2d.scene.law import Law, checked_law
+from tamias2d.scene.law import Law, checked_law, first_value
 from tamias2d.scene.rules import RuleError, number, pair, shown
 from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
 
@@ -41,12 +42,18 @@ def optional_restitution(value: object, of: str) -> float | None:
 
 
 def checked_force(value: object, of: str) -> tuple[Law, Law]:
-    """Return both components of a force, each a number in N or a law of time."""
+    """Return both components of a force, each a number in N or a law."""
     x, y = pair(value, of, "Give (x, y) in N.", at=("force",))
     return (
         checked_law(x, "force", of, at=("force", 0)),
         checked_law(y, "force", of, at=("force", 1)),
     )
+
+
+def checked_drag(value: object, symbol: str, of: str) -> float:
+    """Return the coefficient of linear or quadratic drag, which is not negative."""
+    unit = SYMBOLS[symbol].unit
+    return number(value, symbol, of, f"Give it in {unit}, 0 for none.", at=(symbol,))
 
 
 def checked_mass(value: object, of: str) -> float:
@@ -93,6 +100,13 @@ def refuse_shape(shape: object, of: str, *, static: bool) -> None:
             "Give a Disc, Box, Polygon or, for a static body, a HalfPlane.",
             "shape",
         )
+
+
+def refuse_undefined_law(body: Body) -> None:
+    """Refuse a law that has no value where its body starts."""
+    for k, law in enumerate(body.force):
+        first_value(law, body.start, at=("force", k))
+    first_value(body.torque, body.start, at=("torque",))
 
 
 def refuse_turning_particle(body: Body) -> None:

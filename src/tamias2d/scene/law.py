@@ -1,51 +1,87 @@
-"""Forces and torques: a plain number, or a law of time in the language of the specification."""
+"""Forces and torques: a plain number, or a law in the language of the specification.
+
+A law says how a load follows from the time and from the state of the body that feels it.
+"""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cache
-from typing import TypeAlias
+from functools import cache, cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
 
 from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number
 from tamias2d.spec.check import Type, expect
 from tamias2d.spec.evaluate import evaluate
-from tamias2d.spec.expression import Call, Node, parse, walk
+from tamias2d.spec.expression import Call, Node, names, parse, walk
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.symbols import SymbolTable, table_from
 
+VARYING = ("time", "position", "velocity", "orientation", "angular_velocity")
+"""What a law may use and what changes during a run; `mass` may stand in it too."""
 _NO_NUMBER = ("d", "integral", "sum")  # of the language, but they need more than an instant
+
+Value: TypeAlias = Any
+"""A float or an array of n, for n bodies; a vector is a pair of these."""
 
 
 @dataclass(frozen=True)
-class TimeLaw:
-    """An expression of `time`, e.g. ``10[N]*sin(2[rad/s]*time)``; `what` it is, for messages."""
+class StateLaw:
+    """An expression, e.g. ``10[N]*sin(2[rad/s]*time)``; `what` it is, for messages."""
 
     text: str
     what: str = field(compare=False, repr=False)
     node: Node = field(compare=False, repr=False)
 
-    def __call__(self, time: float) -> float:
-        """Return the value at a time in s, in SI units; raise `InputError` where there is none."""
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """What the law uses of time, state and mass."""
+        return frozenset(names(self.node))
+
+    @property
+    def varies(self) -> bool:
+        """Whether the law can change during a run."""
+        return bool(self.names & set(VARYING))
+
+    def __call__(self, state: Mapping[str, Value]) -> Value:
+        """Return the value in SI units for given `names`: one, or one a body where these are.
+
+        Raises:
+            InputError: there is no finite value, or a name is not given; the message says where.
+        """
         try:
-            value = evaluate(self.node, {"time": time})
+            with np.errstate(all="ignore"):
+                value = evaluate(self.node, state)
         except (ArithmeticError, ValueError):
             value = math.nan
-        if isinstance(value, complex) or not math.isfinite(value):
+        except KeyError as missing:
             raise InputError(
-                f"{self.what}: '{self.text}' has no finite value at time {time!r} s (R4). "
-                "Give a law that has one at all times of the run."
+                f"{self.what}: '{self.text}' depends on {missing}, which is not given (R4). "
+                "Give the state in which it is asked for."
+            ) from None
+        if isinstance(value, complex) or not np.all(np.isfinite(value)):
+            raise InputError(
+                f"{self.what}: '{self.text}' has no finite value at {self._place(state, value)} "
+                "(R4). Give a law that has one wherever the run goes."
             )
-        return float(value)
+        return value if isinstance(value, np.ndarray) else float(value)
+
+    def _place(self, state: Mapping[str, Value], value: Value) -> str:
+        bad = int(np.argmin(np.isfinite(value))) if isinstance(value, np.ndarray) else 0
+        used = sorted(self.names, key=(*VARYING, "mass").index)
+        return ", ".join(_shown(name, state[name], bad) for name in used) or "any time"
 
 
-Law: TypeAlias = float | TimeLaw
+Law: TypeAlias = float | StateLaw
 
 
 def checked_law(value: object, symbol: str, of: str, *, at: tuple[str | int, ...]) -> Law:
     """Return a number, or the law that a text states; raise `RuleError` if it is neither.
 
-    A text in which `time` does not stand is a number.
+    A text in which nothing stands that varies from body to body or in time is a number.
     """
     unit = SYMBOLS[symbol].unit
     remedy = f"Give it in {unit}, or as text like '10[{unit}]*sin(2[rad/s]*time)'."
@@ -53,28 +89,35 @@ def checked_law(value: object, symbol: str, of: str, *, at: tuple[str | int, ...
         return number(value, symbol, of, remedy, at=at)
     what = f"{label(at)} of {of}"
     try:
-        law = TimeLaw(" ".join(value.split()), what, _read(value, symbol))
+        law = StateLaw(" ".join(value.split()), what, _read(value, symbol))
     except SpecFault as fault:
         raise RuleError(
             f"{what}: {fault.message} (R4, column {fault.offset + 1}). {remedy}", *at
         ) from None
+    return law if law.names else first_value(law, {}, at=at) + 0.0
+
+
+def first_value(law: Law, state: Mapping[str, Value], *, at: tuple[str | int, ...]) -> float:
+    """Return the value of a law at the start; raise `RuleError` where it has none."""
     try:
-        at_start = law(0.0)
+        return float(value_at(law, state))
     except InputError as error:
         raise RuleError(str(error), *at) from None
-    if "time" in {getattr(part, "name", None) for part in walk(law.node)}:
-        return law
-    return at_start + 0.0
 
 
-def value_at(law: Law, time: float) -> float:
-    """Return the value of a number or a law at a time in s."""
-    return law if isinstance(law, float) else law(time)
+def value_at(law: Law, state: Mapping[str, Value]) -> Value:
+    """Return the value of a number or a law for a state."""
+    return law if isinstance(law, float) else law(state)
+
+
+def varies(law: Law) -> bool:
+    """Whether a number or a law can change during a run."""
+    return isinstance(law, StateLaw) and law.varies
 
 
 def _read(text: str, symbol: str) -> Node:
     node = parse(text)
-    expect(node, _time_only(), Type("scalar", SYMBOLS[symbol].dimension))
+    expect(node, _known(), Type("scalar", SYMBOLS[symbol].dimension))
     for part in walk(node):
         if isinstance(part, Call) and part.function in _NO_NUMBER:
             raise SpecFault(
@@ -84,5 +127,13 @@ def _read(text: str, symbol: str) -> Node:
 
 
 @cache
-def _time_only() -> SymbolTable:
-    return table_from({"time": SYMBOLS["time"]})
+def _known() -> SymbolTable:
+    return table_from({name: SYMBOLS[name] for name in (*VARYING, "mass")})
+
+
+def _shown(name: str, value: Value, k: int) -> str:
+    """Return ``position (1.0 m, 2.0 m)`` of the k-th body."""
+    parts = value if isinstance(value, tuple) else (value,)
+    numbers = [float(np.ravel(part)[min(k, np.size(part) - 1)]) for part in parts]
+    texts = ", ".join(f"{number!r} {SYMBOLS[name].unit}" for number in numbers)
+    return f"{name.replace('_', ' ')} {f'({texts})' if len(parts) > 1 else texts}"

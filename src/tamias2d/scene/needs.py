@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
+from tamias2d.scene.acting import groups, varying_loads
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import number
 from tamias2d.scene.scene import Scene
@@ -79,6 +81,20 @@ class _Inquiry:
         yield _about(
             "applied torque", "term", twisted, "twisted", "no torque is applied to any body"
         )
+        yield from self.acting()
+
+    def acting(self) -> Iterator[Need]:
+        yield Need("attraction between bodies (IM5)", "term", *self.attracts())
+        for key in ("linear_drag", "quadratic_drag"):
+            words = key.replace("_", " ")
+            slowed = [body for body in self.moving if getattr(body, key)]
+            yield _about(f"{words} (IM6)", "term", slowed, "slowed", f"no body has a {words}")
+        held = self._bodies({k for spring in self.scene.springs for k in spring.bodies})
+        yield _about("springs and dampers (IM7)", "term", held, "held", "the scene has no spring")
+        reached = self._bodies(
+            {k for k in range(len(self.scene)) for f in self.scene.fields if f.acts_on(k)}
+        )
+        yield _about("force fields (IM8)", "term", reached, "in a field", "the scene has no field")
 
     def models(self) -> Iterator[Need]:
         yield Need("translation (IM1)", "model", *self.moves())
@@ -90,29 +106,69 @@ class _Inquiry:
         yield Need("resting contact (GD3)", "model", *self.rests())
 
     def methods(self) -> Iterator[Need]:
-        varying = [body for body in self.moving if not body.constant]
-        constant = "every force and torque is constant" if self.moving else "no body moves"
-        yield Need(
-            "closed form",
-            "method",
-            bool(self.moving) and not varying,
-            constant if not varying else f"{_named(varying)} under a force or torque of time",
-        )
-        yield _about(
-            "integration of the equations of motion", "method", varying, "driven", constant
-        )
+        yield Need("closed form", "method", *self.solved())
+        yield Need("integration of the equations of motion", "method", *self.integrated())
+        yield Need("integration of bodies together", "method", *self.coupled())
         yield Need("location of impacts", "method", bool(self.pairs), self.meeting())
 
     @property
     def moving(self) -> list[Body]:
         return [body for body in self.scene.bodies if body.dynamic]
 
+    def _bodies(self, chosen: set[int]) -> list[Body]:
+        return [body for k, body in enumerate(self.scene.bodies) if k in chosen and body.dynamic]
+
+    @property
+    def unsolvable(self) -> dict[int, str]:
+        """Why there is no closed form, for each body that has none."""
+        solved = closed_forms(self.scene)
+        return {k: why for k, why in varying_loads(self.scene).items() if k not in solved}
+
+    def solved(self) -> tuple[bool, str]:
+        if not self.moving:
+            return False, "no body moves"
+        if self.unsolvable:
+            return False, self.unsolved()
+        forms = dict.fromkeys(closed_forms(self.scene).values())
+        if list(forms) == ["constant loads"]:
+            return True, "every force and torque is constant"
+        return True, f"every body has one: {', '.join(forms)}"
+
+    def integrated(self) -> tuple[bool, str]:
+        return bool(self.unsolvable), self.unsolved() if self.unsolvable else self.solved()[1]
+
+    def unsolved(self) -> str:
+        first, *others = self.unsolvable.items()
+        more = f", and {len(others)} more have no closed form" if others else ""
+        return f"'{self.scene.bodies[first[0]].name}' is {first[1]}{more}"
+
+    def coupled(self) -> tuple[bool, str]:
+        groups_ = [group for group in groups(self.scene) if len(group) > 1]
+        if not groups_:
+            return False, "nothing but contact acts between bodies"
+        names = " and ".join(f"'{self.scene.bodies[k].name}'" for k in groups_[0][:2])
+        return True, f"{names} act on each other, in a group of {len(groups_[0])}"
+
+    def attracts(self) -> tuple[bool, str]:
+        constant = self.scene.attraction
+        if constant is None:
+            return False, "the scene states no attraction"
+        if len(self.moving) < 2:
+            return False, "there is no second body that moves"
+        return True, f"{len(self.moving)} bodies attract each other, G = {constant:g} m^3/(kg s^2)"
+
     def moves(self) -> tuple[bool, str]:
         count = len(self.moving)
         return count > 0, f"{count} of {len(self.scene)} bodies can move"
 
     def turns(self) -> tuple[bool, str]:
+        twisted = {k for s in self.scene.springs for k, anchor in s.ends if anchor != (0, 0)}
+        for field in self.scene.fields:
+            if field.torque != 0:
+                twisted |= {k for k in range(len(self.scene)) if field.acts_on(k)}
+        pulled = [body for body in self._bodies(twisted) if body.inverse_inertia]
         spun = [body for body in self.moving if body.angular_velocity != 0 or body.torque != 0]
+        spun += [body for body in pulled if body not in spun]
         if spun:
             return True, f"{_named(spun)} spun or twisted from the start"
         cornered = [
@@ -141,7 +197,10 @@ class _Inquiry:
         return f"the bounds of {names}{more} meet within {self.duration:g} s"
 
     def rests(self) -> tuple[bool, str]:
-        loaded = self.scene.gravity != (0, 0) or any(body.force != (0, 0) for body in self.moving)
+        scene = self.scene
+        acts = bool(scene.springs or scene.fields or scene.attraction)
+        pushed = any(body.force != (0, 0) for body in self.moving)
+        loaded = scene.gravity != (0, 0) or pushed or acts
         if not self.pairs:
             return False, self.meeting()
         if not loaded:

@@ -7,6 +7,7 @@ import re
 from typing import Any
 
 from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.scene.law import VARYING
 from tamias2d.scene.rules import RuleError, label, shown
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.symbols import Symbol
@@ -14,7 +15,8 @@ from tamias2d.spec.units import parse_quantity
 
 _ANGLE = re.compile(r"\b(rad|deg)\b")
 _ZERO = re.compile(r"[+-]?0*\.?0*")
-_EXPRESSION = re.compile(r"[\[(]|\btime\b")
+_EXPRESSION = re.compile(rf"[\[(]|\b({'|'.join((*VARYING, 'mass'))})\b")
+_SYMBOL = {"anchor": "arm", "other_anchor": "arm", "point": "position"}
 
 Path = tuple[str | int, ...]
 
@@ -24,7 +26,7 @@ def read_value(raw: object, key: str, path: Path) -> Any:
     if key == "vertices":
         corners = _items(raw, "a list of corners", path)
         return [_pair(corner, SYMBOLS["vertex"], (*path, k)) for k, corner in enumerate(corners)]
-    symbol = SYMBOLS[key]
+    symbol = SYMBOLS[_SYMBOL.get(key, key)]
     return _pair(raw, symbol, path) if symbol.shape == "vector" else _component(raw, symbol, path)
 
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tamias2d.generated import detection, translation
+from tamias2d.scene.acting import Load, steady_load, varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.scene import Scene
@@ -39,6 +40,8 @@ class _Bounds:
 
 def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
     """Return all pairs (i, j), i < j, of which one body moves and whose swept bounds meet."""
+    varying = varying_loads(scene)
+    loads = {k: steady_load(scene, k) for k in range(len(scene)) if k not in varying}
     bodies = [(k, body) for k, body in enumerate(scene.bodies) if body.shape is not None]
     walls = [(k, body) for k, body in bodies if isinstance(body.shape, HalfPlane)]
     bounded = [(k, body) for k, body in bodies if not isinstance(body.shape, HalfPlane)]
@@ -46,9 +49,9 @@ def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
         (min(j, k), max(j, k))
         for j, wall in walls
         for k, body in bounded
-        if body.dynamic and _reaches(body, wall.shape, scene.gravity, duration)
+        if body.dynamic and _reaches(body, wall.shape, scene.gravity, loads.get(k), duration)
     }
-    bounds = [_swept(k, body, scene.gravity, duration) for k, body in bounded]
+    bounds = [_swept(k, body, scene.gravity, loads.get(k), duration) for k, body in bounded]
     found.update(pair for pair in _overlaps(bounds) if _moves(scene, pair))
     return sorted(found)
 
@@ -68,42 +71,44 @@ def _overlaps(bounds: list[_Bounds]) -> Iterator[tuple[int, int]]:
                 yield min(a.index, b.index), max(a.index, b.index)
 
 
-def _swept(index: int, body: Body, gravity: Vector, duration: float) -> _Bounds:
-    left, right = _shadow(body, gravity, duration, _X)
-    low, high = _shadow(body, gravity, duration, _Y)
+def _swept(index: int, body: Body, gravity: Vector, load: Load | None, duration: float) -> _Bounds:
+    left, right = _shadow(body, gravity, load, duration, _X)
+    low, high = _shadow(body, gravity, load, duration, _Y)
     center = ((left + right) / 2, (low + high) / 2)
     if not all(map(math.isfinite, center)):  # without bound: everywhere
         return _Bounds(index, body.position, math.inf, math.inf)
     return _Bounds(index, center, right - left, high - low)
 
 
-def _reaches(body: Body, wall: object, gravity: Vector, duration: float) -> bool:
+def _reaches(body: Body, wall: object, gravity: Vector, load: Load | None, duration: float) -> bool:
     if not isinstance(wall, HalfPlane):
         return False
-    low, _ = _shadow(body, gravity, duration, wall.normal)
+    low, _ = _shadow(body, gravity, load, duration, wall.normal)
     return not low > wall.offset + _MARGIN * abs(wall.offset)
 
 
-def _shadow(body: Body, gravity: Vector, duration: float, axis: Vector) -> tuple[float, float]:
-    """Return the interval of an axis over which a body sweeps."""
-    below, above = _extent(body, axis)
+def _shadow(
+    body: Body, gravity: Vector, load: Load | None, duration: float, axis: Vector
+) -> tuple[float, float]:
+    """Return the interval of an axis over which a body sweeps; no `load` says that it varies."""
+    below, above = _extent(body, load, axis)
     if not body.dynamic:
         start = _dot(body.position, axis)
         margin = _MARGIN * (abs(start) + above - below)
         return start + below - margin, start + above + margin
-    if not body.constant:
+    if load is None:
         return -math.inf, math.inf
-    path = _path(body, gravity, duration, axis)
+    path = _path(body, gravity, load, duration, axis)
     if not all(map(math.isfinite, path)):
         return -math.inf, math.inf
     margin = _MARGIN * (max(map(abs, path)) + above - below)
     return min(path) + below - margin, max(path) + above + margin
 
 
-def _path(body: Body, gravity: Vector, duration: float, axis: Vector) -> list[float]:
+def _path(body: Body, gravity: Vector, load: Load, duration: float, axis: Vector) -> list[float]:
     """Return where a centre starts, ends and turns back, along an axis."""
     start, speed = _dot(body.position, axis), _dot(body.velocity, axis)
-    push = _dot(translation.acceleration(gravity, body.force_at(0.0), body.mass), axis)
+    push = _dot(translation.acceleration(gravity, load[:2], body.mass), axis)
     times = [0.0, duration]
     if push and 0 < -speed / push < duration:
         times.append(-speed / push)
@@ -112,12 +117,13 @@ def _path(body: Body, gravity: Vector, duration: float, axis: Vector) -> list[fl
     ]
 
 
-def _extent(body: Body, axis: Vector) -> tuple[float, float]:
+def _extent(body: Body, load: Load | None, axis: Vector) -> tuple[float, float]:
     """Return how far a shape reaches against and along an axis from its centre of mass."""
     shape = body.shape
     if shape is None:
         return 0.0, 0.0
-    if isinstance(shape, Disc) or body.angular_velocity != 0 or body.torque != 0:
+    turned = load is None or load[2] != 0 or body.angular_velocity != 0
+    if isinstance(shape, Disc) or turned:
         return -shape.bounding_radius, shape.bounding_radius
     cos, sin = math.cos(body.orientation), math.sin(body.orientation)
     own = (cos * axis[0] + sin * axis[1], cos * axis[1] - sin * axis[0])

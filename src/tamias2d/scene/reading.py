@@ -1,23 +1,26 @@
 """Scenes from YAML files: what each key means, and where it stands when it is wrong."""
 
-import difflib
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from pathlib import Path as FilePath
 from typing import Any
 
 from tamias2d.errors import SceneError
+from tamias2d.scene.forms import likely, listed, mapping, two_names, within
 from tamias2d.scene.quantities import Path, read_quantity, read_value, scalar_text
+from tamias2d.scene.reading_acting import add_acting
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
 from tamias2d.spec.markup import MAX_SIZE, MarkupError, Place, compose
 
-_TOP_MAY = ("name", "says", "duration", "bodies", "statics", "restitution_of_pairs", "order")
+_TOP_MAY = (
+    *("name", "says", "duration", "bodies", "statics", "restitution_of_pairs", "order"),
+    *("springs", "attraction", "fields"),
+)
 _MAY = {
     "bodies": (
         *("velocity", "orientation", "angular_velocity", "force", "torque"),
-        *("inertia", "restitution"),
+        *("linear_drag", "quadratic_drag", "inertia", "restitution"),
     ),
     "statics": ("position", "orientation", "restitution"),
 }
@@ -78,28 +81,20 @@ def read_scene(text: str, *, file: str, name: str = "") -> Scene:
 
 
 def _place(marks: Mapping[Path, Place], path: Path) -> Place:
-    """Return the place of the value at a path, or of the key of the nearest thing around it."""
+    """Return the place of the value at a path, or of the nearest thing around it."""
     if path in marks:
         return marks[path]
     while path:
         path = path[:-1]
+        if path and isinstance(path[-1], int):
+            return marks[path]
         if (*path, "key") in marks:
             return marks[*path, "key"]
     return 1, 1
 
 
-@contextmanager
-def _within(*path: str | int) -> Iterator[None]:
-    """Put a path before that of a rule broken inside."""
-    try:
-        yield
-    except RuleError as error:
-        error.path = (*path, *error.path)
-        raise
-
-
 def _scene(tree: object, name: str) -> Scene:
-    top = _mapping(tree, "a scene", must=("gravity",), may=_TOP_MAY)
+    top = mapping(tree, "a scene", must=("gravity",), may=_TOP_MAY)
     texts = {key: scalar_text(top[key], (key,)) for key in ("name", "says") if key in top}
     duration = (
         read_quantity(top["duration"], "duration", ("duration",)) if "duration" in top else None
@@ -107,21 +102,22 @@ def _scene(tree: object, name: str) -> Scene:
     gravity = read_value(top["gravity"], "gravity", ("gravity",))
     scene = Scene(gravity=gravity, duration=duration, **{"name": name, **texts})
     for section, body, raw in _in_order(top):
-        with _within(section, body):
+        with within(section, body):
             _add(scene, section, body, raw)
-    pairs = _list(top.get("restitution_of_pairs", []), "restitution_of_pairs")
-    with _within("restitution_of_pairs"):
+    pairs = listed(top.get("restitution_of_pairs", []), "restitution_of_pairs")
+    with within("restitution_of_pairs"):
         _set_pairs(scene, pairs)
+    add_acting(scene, top)
     return scene
 
 
 def _in_order(top: Mapping[str, object]) -> list[tuple[str, str, object]]:
     """Return section, name and value of all bodies: first what moves, unless `order` says else."""
-    sections = {key: _mapping(top[key], f"'{key}'") for key in ("bodies", "statics") if key in top}
+    sections = {key: mapping(top[key], f"'{key}'") for key in ("bodies", "statics") if key in top}
     found = [(key, name, body) for key, part in sections.items() for name, body in part.items()]
     if "order" not in top:
         return found
-    order = _list(top["order"], "order")
+    order = listed(top["order"], "order")
     names = [name for _, name, _ in found]
     if sorted(map(str, order)) != sorted(names):
         raise RuleError(
@@ -135,7 +131,7 @@ def _add(scene: Scene, section: str, name: str, raw: object) -> None:
     what = f"{'body' if section == 'bodies' else 'static body'} '{name}'"
     form = _form(raw, what)
     keys = _SHAPE_MUST[form]
-    body = _mapping(raw, what, must=(*_MUST[section], *keys), may=_MAY[section])
+    body = mapping(raw, what, must=(*_MUST[section], *keys), may=_MAY[section])
     values: dict[str, Any] = {
         key: read_value(value, key, (key,)) for key, value in body.items() if key != "shape"
     }
@@ -146,10 +142,10 @@ def _add(scene: Scene, section: str, name: str, raw: object) -> None:
 
 def _form(raw: object, what: str) -> str:
     """Return which shape a body has, before its keys can be checked."""
-    form = scalar_text(_mapping(raw, what, must=("shape",))["shape"], ("shape",))
+    form = scalar_text(mapping(raw, what, must=("shape",))["shape"], ("shape",))
     if form not in _SHAPE_MUST:
         raise RuleError(
-            f"shape of {what}: found {shown(form)}{_likely(form, _SHAPE_MUST)}: "
+            f"shape of {what}: found {shown(form)}{likely(form, _SHAPE_MUST)}: "
             f"must be one of {', '.join(_SHAPE_MUST)} (R2). Correct the word.",
             "shape",
         )
@@ -171,9 +167,9 @@ def _shape(form: str, values: dict[str, Any]) -> Shape | None:
 
 def _set_pairs(scene: Scene, entries: list[object]) -> None:
     for k, entry in enumerate(entries):
-        with _within(k):
-            pair = _mapping(entry, "a pair", must=("bodies", "restitution"), may=())
-            first, second = _two_names(pair["bodies"])
+        with within(k):
+            pair = mapping(entry, "a pair", must=("bodies", "restitution"), may=())
+            first, second = two_names(pair["bodies"], "a pair")
             i, j = sorted((scene.index(first), scene.index(second)))
             if (i, j) in scene.restitution_of_pairs:
                 raise RuleError(
@@ -181,47 +177,3 @@ def _set_pairs(scene: Scene, entries: list[object]) -> None:
                 )
             value = read_quantity(pair["restitution"], "restitution", ("restitution",))
             scene.set_restitution(i, j, value)
-
-
-def _two_names(raw: object) -> tuple[str, str]:
-    match raw:
-        case [str(first), str(second)]:
-            return first, second
-    raise RuleError(
-        f"bodies of a pair: found {shown(raw)}: must be two names (R3). Write [one, other].",
-        "bodies",
-    )
-
-
-def _list(raw: object, key: str) -> list[object]:
-    if not isinstance(raw, list):
-        raise RuleError(
-            f"{key}: found {shown(raw)}: must be a list (R2). Write it in brackets [ ].", key
-        )
-    return raw
-
-
-def _mapping(
-    raw: object, what: str, *, must: tuple[str, ...] = (), may: tuple[str, ...] | None = None
-) -> dict[str, object]:
-    """Return a mapping that has all keys it must have, and no others than it may have."""
-    if not isinstance(raw, dict):
-        found = "nothing" if raw in (None, "") else shown(raw)
-        raise RuleError(f"{what}: found {found}: must be a mapping (R2). Write 'key: value' lines.")
-    known = (*must, *(may or ()))
-    for key in raw if may is not None else ():
-        if key not in known:
-            raise RuleError(
-                f"key '{key}' of {what}: unknown{_likely(key, known)} (R2). "
-                f"Take one of {', '.join(known)}.",
-                *(key, "key"),
-            )
-    for key in must:
-        if key not in raw:
-            raise RuleError(f"{what}: key '{key}' is missing (R2). State it.", key)
-    return raw
-
-
-def _likely(word: str, known: object) -> str:
-    close = difflib.get_close_matches(word, list(known), n=1)  # type: ignore[call-overload]
-    return f", did you mean '{close[0]}'?" if close else ""

@@ -1,4 +1,4 @@
-"""A scene: the bodies, the gravity, and what they do when they meet (R1, R2, R3)."""
+"""A scene: the bodies, what acts on them, and what they do when they meet (R1, R2, R3)."""
 
 import hashlib
 from collections.abc import Iterator, Sequence
@@ -6,9 +6,11 @@ from itertools import count
 
 from tamias2d.errors import SceneError
 from tamias2d.generated import definitions
+from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.checks import (
     checked_angle,
+    checked_drag,
     checked_duration,
     checked_force,
     checked_inertia,
@@ -19,10 +21,13 @@ from tamias2d.scene.checks import (
     refuse_placed_half_plane,
     refuse_shape,
     refuse_turning_particle,
+    refuse_undefined_law,
 )
+from tamias2d.scene.fields import ForceField, checked_field, refuse_field
 from tamias2d.scene.law import checked_law
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, shown, vector
 from tamias2d.scene.shapes import Shape
+from tamias2d.scene.springs import Spring, checked_spring, refuse_spring
 
 _MAX_NAME = 100
 
@@ -47,6 +52,9 @@ class Scene:
         self._bodies: list[Body] = []
         self._index: dict[str, int] = {}
         self._of_pairs: dict[tuple[int, int], float] = {}
+        self._springs: list[Spring] = []
+        self._attraction: float | None = None
+        self._fields: list[ForceField] = []
 
     @property
     def gravity(self) -> Vector:
@@ -78,6 +86,25 @@ class Scene:
         """The restitutions that were set for pairs, by index, the lower one first, in order."""
         return dict(sorted(self._of_pairs.items()))
 
+    @property
+    def springs(self) -> tuple[Spring, ...]:
+        """All springs, in the order of adding."""
+        return tuple(self._springs)
+
+    @property
+    def attraction(self) -> float | None:
+        """The gravitational constant if the bodies attract each other, m^3/(kg s^2)."""
+        return self._attraction
+
+    @property
+    def fields(self) -> tuple[ForceField, ...]:
+        """All force fields, in the order of adding."""
+        return tuple(self._fields)
+
+    def loads_constant(self, body: int) -> bool:
+        """Whether all that acts on a body, given by its index, is the same at all times."""
+        return body not in varying_loads(self)
+
     def add_body(
         self,
         shape: Shape | None,
@@ -89,6 +116,8 @@ class Scene:
         angular_velocity: float = 0.0,
         force: VectorLike | Sequence[float | str] = (0.0, 0.0),
         torque: float | str = 0.0,
+        linear_drag: float = 0.0,
+        quadratic_drag: float = 0.0,
         inertia: float | None = None,
         restitution: float | None = None,
         name: str | None = None,
@@ -96,8 +125,10 @@ class Scene:
         """Add a body that moves, and return its index (R2).
 
         `shape` None makes a particle that touches nothing. Force components and torque are numbers
-        in N and N m, or expressions of `time`: ``("10[N]*sin(2[rad/s]*time)", 0)``. The inertia in
-        kg m^2 follows from mass and shape unless it is stated.
+        in N and N m, or expressions like ``"10[N]*sin(2[rad/s]*time)"`` of `time` and of the body's
+        `position`, `velocity`, `orientation`, `angular_velocity` and `mass`. Drag slows it down by
+        `linear_drag` (kg/s) times its velocity, and by `quadratic_drag` (kg/m) times the square of
+        its speed (IM6). The inertia in kg m^2 follows from mass and shape unless it is stated.
 
         Raises:
             InputError: a value breaks a rule (R4); the message names it.
@@ -125,9 +156,12 @@ class Scene:
             ),
             force=checked_force(force, of),
             torque=checked_law(torque, "torque", of, at=("torque",)),
+            linear_drag=checked_drag(linear_drag, "linear_drag", of),
+            quadratic_drag=checked_drag(quadratic_drag, "quadratic_drag", of),
             restitution=optional_restitution(restitution, of),
         )
         refuse_turning_particle(body)
+        refuse_undefined_law(body)
         return self._append(body)
 
     def add_static(
@@ -168,6 +202,81 @@ class Scene:
                 f"pair of '{self._bodies[i].name}' with itself (R3). Name two bodies.", "bodies"
             )
         self._of_pairs[i, j] = checked_restitution(value, f"the pair {self._pair(i, j)}")
+
+    def add_spring(
+        self,
+        first: int | str,
+        second: int | str | VectorLike,
+        *,
+        stiffness: float,
+        rest_length: float,
+        damping: float = 0.0,
+        anchor: VectorLike = (0.0, 0.0),
+        other_anchor: VectorLike = (0.0, 0.0),
+    ) -> int:
+        """Add a spring, and return its index (IM7).
+
+        It holds a body, given by index or name, and another one or a point (x, y) in m. It pulls
+        with `stiffness` (N/m) times what it is longer than `rest_length` (m), and a damper beside
+        it with `damping` (kg/s) times the speed at which it lengthens. It holds a body at an
+        anchor (x, y), in m from the centre of mass and in the body's own axes.
+
+        Raises:
+            InputError: a value breaks a rule (R4), or it would move nothing; the message says so.
+        """
+        fixed = not isinstance(second, int | str)
+        ends = self.index(first), None if fixed else self.index(second)  # type: ignore[arg-type]
+        of = f"spring {len(self._springs)} of '{self._bodies[ends[0]].name}'"
+        spring = checked_spring(
+            ends,
+            of,
+            point=second if fixed else (0.0, 0.0),
+            stiffness=stiffness,
+            rest_length=rest_length,
+            damping=damping,
+            anchor=anchor,
+            other_anchor=other_anchor,
+        )
+        refuse_spring(spring, self._bodies, of)
+        self._springs.append(spring)
+        return len(self._springs) - 1
+
+    def add_attraction(self, *, gravitational_constant: float) -> None:
+        """Let all bodies that move attract each other, each pair by its masses (IM5).
+
+        Raises:
+            InputError: the constant in m^3/(kg s^2) is no number, or was given before.
+        """
+        symbol, remedy = "gravitational_constant", "Give it in m^3/(kg s^2)."
+        value = number(gravitational_constant, symbol, "the scene", remedy, at=(symbol,))
+        if self._attraction is not None:
+            raise RuleError(
+                "attraction of the scene: stated twice (IM5). State it once, for all bodies.",
+                symbol,
+            )
+        self._attraction = value
+
+    def add_field(
+        self,
+        *,
+        force: Sequence[float | str] | None = None,
+        torque: float | str | None = None,
+        bodies: Sequence[int | str] | None = None,
+    ) -> int:
+        """Add a law of your own for all bodies that move, or for some, and return its index (IM8).
+
+        Force components and torque are as for one body in `add_body`; the state and the mass in
+        them are those of each body on which the field acts.
+
+        Raises:
+            InputError: a law breaks a rule (R4), or a body does not move; the message says so.
+        """
+        of = f"field {len(self._fields)}"
+        chosen = None if bodies is None else tuple(self.index(body) for body in bodies)
+        field = checked_field(force, torque, chosen, of)
+        refuse_field(field, self._bodies, of)
+        self._fields.append(field)
+        return len(self._fields) - 1
 
     def restitution(self, i: int, j: int) -> float:
         """Return the restitution with which bodies i and j part.

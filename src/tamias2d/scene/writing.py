@@ -6,10 +6,12 @@ from collections.abc import Iterator
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.fields import ForceField
 from tamias2d.scene.law import Law
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+from tamias2d.scene.springs import Spring
 
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
@@ -36,6 +38,7 @@ def _lines(scene: Scene) -> Iterator[str]:
             yield f"  {_text(body.name)}:"
             yield from (f"    {line}" for line in _body(body))
     yield from _pairs(scene)
+    yield from _acting(scene)
     if list(scene.bodies) != moving + static:
         names = ", ".join(_text(body.name) for body in scene.bodies)
         yield f"order: [{names}]"
@@ -56,10 +59,12 @@ def _body(body: Body) -> Iterator[str]:
     if body.angular_velocity:
         yield f"angular_velocity: {_quantity(body.angular_velocity, 'angular_velocity')}"
     if any(body.force):
-        x, y = body.force
-        yield f"force: [{_law(x, 'force')}, {_law(y, 'force')}]"
+        yield _force(body.force)
     if body.torque:
         yield f"torque: {_law(body.torque, 'torque')}"
+    for key, drag in (("linear_drag", body.linear_drag), ("quadratic_drag", body.quadratic_drag)):
+        if drag:
+            yield f"{key}: {_quantity(drag, key)}"
     if body.restitution is not None:
         yield f"restitution: {body.restitution!r}"
 
@@ -92,6 +97,53 @@ def _pairs(scene: Scene) -> Iterator[str]:
     for (i, j), restitution in pairs.items():
         names = f"{_text(scene.bodies[i].name)}, {_text(scene.bodies[j].name)}"
         yield f"  - {{bodies: [{names}], restitution: {restitution!r}}}"
+
+
+def _acting(scene: Scene) -> Iterator[str]:
+    if scene.springs:
+        yield "springs:"
+    for spring in scene.springs:
+        yield f"  - {{{', '.join(_spring(scene, spring))}}}"
+    if scene.attraction is not None:
+        yield "attraction:"
+        constant = _quantity(scene.attraction, "gravitational_constant")
+        yield f"  gravitational_constant: {constant}"
+    if scene.fields:
+        yield "fields:"
+    for field in scene.fields:
+        lines = list(_field(scene, field))
+        yield f"  - {lines[0]}"
+        yield from (f"    {line}" for line in lines[1:])
+
+
+def _spring(scene: Scene, spring: Spring) -> Iterator[str]:
+    names = [_text(scene.bodies[k].name) for k in spring.bodies]
+    if spring.second is None:
+        yield f"body: {names[0]}"
+        yield f"point: {_vector(spring.point, 'position')}"
+    else:
+        yield f"bodies: [{', '.join(names)}]"
+    yield f"stiffness: {_quantity(spring.stiffness, 'stiffness')}"
+    yield f"rest_length: {_quantity(spring.rest_length, 'rest_length')}"
+    if spring.damping:
+        yield f"damping: {_quantity(spring.damping, 'damping')}"
+    if any(spring.anchor):
+        yield f"anchor: {_vector(spring.anchor, 'arm')}"
+    if any(spring.other_anchor):
+        yield f"other_anchor: {_vector(spring.other_anchor, 'arm')}"
+
+
+def _field(scene: Scene, field: ForceField) -> Iterator[str]:
+    yield _force(field.force)
+    if field.torque:
+        yield f"torque: {_law(field.torque, 'torque')}"
+    if field.bodies is not None:
+        yield f"bodies: [{', '.join(_text(scene.bodies[k].name) for k in field.bodies)}]"
+
+
+def _force(force: tuple[Law, Law]) -> str:
+    x, y = force
+    return f"force: [{_law(x, 'force')}, {_law(y, 'force')}]"
 
 
 def _quantity(value: float, symbol: str) -> str:

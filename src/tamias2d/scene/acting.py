@@ -1,0 +1,86 @@
+"""What acts on which bodies: whose loads vary, and who moves only together with others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, TypeAlias
+
+from tamias2d.scene.law import Law, StateLaw, value_at, varies
+
+if TYPE_CHECKING:
+    from tamias2d.scene.scene import Scene
+
+
+Load: TypeAlias = tuple[float, float, float]
+"""Both components of a force, N, and a torque, N m."""
+
+
+def steady_load(scene: Scene, k: int) -> Load:
+    """Return the sum of all forces and torques on a body that stay as they are, without weight."""
+    total = [0.0, 0.0, 0.0]
+    for component, law in _laws_on(scene, k):
+        if not varies(law):
+            total[component] += value_at(law, scene.bodies[k].start)
+    return total[0], total[1], total[2]
+
+
+def varying_laws(scene: Scene, bodies: Sequence[int]) -> dict[tuple[int, StateLaw], list[int]]:
+    """Return all laws that vary, each with its component of the load, and the bodies that share it.
+
+    Components are counted as in a `Load`, bodies as the places in `bodies`.
+    """
+    found: dict[tuple[int, StateLaw], list[int]] = {}
+    for place, k in enumerate(bodies):
+        for component, law in _laws_on(scene, k):
+            if isinstance(law, StateLaw) and law.varies:
+                found.setdefault((component, law), []).append(place)
+    return found
+
+
+def _laws_on(scene: Scene, k: int) -> Iterator[tuple[int, Law]]:
+    body = scene.bodies[k]
+    yield from enumerate((*body.force, body.torque))
+    for field in scene.fields:
+        if field.acts_on(k) and body.dynamic:
+            yield from enumerate((*field.force, field.torque))
+
+
+def varying_loads(scene: Scene) -> dict[int, str]:
+    """Return why the loads of a body vary during a run, for each body whose loads do."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    found: dict[int, str] = {}
+    for k, why in _variations(scene, moving):
+        found.setdefault(k, why)
+    return {k: found[k] for k in moving if k in found}
+
+
+def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]]:
+    for k in moving:
+        body = scene.bodies[k]
+        if not body.constant:
+            yield k, "under a force or torque that varies"
+        if body.quadratic_drag:
+            yield k, "under quadratic drag"
+        if body.linear_drag:
+            yield k, "under linear drag"
+    for spring in scene.springs:
+        yield from ((k, "held by a spring") for k in spring.bodies)
+    if scene.attraction is not None and len(moving) > 1:
+        yield from ((k, "attracted by other bodies") for k in moving)
+    for field in scene.fields:
+        if not field.constant:
+            yield from ((k, "in a field that varies") for k in moving if field.acts_on(k))
+
+
+def groups(scene: Scene) -> list[list[int]]:
+    """Return the bodies that move in groups: between different groups, nothing acts but contact."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    if scene.attraction is not None and moving:
+        return [moving]
+    group_of = {k: [k] for k in moving}
+    for spring in scene.springs:
+        held = [group_of[k] for k in spring.bodies if k in group_of]
+        if len(held) == 2 and held[0] is not held[1]:
+            held[0].extend(held[1])
+            group_of.update(dict.fromkeys(held[1], held[0]))
+    return [sorted(group) for group in {id(group): group for group in group_of.values()}.values()]

@@ -1,0 +1,64 @@
+"""The forms that the parts of a scene file take: mappings with known keys, lists, two names."""
+
+import difflib
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from tamias2d.scene.rules import RuleError, shown
+
+
+@contextmanager
+def within(*path: str | int) -> Iterator[None]:
+    """Put a path before that of a rule broken inside."""
+    try:
+        yield
+    except RuleError as error:
+        error.path = (*path, *error.path)
+        raise
+
+
+def two_names(raw: object, what: str) -> tuple[str, str]:
+    """Return the two names of a list, or raise `RuleError`."""
+    match raw:
+        case [str(first), str(second)]:
+            return first, second
+    raise RuleError(
+        f"bodies of {what}: found {shown(raw)}: must be two names (R1). Write [one, other].",
+        "bodies",
+    )
+
+
+def listed(raw: object, key: str) -> list[object]:
+    """Return a list, or raise `RuleError`."""
+    if not isinstance(raw, list):
+        raise RuleError(
+            f"{key}: found {shown(raw)}: must be a list (R2). Write it in brackets [ ].", key
+        )
+    return raw
+
+
+def mapping(
+    raw: object, what: str, *, must: tuple[str, ...] = (), may: tuple[str, ...] | None = None
+) -> dict[str, object]:
+    """Return a mapping that has all keys it must have, and no others than it may have."""
+    if not isinstance(raw, dict):
+        found = "nothing" if raw in (None, "") else shown(raw)
+        raise RuleError(f"{what}: found {found}: must be a mapping (R2). Write 'key: value' lines.")
+    known = (*must, *(may or ()))
+    for key in raw if may is not None else ():
+        if key not in known:
+            raise RuleError(
+                f"key '{key}' of {what}: unknown{likely(key, known)} (R2). "
+                f"Take one of {', '.join(known)}.",
+                *(key, "key"),
+            )
+    for key in must:
+        if key not in raw:
+            raise RuleError(f"{what}: key '{key}' is missing (R2). State it.", key)
+    return raw
+
+
+def likely(word: str, known: object) -> str:
+    """Return the part of a message that suggests the known word nearest to one, if one is near."""
+    close = difflib.get_close_matches(word, list(known), n=1)  # type: ignore[call-overload]
+    return f", did you mean '{close[0]}'?" if close else ""
