@@ -60,7 +60,11 @@ class Run:
     """(k, n), rad/s"""
     impacts: Impacts
     energy: Array
-    """(k,), kinetic, and potential in gravity, J"""
+    """(k,), kinetic, in uniform gravity, in springs and in attraction between bodies, J
+
+    What forces and fields given as laws or numbers could give back is not in it: a law need not
+    have a potential.
+    """
     momentum: Array
     """(k, 2), kg m/s"""
     angular_momentum: Array

@@ -9,11 +9,14 @@ from tamias2d.contact import Located, Refusal
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.generated import definitions
 from tamias2d.motion import ClosedForm, Legacy2018, Method, Reference
+from tamias2d.motion.energy import energy_between
 from tamias2d.motion.legacy import legacy_history
 from tamias2d.motion.stepped import grid
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene
+from tamias2d.scene.acting import varying_loads
+from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.rules import number, sequence
 from tamias2d.state import Array, History
 
@@ -54,8 +57,8 @@ def simulate(
     """Simulate a scene for a duration in s, and return its history.
 
     Impacts are located: the path of the method is followed to the instant at which a pair meets,
-    and IM3 says how it parts. Without a `method` it is the closed form if every force and torque
-    is constant, and the reference otherwise. `times` are those of the samples, s, sorted and
+    and IM3 says how it parts. Without a `method` it is the closed form if all bodies have one, and
+    the reference otherwise. `times` are those of the samples, s, sorted and
     within the run; without them it is 60 a second, or every step (`time_step`, s) of a stepped
     method. `progress` shows a bar on standard error.
 
@@ -104,10 +107,14 @@ def _plan(
 
 def _method(scene: Scene, method: Method | None) -> tuple[Method, str]:
     if method is None:
-        varying = [body.name for body in scene.bodies if not body.constant]
-        if varying:
-            return Reference(), f"Reference(): the loads of '{varying[0]}' vary with time"
-        return ClosedForm(), "ClosedForm(): every force and torque is constant"
+        solved = closed_forms(scene)
+        for body, why in varying_loads(scene).items():
+            if body not in solved:
+                return Reference(), f"Reference(): '{scene.bodies[body].name}' is {why}"
+        forms = dict.fromkeys(solved.values())
+        if list(forms) == ["constant loads"] or not forms:
+            return ClosedForm(), "ClosedForm(): every force and torque is constant"
+        return ClosedForm(), f"ClosedForm(): every body has one, {', '.join(forms)}"
     if not isinstance(method, Method):
         raise InputError(
             f"method {method!r}: must be a method of motion (R5). Give one such as ClosedForm() "
@@ -190,7 +197,7 @@ def _balance(scene: Scene, history: History) -> tuple[Array, Array, Array]:
     momentum = definitions.momentum(mass, velocity)
     turning = definitions.angular_momentum(mass, position, velocity, inertia, spin)
     return (
-        (kinetic + potential).sum(axis=-1),
+        (kinetic + potential).sum(axis=-1) + energy_between(scene, history),
         np.stack([part.sum(axis=-1) for part in momentum], axis=-1),
         turning.sum(axis=-1),
     )

@@ -28,8 +28,8 @@ class Surroundings(NamedTuple):
     """Of a body, now."""
     near: Callable[[int], Iterable[int]]
     """The bodies that may touch a body now."""
-    free: Callable[[int], Acceleration]
-    """The acceleration of a body that nothing holds, now."""
+    free: Callable[[int, Callable[[int], State]], Acceleration]
+    """The acceleration of a body that nothing holds, now, for given states."""
     held: Callable[[PairOf], bool]
     """Whether a contact of the pair has lasted until now."""
     restitution: Callable[[int, int], float]
@@ -76,6 +76,10 @@ class Instant:
         self._explore(list(bodies))
         self._part()
         self._stay()
+
+    def state(self, body: int) -> State:
+        """Return the state of a body after the instant, as far as it is known."""
+        return self.states[body] if body in self.states else self._world.state(body)
 
     def _explore(self, todo: list[int]) -> None:
         seen = set(todo)
@@ -198,12 +202,15 @@ class Instant:
             groups.append((bodies, joined))
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
         return [
-            Island(cores, placed, joined, {i: self._world.free(i) for i in sorted(bodies)})
+            Island(cores, placed, joined, {i: self._free(i) for i in sorted(bodies)})
             for bodies, joined in groups
         ]
 
+    def _free(self, body: int) -> Acceleration:
+        return self._world.free(body, self.state)
+
     def _accelerations(self, islands: Sequence[Island]) -> dict[int, Acceleration]:
-        free = {i: self._world.free(i) for i in self.states if self._world.cores[i].dynamic}
+        free = {i: self._free(i) for i in self.states if self._world.cores[i].dynamic}
         for island in islands:
             free.update(island.accelerations)
         return free

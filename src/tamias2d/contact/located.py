@@ -125,7 +125,7 @@ class Located:
             self._cores,
             self._state,
             self._swept.near,
-            lambda body: self._motion.free(body, time),
+            lambda body, state: self._motion.free(body, time, state),
             self._held.__contains__,
             self._scene.restitution,
         )
@@ -140,12 +140,13 @@ class Located:
             self._held.pop(touch.pair, None)
             if touch.staying:
                 self._held[touch.pair] = touch.staying
-        for body in sorted(instant.changed):
-            self._holds[body] = hold = instant.holds.get(body)
-            path = self._motion.restart(body, time, instant.states[body], end, hold)
+        for body in instant.changed:
+            self._holds[body] = instant.holds.get(body)
+        paths = self._motion.restart(sorted(instant.changed), time, instant.state, end, self._holds)
+        for body, path in paths.items():
             self._lay(body, path)
         self._depart(instant)
-        self._predict(sorted(instant.changed) if instant.changed else bodies)
+        self._predict(paths or bodies)
 
     def _depart(self, instant: Instant) -> None:
         """Find out from when on pairs that part without normal velocity are seen to be apart."""

@@ -1,6 +1,6 @@
 """What this part asks of a body's path and of whoever makes paths; `motion` answers it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
 from tamias2d.state import Acceleration, Hold, State, Vector
@@ -51,9 +51,14 @@ class Motion(Protocol):
         """Return a time and the path of every body from `start` (s) to that time."""
 
     def restart(
-        self, body: int, start: float, state: State, end: float, hold: Hold | None
-    ) -> Piece:
-        """Return the path of one body from a new state at `start` to `end`, s."""
+        self,
+        bodies: Iterable[int],
+        start: float,
+        state: Callable[[int], State],
+        end: float,
+        holds: Sequence[Hold | None],
+    ) -> Mapping[int, Piece]:
+        """Return the paths from `start` to `end`, s, of some bodies and of all they act on."""
 
-    def free(self, body: int, time: float) -> Acceleration:
+    def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""

@@ -1,65 +1,19 @@
-"""Exact motion under constant force and torque: the closed forms of IM1 and IM2."""
+"""Exact motion: the closed forms of IM1 and IM2, of IM6 and of IM7."""
 
-import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from tamias2d.generated import rotation, translation
-from tamias2d.motion.loads import Loads, coordinates, start_states
-from tamias2d.motion.piece import Bounds, Piece
+from tamias2d.motion.dragged import Dragged
+from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
+from tamias2d.motion.oscillating import Oscillating
+from tamias2d.motion.piece import Piece
+from tamias2d.motion.track import sample
+from tamias2d.motion.uniform import Uniform
 from tamias2d.scene import Scene
-from tamias2d.state import Acceleration, Array, History, Hold, State, Vector
-
-
-class Uniform:
-    """A path with constant acceleration."""
-
-    def __init__(
-        self, *, start: float, end: float, state: State, acceleration: Acceleration
-    ) -> None:
-        self.start = start
-        self.end = end
-        self._state = state
-        self._linear: Vector = acceleration[:2]
-        self._angular = acceleration[2]
-
-    def at(self, time: float) -> State:
-        """Return the state at a time in s."""
-        position, orientation, velocity, angular_velocity = self._state
-        elapsed = time - self.start
-        return State(
-            translation.position(position, velocity, self._linear, elapsed),
-            rotation.orientation(orientation, angular_velocity, self._angular, elapsed),
-            translation.velocity(velocity, self._linear, elapsed),
-            rotation.angular_velocity(angular_velocity, self._angular, elapsed),
-        )
-
-    def acceleration(self, time: float) -> Acceleration:  # noqa: ARG002
-        """Return the acceleration, the same at all times."""
-        return (*self._linear, self._angular)
-
-    def bounds(self, first: float, last: float) -> Bounds:
-        """Return what holds from `first` to `last`, s; rates are largest at one of the two."""
-        v = self._state.velocity
-        early = translation.velocity(v, self._linear, first - self.start)
-        late = translation.velocity(v, self._linear, last - self.start)
-        spin = self._state.angular_velocity
-        spin_early = rotation.angular_velocity(spin, self._angular, first - self.start)
-        spin_late = rotation.angular_velocity(spin, self._angular, last - self.start)
-        return Bounds(
-            self._linear,
-            0.0,
-            max(math.hypot(*early), math.hypot(*late)),
-            max(abs(spin_early), abs(spin_late)),
-            abs(self._angular),
-        )
-
-    def sample(self, times: Array) -> Array:
-        """Return (k, 6) at times (k,), s."""
-        position, orientation, velocity, angular_velocity = self.at(times)  # type: ignore[arg-type]
-        columns = (*position, orientation, *velocity, angular_velocity)
-        return np.stack([np.broadcast_to(column, times.shape) for column in columns], axis=-1)
+from tamias2d.scene.exact import closed_forms, spring_of
+from tamias2d.state import Acceleration, Array, History, Hold, State
 
 
 class ClosedFormMotion:
@@ -69,34 +23,59 @@ class ClosedFormMotion:
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)
+        self._forms = closed_forms(scene)
 
     def segment(
         self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
     ) -> tuple[float, list[Piece]]:
         """Return the end of the run and the path of every body to it."""
         end = self._duration
-        pieces: list[Piece] = [
-            self.restart(i, start, state, end, hold)
-            for i, (state, hold) in enumerate(zip(states, holds, strict=True))
+        pieces = [
+            self._path(body, start, state, end, hold)
+            for body, (state, hold) in enumerate(zip(states, holds, strict=True))
         ]
         return end, pieces
 
     def restart(
-        self, body: int, start: float, state: State, end: float, hold: Hold | None
-    ) -> Uniform:
-        """Return the path of one body from `start` to `end`, s."""
-        acceleration = self._loads.acceleration(body, start, hold)
-        return Uniform(start=start, end=end, state=state, acceleration=acceleration)
+        self,
+        bodies: Iterable[int],
+        start: float,
+        state: StateOf,
+        end: float,
+        holds: Sequence[Hold | None],
+    ) -> dict[int, Piece]:
+        """Return the paths of some bodies from `start` to `end`, s; they act on no others."""
+        return {body: self._path(body, start, state(body), end, holds[body]) for body in bodies}
 
-    def free(self, body: int, time: float) -> Acceleration:
+    def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""
-        return self._loads.acceleration(body, time)
+        return self._loads.acceleration(body, time, state)
 
     def history(self, times: Array) -> History:
-        """Return the states at times (k,), s: all bodies and times at once."""
+        """Return the states at times (k,), s."""
+        if self._loads.varying:
+            _, pieces = self.segment(0.0, start_states(self._scene), [None] * len(self._scene))
+            return sample([[piece] for piece in pieces], times)
+        return self._uniform(times)
+
+    def _path(self, body: int, start: float, state: State, end: float, hold: Hold | None) -> Piece:
+        steady = self._loads.steady(body)
+        match self._forms.get(body):
+            case "linear drag":
+                return Dragged(self._scene.bodies[body], start, end, state, steady, hold)
+            case "spring without length":
+                spring = spring_of(self._scene, body)
+                return Oscillating(
+                    self._scene.bodies[body], spring, start, end, state, steady, hold
+                )
+        acceleration = hold(steady) if hold else steady
+        return Uniform(start=start, end=end, state=state, acceleration=acceleration)
+
+    def _uniform(self, times: Array) -> History:
+        """Return the states under constant loads: all bodies and times at once."""
         bodies = range(len(self._scene.bodies))
         q, rate = coordinates(start_states(self._scene))
-        a = np.array([self._loads.acceleration(i, 0.0) for i in bodies]).reshape(-1, 3)
+        a = np.array([self._loads.steady(i) for i in bodies]).reshape(-1, 3)
         start, velocity, acceleration = ((x[:, 0], x[:, 1]) for x in (q, rate, a))
         t = times[:, None]
         shape = (len(times), len(bodies))

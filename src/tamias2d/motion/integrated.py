@@ -1,14 +1,14 @@
 """Motion by integration: paths from whatever steps an integrator takes."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Protocol
 
 import numpy as np
 
-from tamias2d.motion.closed_form import Uniform
-from tamias2d.motion.loads import Field, Loads, coordinates, start_states
+from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.piece import Piece
 from tamias2d.motion.polynomial import Chain, Stretch
+from tamias2d.motion.uniform import Uniform
 from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, History, Hold, State
 
@@ -48,17 +48,28 @@ class IntegratedMotion:
         return stretch.end, pieces
 
     def restart(
-        self, body: int, start: float, state: State, end: float, hold: Hold | None
-    ) -> Piece:
-        """Return the path of one body from `start` to `end`, s."""
-        field = self._loads.field([body], [hold])
-        steps = list(self._stretches(field, start, end, *coordinates([state])))
-        pieces = [stretch.piece(0) for stretch in steps]
-        return pieces[0] if len(pieces) == 1 else Chain(pieces)
+        self,
+        bodies: Iterable[int],
+        start: float,
+        state: StateOf,
+        end: float,
+        holds: Sequence[Hold | None],
+    ) -> dict[int, Piece]:
+        """Return the paths from `start` to `end`, s, of some bodies and of all they act on."""
+        groups = {min(group): group for group in map(self._loads.group_of.__getitem__, bodies)}
+        pieces: dict[int, Piece] = {}
+        for group in groups.values():
+            field = self._loads.field(group, [holds[i] for i in group])
+            now = coordinates([state(i) for i in group])
+            steps = list(self._stretches(field, start, end, *now))
+            for k, body in enumerate(group):
+                parts = [step.piece(k) for step in steps]
+                pieces[body] = parts[0] if len(parts) == 1 else Chain(parts)
+        return pieces
 
-    def free(self, body: int, time: float) -> Acceleration:
+    def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""
-        return self._loads.acceleration(body, time)
+        return self._loads.acceleration(body, time, state)
 
     def history(self, times: Array) -> History:
         """Return the states at sorted times (k,), s: all bodies at once."""

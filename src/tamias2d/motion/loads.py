@@ -1,16 +1,25 @@
-"""What accelerates the bodies of a scene: gravity, applied forces and torques (IM1, IM2)."""
+"""What accelerates the bodies of a scene: gravity, and the sum of all forces and torques.
+
+Service: accelerations of one body, or of many as a function for the schemes (IM1, IM2, GD6).
+Secret: which terms there are; a scene pays for no others.
+"""
 
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 import numpy as np
 
+from tamias2d.errors import SimulationError
 from tamias2d.generated import rotation, translation
-from tamias2d.scene import Body, Scene
+from tamias2d.motion.terms import Term, terms
+from tamias2d.scene import Scene
+from tamias2d.scene.acting import groups, steady_load, varying_loads
 from tamias2d.state import Acceleration, Array, Hold, State
 
 Field: TypeAlias = Callable[[float, Array, Array], Array]
 """Accelerations (n, 3) from a time, the coordinates (n, 3) and their rates (n, 3)."""
+StateOf: TypeAlias = Callable[[int], State]
+"""The state of a body now, given by its index."""
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
@@ -19,35 +28,104 @@ class Loads:
     """The accelerations of a scene's bodies, free or held by lasting contacts."""
 
     def __init__(self, scene: Scene) -> None:
-        self.bodies = scene.bodies
-        self._gravity = scene.gravity
-        self._constant = [self._at(body, 0.0) if body.constant else None for body in scene.bodies]
+        self._scene = scene
+        self.varying = varying_loads(scene)
+        """Why the loads of a body vary, for each body whose loads do."""
+        self.group_of = {body: group for group in groups(scene) for body in group}
+        """The bodies that act on each other, for each body that moves."""
+        self._steady = [self._steadily(k) for k in range(len(scene))]
+        self._fields: dict[int, Field] = {}
 
-    def acceleration(self, body: int, time: float, hold: Hold | None = None) -> Acceleration:
-        """Return the acceleration of one body at a time in s."""
-        free = self._constant[body]
-        if free is None:
-            free = self._at(self.bodies[body], time)
-        return hold(free) if hold else free
+    def steady(self, body: int) -> Acceleration:
+        """Return what gravity and all constant forces and torques give a body."""
+        return self._steady[body]
+
+    def acceleration(self, body: int, time: float, state: StateOf) -> Acceleration:
+        """Return the acceleration of a body that nothing holds, at a time in s."""
+        if body not in self.varying:
+            return self._steady[body]
+        group = self.group_of[body]
+        if group[0] not in self._fields:
+            self._fields[group[0]] = self.field(group, [None] * len(group))
+        rows = self._fields[group[0]](time, *coordinates([state(k) for k in group]))
+        x, y, turn = rows[group.index(body)].tolist()
+        return x, y, turn
 
     def field(self, bodies: Sequence[int], holds: Sequence[Hold | None]) -> Field:
-        """Return the accelerations of some bodies as a function, for the schemes."""
-        if all(self._constant[i] is not None for i in bodies):
-            fixed = self._rows(bodies, holds, 0.0)
+        """Return the accelerations of some bodies as a function, for the schemes.
+
+        Who acts on one of the bodies must be among them (`group_of`).
+        """
+        held = [(row, hold) for row, hold in enumerate(holds) if hold]
+        if not any(body in self.varying for body in bodies):
+            fixed = np.array([self._steady[body] for body in bodies]).reshape(-1, 3)
+            _hold(fixed, held)
             return lambda time, position, velocity: fixed  # noqa: ARG005
-        return lambda time, position, velocity: self._rows(bodies, holds, time)  # noqa: ARG005
+        free = self._free(bodies)
+        if not held:
+            return free
 
-    def _rows(self, bodies: Sequence[int], holds: Sequence[Hold | None], time: float) -> Array:
-        return np.array(
-            [self.acceleration(i, time, hold) for i, hold in zip(bodies, holds, strict=True)]
-        ).reshape(-1, 3)
+        def field(time: float, position: Array, velocity: Array) -> Array:
+            rows = free(time, position, velocity)
+            _hold(rows, held)
+            return rows
 
-    def _at(self, body: Body, time: float) -> Acceleration:
+        return field
+
+    def _free(self, bodies: Sequence[int]) -> Field:
+        scene = self._scene
+        gravity = scene.gravity
+        mass = np.array([scene.bodies[body].mass for body in bodies])
+        inertia = np.array([scene.bodies[body].inertia for body in bodies])
+        steady = np.array([steady_load(scene, body) for body in bodies]).reshape(-1, 3)
+        found = terms(scene, bodies)
+
+        def field(time: float, position: Array, velocity: Array) -> Array:
+            loads = steady.copy()
+            with np.errstate(all="ignore"):  # what is not finite is refused below
+                for term in found:
+                    term.add(time, position, velocity, loads)
+            rows = np.empty_like(loads)
+            force = (loads[:, 0], loads[:, 1])
+            rows[:, 0], rows[:, 1] = translation.acceleration(gravity, force, mass)
+            rows[:, 2] = rotation.angular_acceleration(loads[:, 2], inertia)
+            if not np.isfinite(rows).all():
+                self._refuse(found, bodies, time, position, velocity)
+            return rows
+
+        return field
+
+    def _refuse(
+        self,
+        found: Sequence[Term],
+        bodies: Sequence[int],
+        time: float,
+        position: Array,
+        velocity: Array,
+    ) -> None:
+        """Raise an error that names the term and the body without a finite force."""
+        for term in found:
+            loads = np.zeros_like(position)
+            with np.errstate(all="ignore"):
+                term.add(time, position, velocity, loads)
+            if not (good := np.isfinite(loads).all(axis=1)).all():
+                name = self._scene.bodies[bodies[int(np.argmin(good))]].name
+                raise SimulationError(
+                    f"{term.says.replace('_', ' ')} at {time!r} s: no finite force on '{name}' "
+                    "(R4): bodies are at one place, or float64 cannot hold it. End the run "
+                    "before, or change the scene."
+                )
+        raise SimulationError(
+            f"state at {time!r} s: not finite (R4). End the run before, or take a smaller step."
+        )
+
+    def _steadily(self, k: int) -> Acceleration:
+        body = self._scene.bodies[k]
         if not body.dynamic:
             return _STILL
-        x, y = translation.acceleration(self._gravity, body.force_at(time), body.mass)
-        turn = rotation.angular_acceleration(body.torque_at(time), body.inertia)
-        return float(x), float(y), float(turn)
+        fx, fy, torque = steady_load(self._scene, k)
+        x, y = translation.acceleration(self._scene.gravity, (fx, fy), body.mass)
+        return float(x), float(y), float(rotation.angular_acceleration(torque, body.inertia))
 
 
 def start_states(scene: Scene) -> list[State]:
@@ -60,3 +138,10 @@ def coordinates(states: Sequence[State]) -> tuple[Array, Array]:
     position = [(*state.position, state.orientation) for state in states]
     velocity = [(*state.velocity, state.angular_velocity) for state in states]
     return np.array(position).reshape(-1, 3), np.array(velocity).reshape(-1, 3)
+
+
+def _hold(rows: Array, held: Sequence[tuple[int, Hold]]) -> None:
+    """Put what lasting contacts make of the accelerations into rows (n, 3)."""
+    for row, hold in held:
+        x, y, turn = rows[row].tolist()
+        rows[row] = hold((x, y, turn))

@@ -9,11 +9,13 @@ from tamias2d.errors import InputError
 from tamias2d.generated import schemes
 from tamias2d.motion.closed_form import ClosedFormMotion
 from tamias2d.motion.integrated import IntegratedMotion
-from tamias2d.motion.loads import Loads
+from tamias2d.motion.loads import Loads, start_states
 from tamias2d.motion.piece import Motion
 from tamias2d.motion.reference import Dop853
 from tamias2d.motion.stepped import Grid, Scheme
 from tamias2d.scene import Scene
+from tamias2d.scene.acting import varying_loads
+from tamias2d.scene.exact import closed_forms
 
 
 class Method(ABC):
@@ -28,16 +30,16 @@ class Method(ABC):
 
 @dataclass(frozen=True)
 class ClosedForm(Method):
-    """The exact solution, where every force and torque is constant (IM1, IM2)."""
+    """The exact solution, where all bodies have one (IM1, IM2, IM6, IM7)."""
 
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:  # noqa: ARG002
-        """Return exact motion; raise `InputError` if a load varies with time."""
-        for body in scene.bodies:
-            if not body.constant:
+        """Return exact motion; raise `InputError` if a body has none."""
+        solved = closed_forms(scene)
+        for body, why in varying_loads(scene).items():
+            if body not in solved:
                 raise InputError(
-                    f"method ClosedForm(): force or torque of body '{body.name}' varies with "
-                    "time: the closed form needs constant ones (IM1, IM2). Use Reference(), or a "
-                    "stepped method."
+                    f"method ClosedForm(): body '{scene.bodies[body].name}' is {why}: it has no "
+                    "closed form (IM1, IM2, IM6, IM7). Use Reference(), or a stepped method."
                 )
         return ClosedFormMotion(scene, duration)
 
@@ -116,10 +118,14 @@ def _scale(scene: Scene, duration: float) -> tuple[float, float]:
     moving = [(i, body) for i, body in enumerate(scene.bodies) if body.dynamic]
     sizes = [body.shape.bounding_radius for _, body in moving if body.shape is not None]
     if not sizes:
-        loads = Loads(scene)
+        loads, states = Loads(scene), start_states(scene)
+        places = max((math.hypot(*body.position) for _, body in moving), default=0.0) or math.inf
         sizes = [
-            math.hypot(*body.velocity) * duration
-            + math.hypot(*loads.acceleration(i, 0.0)[:2]) * duration**2
+            min(
+                places,
+                math.hypot(*body.velocity) * duration
+                + math.hypot(*loads.acceleration(i, 0.0, states.__getitem__)[:2]) * duration**2,
+            )
             for i, body in moving
         ]
     return max(sizes, default=0.0) or 1.0, duration

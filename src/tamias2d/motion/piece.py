@@ -1,6 +1,6 @@
 """A piece of a body's path: what whoever looks for contacts may ask of it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple, Protocol
 
 from tamias2d.state import Acceleration, Array, History, Hold, State, Vector
@@ -49,11 +49,16 @@ class Motion(Protocol):
         """Return a time and the path of every body from `start` (s) to that time."""
 
     def restart(
-        self, body: int, start: float, state: State, end: float, hold: Hold | None
-    ) -> Piece:
-        """Return the path of one body from a new state at `start` to `end`, s."""
+        self,
+        bodies: Iterable[int],
+        start: float,
+        state: Callable[[int], State],
+        end: float,
+        holds: Sequence[Hold | None],
+    ) -> dict[int, Piece]:
+        """Return the paths from `start` to `end`, s, of some bodies and of all they act on."""
 
-    def free(self, body: int, time: float) -> Acceleration:
+    def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""
 
     def history(self, times: Array) -> History:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tamias2d.motion.piece import Piece
-from tamias2d.state import Array, History
+from tamias2d.state import Array, History, State
 
 
 def sample(tracks: Sequence[Sequence[Piece]], times: Array) -> History:
@@ -19,6 +19,13 @@ def sample(tracks: Sequence[Sequence[Piece]], times: Array) -> History:
     return History(
         rows[..., :2].copy(), rows[..., 2].copy(), rows[..., 3:5].copy(), rows[..., 5].copy()
     )
+
+
+def columns(state: State, times: Array) -> Array:
+    """Return (k, 6) from a state whose quantities are numbers or arrays (k,), for k times."""
+    position, orientation, velocity, angular_velocity = state
+    values = (*position, orientation, *velocity, angular_velocity)
+    return np.stack([np.broadcast_to(value, times.shape) for value in values], axis=-1)
 
 
 def _along(pieces: Sequence[Piece], times: Array) -> Array:

@@ -58,7 +58,7 @@ def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]
     for k in moving:
         body = scene.bodies[k]
         if not body.constant:
-            yield k, "under a force or torque that varies"
+            yield k, "under a force or torque that varies with time or state"
         if body.quadratic_drag:
             yield k, "under quadratic drag"
         if body.linear_drag:
@@ -69,7 +69,7 @@ def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]
         yield from ((k, "attracted by other bodies") for k in moving)
     for field in scene.fields:
         if not field.constant:
-            yield from ((k, "in a field that varies") for k in moving if field.acts_on(k))
+            yield from ((k, "in a field that varies with time or state") for k in moving if field.acts_on(k))
 
 
 def groups(scene: Scene) -> list[list[int]]:
