@@ -14,6 +14,8 @@ EXPECTED = [
     *("bouncing-elastic", "oblique-discs", "oblique-discs-unequal", "spinning-square"),
     *("cradle", "cradle-touching", "billiard", "driven", "resting", "showcase"),
     *(f"galperin-{100**k}" for k in range(4)),
+    *("drag-fall", "quadratic-drag", "oscillator", "damped-oscillator", "pendulum", "kepler"),
+    *("two-body", "figure-eight", "solar", "spring-chain", "own-law"),
 ]
 
 
