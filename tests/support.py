@@ -105,14 +105,36 @@ def _slope(errors: list[float]) -> float:
     return math.log2(errors[0] / errors[-1]) / halvings
 
 
-def observed_order(step: Callable[..., tuple[float, float]]) -> float:
-    """Order on the pendulum-like y'' = -y, whose solution is known, at a generic phase."""
+def observed_order(step: Callable[..., Any], span: float = 1.7, steps: int = 64) -> float:
+    """Order on the oscillator y'' = -y, whose solution is known, at a generic phase."""
+    errors = []
+    for halving in range(5):
+        count = steps * 2**halving
+        h, y, v = span / count, 1.0, 0.3
+        for k in range(count):
+            y, v, *_ = step(k * h, h, y, v, lambda _t, p, _v: -p)
+        errors.append(abs(y - (math.cos(span) + 0.3 * math.sin(span))))
+    return _slope(errors)
+
+
+def observed_order_under_drag(step: Callable[..., Any]) -> float:
+    """Order on y'' = -y - y'/2, of which the scheme solves the drag exactly."""
+    rate, span = 0.25, 1.7
+    fast = math.sqrt(1 - rate * rate)
+
+    def drift(_t: float, h: float, y: float, v: float) -> tuple[float, float]:
+        kept = math.exp(-2 * rate * h)
+        return y + v * (1 - kept) / (2 * rate), v * kept
+
+    exact = math.exp(-rate * span) * (
+        math.cos(fast * span) + (0.3 + rate) / fast * math.sin(fast * span)
+    )
     errors = []
     for count in (64, 128, 256, 512, 1024):
-        h, y, v = 1.7 / count, 1.0, 0.3
+        h, y, v = span / count, 1.0, 0.3
         for k in range(count):
-            y, v = step(k * h, h, y, v, lambda _t, p, _v: -p)
-        errors.append(abs(y - (math.cos(1.7) + 0.3 * math.sin(1.7))))
+            y, v = step(k * h, h, y, v, lambda _t, p, _v: -p, drift)
+        errors.append(abs(y - exact))
     return _slope(errors)
 
 

@@ -21,6 +21,19 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 Acceleration = Callable[[Any, Any, Any], Any]
+Drift = Callable[[Any, Any, Any, Any], tuple[Any, Any]]
+"""From time, time step, position and velocity to both after motion under a part of the forces."""
+
+
+class Facts(NamedTuple):
+    """What is known of a scheme before it runs."""
+
+    order: int
+    symplectic: bool
+    oscillation: float
+    """Longest stable step, times the angular frequency."""
+    decay: float
+    """Longest stable step, times the rate of the decay."""
 
 
 class Pair(NamedTuple):
@@ -41,6 +54,7 @@ class Pair(NamedTuple):
 '''
 _LARGEST = 10**12  # denominators beyond it are those of decimal coefficients
 _STEP = "time: Any, time_step: Any, position: Any, velocity: Any, acceleration: Acceleration"
+_DRIFT = f"{_STEP}, drift: Drift"
 _LEVELS = "time_step: Any, position: Any, velocity: Any, previous: Any, current: Any"
 
 
@@ -49,15 +63,31 @@ def emit(specification: Specification) -> str:
     items = specification.of_kind("scheme")
     files = dict.fromkeys(item.file for item in items)
     bodies = [_function(item) for item in items]
-    return "\n\n".join([HEADER.format(sources=",\n".join(files)), *bodies])
+    return "\n\n".join([HEADER.format(sources=",\n".join(files)), *bodies, _facts(items)])
+
+
+def _facts(items: Sequence[Item]) -> str:
+    lines = ["FACTS: dict[str, Facts] = {"]
+    for item in items:
+        if "stability" in item.data:
+            symplectic = item.data["family"] == "splitting"
+            stable = item.data["stability"]
+            given = f"{item.data['order']}, {symplectic}, {float(stable['oscillation'])}"
+            lines.append(f'    "{item.id}": Facts({given}, {float(stable["decay"])}),')
+    return "\n".join([*lines, "}"])
 
 
 def _function(item: Item) -> str:
     scheme = scheme_of(item, print)
     if scheme is None:
         raise ValueError(item.id)
-    body = {"runge_kutta": _runge_kutta, "splitting": _splitting, "two_level": _two_level}
-    arguments = _LEVELS if scheme.family == "two_level" else _STEP
+    body = {
+        "runge_kutta": _runge_kutta,
+        "splitting": _splitting,
+        "exponential": _splitting,
+        "two_level": _two_level,
+    }
+    arguments = {"two_level": _LEVELS, "exponential": _DRIFT}.get(scheme.family, _STEP)
     result = "Pair" if scheme.error else "tuple[Any, Any]"
     lines = [f"def {scheme.name}({arguments}) -> {result}:"]
     says = textwrap.wrap(" ".join(item.data["says"].split()) + ".", 92)
@@ -92,7 +122,11 @@ def _splitting(scheme: Scheme) -> list[str]:
         if kick:
             rate = f"acceleration({_at(passed)}, position, velocity)"
             lines.append(f"velocity = velocity + {_times(kick, 'time_step')} * {rate}")
-        if drift:
+        if drift and scheme.family == "exponential":
+            length = _times(drift, "time_step")
+            called = f"drift({_at(passed)}, {length}, position, velocity)"
+            lines.append(f"position, velocity = {called}")
+        elif drift:
             lines.append(f"position = position + {_times(drift, 'time_step')} * velocity")
         passed += drift
     return [*lines, "return position, velocity"]

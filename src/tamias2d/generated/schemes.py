@@ -3,6 +3,7 @@
 Generated from srs/schemes/composed.md,
 srs/schemes/embedded.md,
 srs/schemes/euler.md,
+srs/schemes/exponential.md,
 srs/schemes/legacy.md,
 srs/schemes/runge_kutta.md,
 srs/schemes/verlet.md by `python -m tools.generate`. Edit the chapter, not this file.
@@ -14,6 +15,19 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 Acceleration = Callable[[Any, Any, Any], Any]
+Drift = Callable[[Any, Any, Any, Any], tuple[Any, Any]]
+"""From time, time step, position and velocity to both after motion under a part of the forces."""
+
+
+class Facts(NamedTuple):
+    """What is known of a scheme before it runs."""
+
+    order: int
+    symplectic: bool
+    oscillation: float
+    """Longest stable step, times the angular frequency."""
+    decay: float
+    """Longest stable step, times the rate of the decay."""
 
 
 class Pair(NamedTuple):
@@ -195,7 +209,7 @@ def dop853(
     Twelve slopes for a step of order eight; an error of order five that one of order three
     corrects.
 
-    Source: srs/schemes/embedded.md:58; hairer1993.
+    Source: srs/schemes/embedded.md:59; hairer1993.
     """
     rate_1 = acceleration(time, position, velocity)
     velocity_2 = velocity + time_step * (0.05260015195876773 * rate_1)
@@ -659,10 +673,31 @@ def semi_implicit_euler(
 
     The velocity takes a full kick, then the position drifts with the velocity that results.
 
-    Source: srs/schemes/euler.md:47; hairer2006.
+    Source: srs/schemes/euler.md:48; hairer2006.
     """
     velocity = velocity + time_step * acceleration(time, position, velocity)
     position = position + time_step * velocity
+    return position, velocity
+
+
+def exponential_verlet(
+    time: Any,
+    time_step: Any,
+    position: Any,
+    velocity: Any,
+    acceleration: Acceleration,
+    drift: Drift,
+) -> tuple[Any, Any]:
+    """Exponential Verlet, of order 2.
+
+    Half a kick with the forces that are neither drag nor constant, an exact drift under drag
+    and all constant forces, half a kick with the force at its end.
+
+    Source: srs/schemes/exponential.md:10; strang1968, hairer2006.
+    """
+    velocity = velocity + time_step / 2 * acceleration(time, position, velocity)
+    position, velocity = drift(time, time_step, position, velocity)
+    velocity = velocity + time_step / 2 * acceleration(time + time_step, position, velocity)
     return position, velocity
 
 
@@ -736,3 +771,15 @@ def velocity_verlet(
     position = position + time_step * velocity
     velocity = velocity + time_step / 2 * acceleration(time + time_step, position, velocity)
     return position, velocity
+
+
+FACTS: dict[str, Facts] = {
+    "yoshida_4": Facts(4, True, 1.5734, 2.5078),
+    "dormand_prince_5": Facts(5, False, 0.9972, 3.3066),
+    "dop853": Facts(8, False, 5.9604, 6.3937),
+    "explicit_euler": Facts(1, False, 0.0, 2.0),
+    "semi_implicit_euler": Facts(1, True, 2.0, 2.0),
+    "exponential_verlet": Facts(2, False, 2.0, 4.0),
+    "runge_kutta_4": Facts(4, False, 2.8284, 2.7853),
+    "velocity_verlet": Facts(2, True, 2.0, 4.0),
+}

@@ -11,6 +11,7 @@ from tamias2d.spec.derivation import check_closed_form, check_derivation
 from tamias2d.spec.equations import Report, functions, parsed, relation, typed
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
 from tamias2d.spec.order import check_orders
+from tamias2d.spec.stability import check_stability
 from tamias2d.spec.symbols import Symbol, SymbolTable
 from tamias2d.spec.units import SECOND
 
@@ -21,6 +22,7 @@ def check_item(item: Item, table: SymbolTable) -> list[Diagnostic]:
     report = faults.append
     if item.kind == "scheme":
         check_orders(item, report)
+        check_stability(item, report)
     elif item.kind == "case":
         check_case(item, table, report)
     elif item.kind in ("theory", "definition", "model", "property"):

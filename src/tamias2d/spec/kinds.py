@@ -97,11 +97,12 @@ KINDS = {
             mapping(
                 ("says", "family", "order", "source"),
                 says=TEXT,
-                family={"enum": ["runge_kutta", "splitting", "two_level"]},
+                family={"enum": ["runge_kutta", "splitting", "exponential", "two_level"]},
                 order=WHOLE,
                 source=_TEXTS,
                 uses=_IDS,
                 error_constant=TEXT,
+                stability=mapping(("oscillation", "decay"), oscillation=TEXT, decay=TEXT),
                 a={"type": "array", "items": _NUMBERS},
                 b=_NUMBERS,
                 error={"type": "array", "items": _NUMBERS},

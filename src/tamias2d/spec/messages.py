@@ -31,6 +31,7 @@ class Code(Enum):
     DERIVATION_GAP = "derivation-gap", "a step does not follow from the one before"
     CLOSED_FORM = "closed-form", "the closed form does not solve the model's equations"
     SCHEME_ORDER = "scheme-order", "the coefficients do not have the order that is claimed"
+    SCHEME_STABILITY = "scheme-stability", "the coefficients do not have the limits claimed"
 
     def __init__(self, code: str, meaning: str) -> None:
         self.code = code

@@ -9,6 +9,7 @@ the order plus one. Rational coefficients are compared exactly, long decimal one
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import chain, zip_longest
+from math import factorial
 from typing import Any
 
 from tamias2d.spec.chapter import Item
@@ -24,6 +25,7 @@ Weights = Sequence[Number]
 
 _ROUNDING = 1e-9  # of float64 over the longest sums, relative
 _EXACT_UP_TO = 10**4  # of denominators: larger ones make exact fractions slow
+_DRAG = Fraction(3, 7)  # rate of a velocity's decay, which an exponential scheme solves exactly
 _SHARE = Fraction(1, 3)  # of the step, at which dense output is compared
 
 
@@ -119,6 +121,9 @@ class _Trial:
         position, velocity = self.start
         for _ in range(self.highest + 1):
             rate = self.field(self.at(1), position, velocity)
+            if self.scheme.family == "exponential":
+                slowed = [_scaled(-self.number(_DRAG), axis) for axis in velocity]
+                rate = _plus(rate[0], slowed[0]), _plus(rate[1], slowed[1])
             position = self.moved(self.start[0], velocity)
             velocity = self.moved(self.start[1], rate)
         return position, velocity
@@ -140,7 +145,7 @@ class _Trial:
     def step(self, weights: Weights | None) -> tuple[State, State]:
         if self.scheme.family == "runge_kutta":
             return self.runge_kutta(self.scheme.b if weights is None else weights)
-        return self.splitting() if self.scheme.family == "splitting" else self.two_level()
+        return self.two_level() if self.scheme.family == "two_level" else self.splitting()
 
     def runge_kutta(self, weights: Weights) -> tuple[State, State]:
         velocities: list[State] = []
@@ -161,9 +166,20 @@ class _Trial:
         for kick, drift in zip_longest(self.scheme.kick, self.scheme.drift, fillvalue=Fraction(0)):
             rate = self.field(self.at(passed), position, velocity)
             velocity = self.combined(velocity, [kick], [rate])
-            position = self.combined(position, [drift], [velocity])
+            position, velocity = self.drifted(position, velocity, drift)
             passed += drift
         return position, velocity
+
+    def drifted(self, position: State, velocity: State, share: Fraction) -> tuple[State, State]:
+        """A share of a step without kicks, or with drag alone."""
+        if self.scheme.family == "splitting":
+            return self.combined(position, [share], [velocity]), velocity
+        powers = [(-_DRAG * share) ** k / factorial(k) for k in range(self.highest + 2)]
+        kept = tuple(map(self.number, powers[:-1]))
+        way = (self.number(0), *(self.number(-c / _DRAG) for c in powers[1:-1]))
+        x, y = (self.times(way, axis) for axis in velocity)
+        u, w = (self.times(kept, axis) for axis in velocity)
+        return (_plus(position[0], x), _plus(position[1], y)), (u, w)
 
     def two_level(self) -> tuple[State, State]:
         """`previous` is the acceleration at the start of the step, `current` the one at its end."""

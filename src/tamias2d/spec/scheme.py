@@ -17,6 +17,7 @@ Row = tuple[Fraction, ...]
 _NEEDS = {
     "runge_kutta": ("a", "b", "c"),
     "splitting": ("kick", "drift"),
+    "exponential": ("kick", "drift"),  # drift: the exact motion under a part of the forces
     "two_level": ("position", "velocity"),
 }
 _TOGETHER = (("error", "error_orders"), ("dense", "dense_order"))
@@ -123,6 +124,6 @@ def _shapes_fit(scheme: Scheme) -> bool:
         paired = len(scheme.error) == len(scheme.error_orders)
         square = len(scheme.c) == stages == len(scheme.a)
         return stages > 0 and square and lower and known and dense and paired
-    if scheme.family == "splitting":
+    if scheme.family in ("splitting", "exponential"):
         return len(scheme.drift) > 0 and len(scheme.kick) - len(scheme.drift) in (0, 1)
     return True

@@ -1,0 +1,17 @@
+"""What a run cost, in numbers that are the same on every machine."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cost:
+    """The work of one run; all of it is 0 for the closed form, but for the impacts."""
+
+    steps: int
+    """Steps of a scheme that were taken, those between two impacts within a step among them."""
+    rejected: int
+    """Steps of an adaptive scheme that were taken again, shorter."""
+    force_evaluations: int
+    """How often the accelerations were computed, of however many bodies at once."""
+    impacts: int
+    """Located meetings, one for each pair and instant."""
