@@ -8,7 +8,7 @@ import numpy as np
 from tamias2d.contact import Located, Refusal
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.generated import definitions
-from tamias2d.motion import ClosedForm, Legacy2018, Method, Reference
+from tamias2d.motion import ClosedForm, Legacy2018, Method, Motion, Reference
 from tamias2d.motion.energy import energy_between
 from tamias2d.motion.legacy import legacy_history
 from tamias2d.motion.stepped import grid
@@ -75,7 +75,7 @@ def simulate(
     motion = plan.method.motion(scene, plan.duration, plan.time_step or plan.duration)
     located = Located(scene, motion)
     if not located.can_meet:
-        return _finished(plan, motion.history(plan.times), _no_impacts(), ())
+        return _finished(plan, _unhindered(plan, motion), _no_impacts(), ())
     try:
         _go(located, plan.duration, progress)
     except Refusal as refusal:
@@ -84,6 +84,17 @@ def simulate(
     except KeyboardInterrupt:
         raise Interrupted(_collected(plan, located)) from None
     return _collected(plan, located)
+
+
+def _unhindered(plan: _Plan, motion: Motion) -> History:
+    """Return the history of a scene in which nothing meets: by a kernel, where that pays."""
+    if plan.time_step is not None:
+        from tamias2d.kernels import flight
+
+        steps = grid(plan.duration, plan.time_step)
+        if (history := flight(plan.scene, plan.method, steps, plan.times)) is not None:
+            return history
+    return motion.history(plan.times)
 
 
 def _plan(
