@@ -66,6 +66,21 @@ BODY = [
     {"torque": "2[N*m]*time"},
     {"torque": "integral(2[N*m/s], time)"},
     {"torque": NAN},
+    {"force": ("1[N]*x(position)", 0.0)},
+    {"force": ("1[N/m]*position", 0.0)},
+    {"force": ("1[N/m^2]/x(position)", 0.0)},
+    {"force": ("1[N*m]/x(position)", 0.0)},  # none where the body starts
+    {"force": ("1[N]*position_a/1[m]", 0.0)},
+    {"torque": "1[N*m]*orientation_start"},
+    {"torque": "1[N*m]*norm(orientation)"},
+    {"torque": "1[N*m]*exp(1000*(1 + angular_velocity/1[rad/s]))"},
+    {"linear_drag": -0.1},
+    {"linear_drag": "0.1 kg/s"},
+    {"linear_drag": INF},
+    {"linear_drag": None},
+    {"quadratic_drag": -1e-300},
+    {"quadratic_drag": NAN},
+    {"quadratic_drag": True},
     {"restitution": 1.1},
     {"restitution": -0.1},
     {"restitution": "0.5"},
@@ -163,6 +178,108 @@ def test_a_bad_scene_is_refused(act: Callable[[Scene], object]) -> None:
     with pytest.raises(ValueError, match=r"R\d|symbol"):
         act(scene)
     assert len(scene) == 2
+
+
+SPRING: dict[str, Any] = {"first": "disc", "second": (3, 0), "stiffness": 1.0, "rest_length": 1.0}
+SPRINGS = [
+    {"first": "dics"},
+    {"first": "floor"},  # from a static body to a point
+    {"second": "disc"},
+    {"second": 0},
+    {"second": 7},
+    {"second": True},
+    {"second": 1.0},
+    {"second": None},
+    {"second": (1.0,)},
+    {"second": (NAN, 0.0)},
+    {"second": (0.0, 0.0)},  # where the disc is
+    {"second": "floor", "other_anchor": (-5.0, 0.0)},  # likewise
+    {"stiffness": 0.0},
+    {"stiffness": -1.0},
+    {"stiffness": "1 N/m"},
+    {"rest_length": -1e-9},
+    {"rest_length": None},
+    {"damping": -1.0},
+    {"damping": NAN},
+    {"anchor": 3.0},
+    {"anchor": (0.0, INF)},
+    {"other_anchor": (1.0, 0.0)},  # of a point
+    {"first": "particle", "anchor": (0.0, 1.0)},
+    {"second": "particle", "other_anchor": (0.0, 1.0)},
+]
+
+
+@pytest.mark.parametrize("bad", SPRINGS, ids=lambda bad: " ".join(map(str, bad.items()))[:50])
+def test_a_bad_spring_is_refused(bad: dict[str, Any]) -> None:
+    scene = small_scene()
+    values = {**SPRING, **bad}
+    with pytest.raises(InputError) as caught:
+        scene.add_spring(values.pop("first"), values.pop("second"), **values)
+    assert "\n" not in str(caught.value)
+    assert not scene.springs
+
+
+FIELDS = [
+    {},
+    {"force": 3.0},
+    {"force": "1[N]"},
+    {"force": (1.0,)},
+    {"force": ("1[m]", 0.0)},
+    {"force": (0.0, "1[N*m]/norm(position)")},  # none where the disc is
+    {"force": (NAN, 0.0)},
+    {"torque": "1[N]"},
+    {"torque": "1[N*m]*log(orientation)"},
+    {"torque": (0.0, 0.0)},
+    {"torque": 1.0, "bodies": []},
+    {"torque": 1.0, "bodies": "disc"},
+    {"torque": 1.0, "bodies": ["disk"]},
+    {"torque": 1.0, "bodies": ["disc", "floor"]},
+    {"torque": 1.0, "bodies": 3},
+]
+
+
+@pytest.mark.parametrize("bad", FIELDS, ids=lambda bad: " ".join(map(str, bad.items()))[:50])
+def test_a_bad_field_is_refused(bad: dict[str, Any]) -> None:
+    scene = small_scene()
+    with pytest.raises(InputError) as caught:
+        scene.add_field(**bad)
+    assert "\n" not in str(caught.value)
+    assert not scene.fields
+
+
+@pytest.mark.parametrize("bad", [None, "6.7e-11", INF, True])
+def test_a_bad_constant_of_gravitation_is_refused(bad: Any) -> None:
+    scene = small_scene()
+    with pytest.raises(InputError, match="gravitational constant"):
+        scene.add_attraction(gravitational_constant=bad)
+    assert scene.attraction is None
+
+
+def test_attraction_is_stated_once() -> None:
+    scene = small_scene()
+    scene.add_attraction(gravitational_constant=1.0)
+    with pytest.raises(InputError, match="twice"):
+        scene.add_attraction(gravitational_constant=2.0)
+    assert scene.attraction == 1.0
+
+
+def small_scene() -> Scene:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(Disc(radius=1.0), mass=1.0, position=(0, 0), name="disc")
+    scene.add_static(Box(width=1, height=1), position=(5, 0), name="floor")
+    scene.add_body(None, mass=1.0, position=(0, 5), name="particle")
+    return scene
+
+
+def test_a_law_of_the_state_is_asked_with_the_state() -> None:
+    scene = Scene(gravity=(0, 0))
+    force = ("-2[N/m]*x(position)", "3[kg/s]*y(velocity)")
+    scene.add_body(None, mass=1, position=(1, 0), force=force)
+    body = scene.bodies[0]
+    assert body.force_at(0.5, position=(4.0, 0.0), velocity=(0.0, 5.0)) == (-8.0, 15.0)
+    assert not body.constant
+    with pytest.raises(InputError, match=r"force\[0\] of body 'body0'.*'position'.* not given"):
+        body.force_at(0.5)
 
 
 def test_a_law_without_a_value_is_refused_at_its_time() -> None:

@@ -35,6 +35,15 @@ statics:
     offset: 0 m
 restitution_of_pairs:
   - {bodies: [stone, floor], restitution: 0.1}
+springs:
+  - {bodies: [crate, stone], stiffness: 5 N/m, rest_length: 1 m, damping: 2 kg/s}
+  - {body: crate, point: [0 m, 9 m], stiffness: 4 N/m, rest_length: 0 m, anchor: [1 m, 0.5 m]}
+attraction:
+  gravitational_constant: 3 m^3/(kg*s^2)
+fields:
+  - force: ["0.5[kg/s]*y(velocity)", 0 N]
+    torque: -1[N*m]*sin(orientation)
+    bodies: [stone]
 """
 SQUARE = "[[0 m, 0 m], [2 m, 0 m], [2 m, 2 m], [0 m, 2 m]]"
 
@@ -115,7 +124,7 @@ BAD = [
     ("[stone, floor]", "[stone, flor]", "26:14", "flor"),
     ("[stone, floor]", "[stone, stone]", "26:14", "itself"),
     ("[stone, floor]", "[stone]", "26:14", "two names"),
-    ("  - {bodies", "  - {bodies: [floor, stone], restitution: 0}\n  - {bodies", "27:14", "twice"),
+    ("  - {bodies: [stone", "  - {bodies: [floor, stone], restitution: 0}\n  - {bodies: [stone", "27:14", "twice"),
     ("  - {bodies: [stone, floor], restitution: 0.1}", "  stone: 0.1", "26:3", "list"),
     ("duration: 4 s", "order: [crate, stone]", "4:8", "each body once"),
     ("duration: 4 s", "order: [crate, stone, [floor]]", "4:8", "each body once"),
@@ -128,6 +137,42 @@ BAD = [
     ("2[N]*sin(3[rad/s]*time)", "2[N]*d(time, time)", "18:13", "instant"),
     ("2[N]*sin(3[rad/s]*time)", "vector(2[N], 3[N])*time/1[s]", "18:13", "vector"),
     ("2[N]*sin(3[rad/s]*time)", "2[N]*velocity", "18:13", "velocity"),
+    # drag, springs, attraction, fields
+    ("    torque: 1 N*m", "    linear_drag: -1 kg/s", "19:18", "must be >= 0"),
+    ("    torque: 1 N*m", "    linear_drag: 1 kg/m", "19:18", "must be in"),
+    ("    torque: 1 N*m", "    quadratic_drag: 1 kg/s", "19:21", "quadratic drag"),
+    ("    torque: 1 N*m", "    drag: 1 kg/s", "19:5", "linear_drag"),
+    ("torque: 1 N*m", "torque: 2[N*m]*sin(position)", "19:13", "a scalar"),
+    ("stiffness: 5 N/m", "stiffness: 0 N/m", "28:41", "must be > 0"),
+    ("stiffness: 5 N/m", "stiffness: 5 N", "28:41", "must be in"),
+    ("stiffness: 5 N/m, ", "", "28:5", "'stiffness' is missing"),
+    ("stiffness: 5 N/m", "stifness: 5 N/m", "28:30", "did you mean 'stiffness'"),
+    ("rest_length: 1 m", "rest_length: -1 m", "28:61", "rest length -1 m of spring 0"),
+    ("damping: 2 kg/s", "damping: -2 kg/s", "28:75", "damping"),
+    ("[crate, stone]", "[crate, stoned]", "28:14", "stoned"),
+    ("[crate, stone]", "[crate, crate]", "28:14", "one body"),
+    ("[crate, stone]", "[floor, floor]", "28:14", "no body that moves"),
+    ("[crate, stone]", "[crate]", "28:14", "two names"),
+    ("body: crate", "body: crates", "29:12", "crates"),
+    ("body: crate, ", "", "29:6", "either two 'bodies'"),
+    ("body: crate", "body: crate, bodies: [crate, stone]", "29:19", "either two 'bodies'"),
+    ("point: [0 m, 9 m], ", "", "29:5", "'point' is missing"),
+    ("point: [0 m, 9 m]", "point: [0 m, 9 s]", "29:32", "must be in m"),
+    ("point: [0 m, 9 m]", "point: stone", "29:26", "list"),
+    ("anchor: [1 m, 0.5 m]", "anchor: [1 m]", "29:82", "two"),
+    ("anchor: [1 m, 0.5 m]", "other_anchor: [1 m, 0 m]", "29:88", "a point has none"),
+    ("  gravitational_constant: 3 m^3/(kg*s^2)", "  gravity: 3 N", "31:3", "unknown"),
+    ("3 m^3/(kg*s^2)", "3 m^3", "31:27", "must be in"),
+    ("\n  gravitational_constant: 3 m^3/(kg*s^2)", " 3 N", "30:13", "mapping"),
+    ("0.5[kg/s]*y(velocity)", "0.5[kg/s]*velocity", "33:13", "a scalar"),
+    ("0.5[kg/s]*y(velocity)", "0.5[kg/s]*y(speed)", "33:13", "speed"),
+    ("0.5[kg/s]*y(velocity)", "0.5[kg*m/s]*y(velocity)/x(velocity)", "33:13", "wanted"),
+    ("0.5[kg/s]*y(velocity)", "0.5[N]*y(velocity)/x(velocity)", "33:13", "no finite value"),
+    ("sin(orientation)", "sin(orientaton)", "34:13", "orientation"),
+    ("bodies: [stone]", "bodies: stone", "35:13", "list"),
+    ("bodies: [stone]", "bodies: [floor]", "35:13", "static"),
+    ("bodies: [stone]", "bodies: [[stone]]", "35:14", "one value"),
+    ("bodies: [stone]", "body: stone", "35:5", "did you mean 'bodies'"),
     # YAML
     ("mass: 10 kg", "mass: &m 10 kg", "10:11", "anchor"),
     ("mass: 10 kg", "mass: *m", "10:11", "alias"),

@@ -49,6 +49,67 @@ def test_a_force_of_time_is_integrated() -> None:
     assert "rotation (IM2)" in found
 
 
+TERMS = {
+    "drag-fall": "linear drag (IM6)",
+    "quadratic-drag": "quadratic drag (IM6)",
+    "oscillator": "springs and dampers (IM7)",
+    "two-body": "attraction between bodies (IM5)",
+    "own-law": "force fields (IM8)",
+}
+
+
+@pytest.mark.parametrize("name", TERMS)
+def test_a_scene_needs_the_term_that_it_states_and_no_other(name: str) -> None:
+    assert needed(name) & set(TERMS.values()) == {TERMS[name]}
+    assert not needed("showcase") & set(TERMS.values())
+
+
+def test_a_closed_form_is_used_where_there_is_one() -> None:
+    for name in ("drag-fall", "oscillator"):
+        assert "closed form" in needed(name)
+        assert "integration of the equations of motion" not in needed(name)
+    found = needs(catalogue.load("quadratic-drag"))
+    assert "closed form" not in found
+    assert "'dropped' is under quadratic drag" in reason(found, "closed form")
+
+
+def test_bodies_that_act_on_each_other_go_together() -> None:
+    together = "integration of bodies together"
+    found = needs(catalogue.load("spring-chain"))
+    assert "'ball01' and 'ball02'" in reason(found, together)
+    assert "in a group of 12" in reason(found, together)
+    assert together in needed("two-body")
+    assert together not in needed("kepler")
+
+
+def test_a_spring_beside_the_centre_turns_its_body() -> None:
+    for anchor, turned in (((0.0, 0.0), False), ((0.5, 0.0), True)):
+        scene = Scene(gravity=(0, 0), duration=1)
+        scene.add_body(Box(width=1, height=1), mass=1, position=(0, 0))
+        scene.add_spring(0, (3, 0), stiffness=1, rest_length=0, anchor=anchor)
+        assert ("rotation (IM2)" in needs(scene)) is turned
+
+
+def test_a_field_that_twists_turns_what_has_inertia() -> None:
+    scene = Scene(gravity=(0, 0), duration=1)
+    scene.add_body(None, mass=1, position=(0, 0))
+    scene.add_field(torque="1[N*m]*cos(1[rad/s]*time)")
+    assert "rotation (IM2)" not in needs(scene)
+    scene.add_body(None, mass=1, inertia=1, position=(0, 0))
+    assert "rotation (IM2)" in needs(scene)
+
+
+def test_a_constant_field_is_swept_like_gravity() -> None:
+    """Pushed by 2 m/s^2 for 3 s it moves by 9 m."""
+    for wall, pairs in ((9.4, [(0, 1)]), (9.6, [])):
+        scene = Scene(gravity=(0, 0))
+        scene.add_body(Disc(radius=0.5), mass=3, position=(0, 0))
+        scene.add_static(HalfPlane(normal=(-1, 0), offset=-wall))
+        scene.add_field(force=("2[m/s^2]*mass", 0))
+        assert pairs_that_can_meet(scene, 3.0) == pairs
+        assert scene.loads_constant(0)
+
+
 def test_each_thing_left_out_has_its_reason() -> None:
     found = needs(catalogue.load("tc10"))
     assert reason(found, "gravity (GD2)") == "the scene has no gravity"

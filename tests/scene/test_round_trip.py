@@ -1,17 +1,22 @@
 """A scene's text is the scene: it loads back bit for bit."""
 
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 from hypothesis import given, settings, strategies as st
 
+from tamias2d.errors import InputError
 from tamias2d.scene import Box, Disc, HalfPlane, Polygon, Scene, load, scene_text
 
 numbers = st.floats(allow_nan=False, allow_infinity=False)
 sizes = st.floats(1e-6, 1e6)
 pairs = st.tuples(numbers, numbers)
 fractions = st.none() | st.floats(0, 1)
-laws = numbers | st.sampled_from(["10[N]*sin(2[rad/s]*time)", " 1[N/s] *\n time ", "3[N]"])
+laws = numbers | st.sampled_from(
+    ["10[N]*sin(2[rad/s]*time)", " 1[N/s] *\n time ", "3[N]", "1[m/s^2]*mass", "orientation*1[N]"]
+)
+torques = numbers | st.sampled_from(["-2[N*m]*sin(orientation)", "1[N*s]*norm(velocity)"])
 words = st.none() | st.text(
     st.characters(codec="utf-8", exclude_categories=("C", "Z")), min_size=1, max_size=20
 )
@@ -42,10 +47,17 @@ moving = st.fixed_dictionaries(
         "orientation": numbers,
         "angular_velocity": numbers,
         "force": st.tuples(laws, laws),
-        "torque": numbers,
+        "torque": torques,
+        "linear_drag": sizes,
+        "quadratic_drag": sizes | st.just(0),
         "restitution": fractions,
     },
 )
+springs = st.fixed_dictionaries(
+    {"stiffness": sizes, "rest_length": st.just(0) | sizes},
+    optional={"damping": sizes, "anchor": pairs, "other_anchor": pairs},
+)
+fields = st.fixed_dictionaries({"force": st.tuples(laws, laws)}, optional={"torque": torques})
 static = st.one_of(
     st.fixed_dictionaries(
         {"shape": shapes, "position": pairs},
@@ -80,7 +92,21 @@ def scenes(draw: st.DrawFn) -> Scene:
     if len(bodies) > 1:
         for i in draw(st.sets(st.integers(1, len(bodies) - 1))):
             scene.set_restitution(i, 0, draw(st.floats(0, 1)))
+    add_acting(scene, draw)
     return scene
+
+
+def add_acting(scene: Scene, draw: st.DrawFn) -> None:
+    """Add springs, attraction and fields; what the rules refuse is left out."""
+    places = st.integers(0, max(len(scene) - 1, 0))
+    for _ in range(draw(st.integers(0, 3))):
+        with suppress(InputError):
+            scene.add_spring(draw(places), draw(places | pairs), **draw(springs))
+    if draw(st.booleans()):
+        scene.add_attraction(gravitational_constant=draw(sizes))
+    for _ in range(draw(st.integers(0, 2))):
+        with suppress(InputError):
+            scene.add_field(**draw(fields), bodies=draw(st.none() | st.lists(places)))
 
 
 @given(scenes())
@@ -92,6 +118,9 @@ def test_text_loads_back_bit_for_bit(scene: Scene) -> None:
     assert scene_text(again) == text
     assert again.digest() == scene.digest()
     assert again.bodies == scene.bodies
+    assert (again.springs, again.attraction, again.fields) == (
+        *(scene.springs, scene.attraction, scene.fields),
+    )
     assert [body.shape and body.shape.vertices for body in again.bodies] == [
         body.shape and body.shape.vertices for body in scene.bodies
     ]
@@ -116,6 +145,25 @@ def test_a_change_in_the_last_digit_is_another_scene() -> None:
     assert one(0.1 + 0.2).digest() != one(0.3).digest()
     assert one(-0.0) == one(0.0)
     assert one(-0.0).digest() == one(0.0).digest()
+
+
+def test_what_acts_makes_another_scene() -> None:
+    def one() -> Scene:
+        scene = Scene(gravity=(0, 0))
+        scene.add_body(Disc(radius=1), mass=1, position=(2, 0))
+        scene.add_body(Disc(radius=1), mass=1, position=(5, 0))
+        return scene
+
+    scenes = [one() for _ in range(7)]
+    scenes[1].add_spring(0, 1, stiffness=1, rest_length=0)
+    scenes[2].add_spring(0, 1, stiffness=1, rest_length=0, anchor=(0.5, 0))
+    scenes[3].add_spring(0, (0, 0), stiffness=1, rest_length=0)
+    scenes[4].add_attraction(gravitational_constant=1)
+    scenes[5].add_field(force=(1, 0))
+    scenes[6].add_field(force=(1, 0), bodies=[0])
+    assert len({scene.digest() for scene in scenes}) == len(scenes)
+    for k, scene in enumerate(scenes):
+        assert [other == scene for other in scenes] == [j == k for j in range(len(scenes))]
 
 
 def test_a_nearly_level_floor_has_no_negative_zero() -> None:

@@ -69,7 +69,9 @@ def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]
         yield from ((k, "attracted by other bodies") for k in moving)
     for field in scene.fields:
         if not field.constant:
-            yield from ((k, "in a field that varies with time or state") for k in moving if field.acts_on(k))
+            yield from (
+                (k, "in a field that varies with time or state") for k in moving if field.acts_on(k)
+            )
 
 
 def groups(scene: Scene) -> list[list[int]]:

@@ -3,6 +3,7 @@
 import hashlib
 from collections.abc import Iterator, Sequence
 from itertools import count
+from numbers import Integral
 
 from tamias2d.errors import SceneError
 from tamias2d.generated import definitions
@@ -25,7 +26,7 @@ from tamias2d.scene.checks import (
 )
 from tamias2d.scene.fields import ForceField, checked_field, refuse_field
 from tamias2d.scene.law import checked_law
-from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, shown, vector
+from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, sequence, shown, vector
 from tamias2d.scene.shapes import Shape
 from tamias2d.scene.springs import Spring, checked_spring, refuse_spring
 
@@ -224,7 +225,7 @@ class Scene:
         Raises:
             InputError: a value breaks a rule (R4), or it would move nothing; the message says so.
         """
-        fixed = not isinstance(second, int | str)
+        fixed = not isinstance(second, Integral | str)
         ends = self.index(first), None if fixed else self.index(second)  # type: ignore[arg-type]
         of = f"spring {len(self._springs)} of '{self._bodies[ends[0]].name}'"
         spring = checked_spring(
@@ -272,7 +273,10 @@ class Scene:
             InputError: a law breaks a rule (R4), or a body does not move; the message says so.
         """
         of = f"field {len(self._fields)}"
-        chosen = None if bodies is None else tuple(self.index(body) for body in bodies)
+        chosen = None
+        if bodies is not None:
+            names = sequence(bodies, of, "Name some, or leave them out.", at=("bodies",))
+            chosen = tuple(self.index(body) for body in names)  # type: ignore[arg-type]
         field = checked_field(force, torque, chosen, of)
         refuse_field(field, self._bodies, of)
         self._fields.append(field)
