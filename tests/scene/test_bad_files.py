@@ -124,7 +124,7 @@ BAD = [
     ("[stone, floor]", "[stone, flor]", "26:14", "flor"),
     ("[stone, floor]", "[stone, stone]", "26:14", "itself"),
     ("[stone, floor]", "[stone]", "26:14", "two names"),
-    ("  - {bodies: [stone", "  - {bodies: [floor, stone], restitution: 0}\n  - {bodies: [stone", "27:14", "twice"),
+    ("pairs:\n", "pairs:\n  - {bodies: [floor, stone], restitution: 0}\n", "27:14", "twice"),
     ("  - {bodies: [stone, floor], restitution: 0.1}", "  stone: 0.1", "26:3", "list"),
     ("duration: 4 s", "order: [crate, stone]", "4:8", "each body once"),
     ("duration: 4 s", "order: [crate, stone, [floor]]", "4:8", "each body once"),

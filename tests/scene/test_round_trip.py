@@ -16,7 +16,7 @@ fractions = st.none() | st.floats(0, 1)
 laws = numbers | st.sampled_from(
     ["10[N]*sin(2[rad/s]*time)", " 1[N/s] *\n time ", "3[N]", "1[m/s^2]*mass", "orientation*1[N]"]
 )
-torques = numbers | st.sampled_from(["-2[N*m]*sin(orientation)", "1[N*s]*norm(velocity)"])
+torques = numbers | st.sampled_from(["-2[N*m]*sin(orientation)", "1[N*m]*min(orientation, 1)"])
 words = st.none() | st.text(
     st.characters(codec="utf-8", exclude_categories=("C", "Z")), min_size=1, max_size=20
 )
