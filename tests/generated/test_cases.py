@@ -6,6 +6,96 @@ Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this fi
 from tests.support import passes
 
 
+def test_oa5_linear_drag() -> None:
+    """OA5, srs/verification/forces.md:24; verifies R5, R9, R10."""
+    passes("OA5")
+
+
+def test_oa5b_errors_of_the_steps_under_linear_drag() -> None:
+    """OA5b, srs/verification/forces.md:63; verifies R5, R9, R10."""
+    passes("OA5b")
+
+
+def test_oa6_fall_against_linear_drag() -> None:
+    """OA6, srs/verification/forces.md:108; verifies R5, R9, R10."""
+    passes("OA6")
+
+
+def test_oa6b_drag_so_weak_that_it_cancels() -> None:
+    """OA6b, srs/verification/forces.md:158; verifies R5, R9."""
+    passes("OA6b")
+
+
+def test_oa7_fall_against_quadratic_drag() -> None:
+    """OA7, srs/verification/forces.md:188; verifies R5, R9, R10."""
+    passes("OA7")
+
+
+def test_oa9_spring() -> None:
+    """OA9, srs/verification/forces.md:249; verifies R5, R9, R10."""
+    passes("OA9")
+
+
+def test_oa9b_spring_that_hangs() -> None:
+    """OA9b, srs/verification/forces.md:294; verifies R5, R9, R10."""
+    passes("OA9b")
+
+
+def test_oa9c_spring_with_a_rest_length_and_a_damper() -> None:
+    """OA9c, srs/verification/forces.md:338; verifies R5, R9, R10."""
+    passes("OA9c")
+
+
+def test_oa9d_two_bodies_on_a_spring() -> None:
+    """OA9d, srs/verification/forces.md:403; verifies R9, NFR2."""
+    passes("OA9d")
+
+
+def test_oa9e_two_bodies_on_a_damped_spring() -> None:
+    """OA9e, srs/verification/forces.md:439; verifies R9, NFR2."""
+    passes("OA9e")
+
+
+def test_oa10_pendulum() -> None:
+    """OA10, srs/verification/forces.md:496; verifies R6, R9, R10."""
+    passes("OA10")
+
+
+def test_oa10b_pendulum_in_mid_swing() -> None:
+    """OA10b, srs/verification/forces.md:592; verifies R6, R9, R10."""
+    passes("OA10b")
+
+
+def test_oa11_kepler_s_ellipse() -> None:
+    """OA11, srs/verification/forces.md:650; verifies R5, R9, R10."""
+    passes("OA11")
+
+
+def test_oa11b_kepler_s_ellipse_on_the_way_out() -> None:
+    """OA11b, srs/verification/forces.md:712; verifies R5, R9, R10."""
+    passes("OA11b")
+
+
+def test_oa11c_the_trap_of_the_whole_period() -> None:
+    """OA11c, srs/verification/forces.md:759; verifies R10."""
+    passes("OA11c")
+
+
+def test_oa12_two_bodies_that_attract_each_other() -> None:
+    """OA12, srs/verification/forces.md:797; verifies R5, R9, R10."""
+    passes("OA12")
+
+
+def test_oa12b_momenta_under_coarse_steps() -> None:
+    """OA12b, srs/verification/forces.md:871; verifies R9, NFR2."""
+    passes("OA12b")
+
+
+def test_oa14_motion_made_to_measure_with_all_terms() -> None:
+    """OA14, srs/verification/forces.md:914; verifies R2, R5, R6, R9, R10."""
+    passes("OA14")
+
+
 def test_tc10_bodies_of_the_same_mass_that_never_meet() -> None:
     """TC10, srs/verification/impact.md:12; verifies R1, R2, R3, R4, R5, R7."""
     passes("TC10")
@@ -102,43 +192,28 @@ def test_ob8d_3141_impacts_for_a_mass_ratio_of_1000000() -> None:
 
 
 def test_oa1_constant_force() -> None:
-    """OA1, srs/verification/oracles_motion.md:15; verifies R2, R5."""
+    """OA1, srs/verification/oracles_motion.md:16; verifies R2, R5."""
     passes("OA1")
 
 
 def test_oa2_throws_in_eight_directions() -> None:
-    """OA2, srs/verification/oracles_motion.md:77; verifies R2, R5."""
+    """OA2, srs/verification/oracles_motion.md:78; verifies R2, R5."""
     passes("OA2")
 
 
 def test_oa3_constant_torque() -> None:
-    """OA3, srs/verification/oracles_motion.md:216; verifies R2, R6."""
+    """OA3, srs/verification/oracles_motion.md:217; verifies R2, R6."""
     passes("OA3")
 
 
 def test_oa4_free_body_that_spins_fast() -> None:
-    """OA4, srs/verification/oracles_motion.md:269; verifies R5, R6."""
+    """OA4, srs/verification/oracles_motion.md:270; verifies R5, R6."""
     passes("OA4")
 
 
-def test_oa14_motion_made_to_measure() -> None:
-    """OA14, srs/verification/oracles_motion.md:312; verifies R2, R5, R6."""
-    passes("OA14")
-
-
-def test_oa5_linear_damping() -> None:
-    """OA5, srs/verification/oracles_motion.md:372; verifies R5."""
-    passes("OA5")
-
-
-def test_oa7_fall_against_quadratic_drag() -> None:
-    """OA7, srs/verification/oracles_motion.md:389; verifies R5."""
-    passes("OA7")
-
-
-def test_oa9_spring() -> None:
-    """OA9, srs/verification/oracles_motion.md:412; verifies R5."""
-    passes("OA9")
+def test_oa14a_motion_made_to_measure() -> None:
+    """OA14a, srs/verification/oracles_motion.md:312; verifies R2, R5, R6."""
+    passes("OA14a")
 
 
 def test_od1_overlap_of_axis_parallel_boxes() -> None:

@@ -66,7 +66,7 @@ def test_im7_closed_form_solves_its_equations(**given: Value) -> None:
     time=values("time"),
 )
 def test_im1_closed_form_solves_its_equations(**given: Value) -> None:
-    """IM1, srs/models/translation.md:22."""
+    """IM1, srs/models/translation.md:24."""
     solution = solve({"position": "velocity", "velocity": "acceleration"}, given)
     close(translation.position(**only(given, translation.position)), solution["position"])
     close(translation.velocity(**only(given, translation.velocity)), solution["velocity"])

@@ -485,7 +485,7 @@ def test_velocity_is_im7(**given: Value) -> None:
 
 @given(gravity=values("gravity"), force=values("force"), mass=values("mass"))
 def test_acceleration_is_im1(**given: Value) -> None:
-    """IM1, srs/models/translation.md:22."""
+    """IM1, srs/models/translation.md:24."""
     agrees(translation.acceleration, "gravity + force/mass", given)
 
 
@@ -496,7 +496,7 @@ def test_acceleration_is_im1(**given: Value) -> None:
     time=values("time"),
 )
 def test_position_is_im1(**given: Value) -> None:
-    """IM1, srs/models/translation.md:22."""
+    """IM1, srs/models/translation.md:24."""
     agrees(
         translation.position, "position_start + velocity_start*time + acceleration*time**2/2", given
     )
@@ -508,5 +508,5 @@ def test_position_is_im1(**given: Value) -> None:
     time=values("time"),
 )
 def test_velocity_is_im1(**given: Value) -> None:
-    """IM1, srs/models/translation.md:22."""
+    """IM1, srs/models/translation.md:24."""
     agrees(translation.velocity, "velocity_start + acceleration*time", given)

@@ -17,7 +17,7 @@ def acceleration(gravity: Vector, force: Vector, mass: Scalar) -> Vector:
         force: Applied force on a body, without its weight, N
         mass: Mass of a body, kg
 
-    Source: IM1, srs/models/translation.md:32.
+    Source: IM1, srs/models/translation.md:34.
     """
     gravity_x, gravity_y = gravity
     force_x, force_y = force
@@ -39,7 +39,7 @@ def position(
         acceleration: Acceleration of the centre of mass, m/s^2
         time: Time since the start of the simulation, s
 
-    Source: IM1, srs/models/translation.md:44.
+    Source: IM1, srs/models/translation.md:46.
     """
     position_start_x, position_start_y = position_start
     velocity_start_x, velocity_start_y = velocity_start
@@ -62,7 +62,7 @@ def velocity(velocity_start: Vector, acceleration: Vector, time: Scalar) -> Vect
         acceleration: Acceleration of the centre of mass, m/s^2
         time: Time since the start of the simulation, s
 
-    Source: IM1, srs/models/translation.md:45.
+    Source: IM1, srs/models/translation.md:47.
     """
     velocity_start_x, velocity_start_y = velocity_start
     acceleration_x, acceleration_y = acceleration

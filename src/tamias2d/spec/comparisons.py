@@ -20,19 +20,18 @@ def _comparison(*required: str, **keys: Any) -> dict[str, Any]:
 
 
 COMPARISONS = {
-    "exact": _comparison("bodies", bodies=_MAPPING),
+    "exact": _comparison("bodies", bodies=_MAPPING, reference=_NUMBER),
     "final": _comparison("bodies", bodies=_MAPPING),
     "impacts": _comparison(count=WHOLE, times=_LIST, bodies=_LIST, impulses=_LIST),
     "moments": _comparison("states", states=_LIST),
     "schemes": _comparison(
         "steps",
-        steps=WHOLE,
+        steps={"anyOf": [WHOLE, _MAPPING]},
+        halvings={"anyOf": [WHOLE, _MAPPING]},
         of=_MAPPING,
         orders=_LIST,
+        shows=_MAPPING,
         constants=_MAPPING,
-        acceleration=TEXT,
-        start=_MAPPING,
-        exact=_MAPPING,
     ),
     "published": _comparison(
         "time_step",
@@ -43,7 +42,9 @@ COMPARISONS = {
         tables=_MAPPING,
         misprints=_LIST,
     ),
-    "conserves": _comparison(momentum=_TREND, angular_momentum=_TREND, energy=_TREND),
+    "conserves": _comparison(
+        momentum=_TREND, angular_momentum=_TREND, energy=_TREND, schemes=_MAPPING
+    ),
     "reference": _comparison("scenes", scenes=_MAPPING),
     "parallel": _comparison("scenes", scenes=_MAPPING),
     "values": _comparison("module", "calls", module=TEXT, calls=_LIST),

@@ -5,6 +5,7 @@ float or an array. A vector is a pair (x, y).
 """
 
 import math
+import operator
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
@@ -33,20 +34,18 @@ def evaluate(node: Node, values: Mapping[str, Value]) -> Value:
         KeyError: a name has no value.
     """
     match node:
-        case Number(value=value):
-            return float(value)
-        case Measure(value=value, unit=unit):
-            return float(value) * unit.factor
+        case Number() | Measure():
+            return node.number
         case Name(name=name):
             return math.pi if name == "pi" else values[name]
         case Negative(operand=operand):
             return _each(lambda a: -a, evaluate(operand, values))
-        case Binary(operator=operator, left=left, right=right):
-            return _BINARY[operator](evaluate(left, values), evaluate(right, values))
+        case Binary(operator=sign, left=left, right=right):
+            return _BINARY[sign](evaluate(left, values), evaluate(right, values))
         case Power(base=base, exponent=exponent):
             return _power(evaluate(base, values), exponent)
-        case Relation(operator=operator, left=left, right=right):
-            return _RELATION[operator](evaluate(left, values), evaluate(right, values))
+        case Relation(operator=sign, left=left, right=right):
+            return _RELATION[sign](evaluate(left, values), evaluate(right, values))
         case Both(parts=conditions):
             return all(evaluate(condition, values) for condition in conditions)
         case Call(function=function, arguments=arguments) if function in _CALL:
@@ -62,7 +61,10 @@ def _power(base: Value, exponent: Fraction) -> Value:
 
 def _each(function: Callable[..., Value], *operands: Value) -> Value:
     """Apply component by component; a scalar goes with both components."""
-    if not any(isinstance(operand, tuple) for operand in operands):
+    for operand in operands:
+        if isinstance(operand, tuple):
+            break
+    else:
         return function(*operands)
     pairs = [operand if isinstance(operand, tuple) else (operand, operand) for operand in operands]
     return tuple(function(*components) for components in zip(*pairs, strict=True))
@@ -73,10 +75,10 @@ def _cross(a: Value, b: Value) -> Value:
 
 
 _BINARY: dict[str, Callable[[Value, Value], Value]] = {
-    "+": lambda a, b: _each(lambda p, q: p + q, a, b),
-    "-": lambda a, b: _each(lambda p, q: p - q, a, b),
-    "*": lambda a, b: _each(lambda p, q: p * q, a, b),
-    "/": lambda a, b: _each(lambda p, q: p / q, a, b),
+    "+": lambda a, b: _each(operator.add, a, b),
+    "-": lambda a, b: _each(operator.sub, a, b),
+    "*": lambda a, b: _each(operator.mul, a, b),
+    "/": lambda a, b: _each(operator.truediv, a, b),
 }
 _RELATION: dict[str, Callable[[Value, Value], Value]] = {
     "==": lambda a, b: a == b,

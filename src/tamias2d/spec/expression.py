@@ -11,6 +11,7 @@ import warnings
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.units import Unit, parse_unit
@@ -43,6 +44,11 @@ class Number(Node):
 
     value: Fraction
 
+    @cached_property
+    def number(self) -> float:
+        """The nearest float."""
+        return float(self.value)
+
 
 @dataclass(frozen=True)
 class Measure(Node):
@@ -50,6 +56,11 @@ class Measure(Node):
 
     value: Fraction
     unit: Unit
+
+    @cached_property
+    def number(self) -> float:
+        """The value in SI units."""
+        return float(self.value) * self.unit.factor
 
 
 @dataclass(frozen=True)

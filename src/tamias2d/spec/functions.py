@@ -16,8 +16,10 @@ Vector = tuple[Any, Any]  # two components, each a float or an array
 
 def _either(scalar: Callable[..., float], array: Callable[..., Any]) -> Callable[..., Scalar]:
     def apply(*operands: Scalar) -> Scalar:
-        any_array = any(isinstance(operand, np.ndarray) for operand in operands)
-        return array(*operands) if any_array else scalar(*operands)
+        for operand in operands:
+            if isinstance(operand, np.ndarray):
+                return array(*operands)
+        return scalar(*operands)
 
     return apply
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
+from tamias2d.motion.methods import Reference
 from tamias2d.run import Run
 from tamias2d.simulate import simulate
 from tamias2d.verify.case import Case
@@ -11,9 +12,18 @@ from tamias2d.verify.outcome import Outcome
 
 
 def compare_history(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
-    """Every sample of the run, as one relative error for each body and quantity."""
+    """Every sample of the run, as one relative error for each body and quantity.
+
+    With a tolerance for the `reference`, its run is compared as well.
+    """
     for answer in answers(case.run, given["bodies"], slice(None)):
         yield case.outcome(given, answer.label, distance(answer.found, answer.exact))
+    if "reference" in given:
+        run = simulate(case.scene, duration=case.duration, method=Reference())
+        own = {**given, "tolerance": given["reference"]}
+        for answer in answers(run, given["bodies"], slice(None)):
+            error = distance(answer.found, answer.exact)
+            yield case.outcome(own, f"{answer.label} by the reference", error)
 
 
 def compare_final(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:

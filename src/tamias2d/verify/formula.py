@@ -5,7 +5,6 @@ knows the models: an answer comes from the case alone.
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -45,17 +44,6 @@ def instant(text: str) -> float:
     return float(evaluate(node, {}))
 
 
-def law(text: str, quantity: str) -> Node:
-    """Return an expression of time, and of position and velocity along a line, as a tree.
-
-    Raises:
-        SpecError: it has not the quantity's unit.
-    """
-    names = {name: _along_a_line(name) for name in ("time", "position", "velocity")}
-    wanted = Type("scalar", SYMBOLS[quantity].dimension)
-    return _read(text, quantity, wanted, table_from(names))
-
-
 def measure(value: Any, symbol: str) -> Any:
     """Return a quantity, or a pair of them, in SI units. Raises: SpecError, for a wrong unit."""
     if isinstance(value, list):
@@ -85,10 +73,6 @@ def _read(text: str, what: str, wanted: Type, table: SymbolTable) -> Node:
 @cache
 def _clock() -> SymbolTable:
     return table_from({name: SYMBOLS[name] for name in ("time", "time_step")})
-
-
-def _along_a_line(name: str) -> Any:
-    return replace(SYMBOLS[name], shape="scalar")
 
 
 def distance(found: Array, exact: Array) -> float:

@@ -1,10 +1,11 @@
 """Measure the order of a scheme, and its error constant where that is known.
 
-Service: a problem is stepped with n, 2n, 4n, 8n and 16n steps. Secret: where the problem comes
-from, a scene or an equation of motion that the case states.
+Service: a scene is stepped with n, 2n, 4n, 8n and 16n steps. Secret: how a scheme steps that is
+offered to users only with steps that adapt themselves.
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from itertools import pairwise
 from math import inf, log2
 from typing import Any
@@ -12,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from tamias2d.generated import schemes
+from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.methods import (
     ExplicitEuler,
     Method,
@@ -19,11 +21,14 @@ from tamias2d.motion.methods import (
     SemiImplicitEuler,
     VelocityVerlet,
 )
+from tamias2d.motion.piece import Motion
+from tamias2d.motion.stepped import Grid
+from tamias2d.run import Run
+from tamias2d.scene import Scene
 from tamias2d.simulate import simulate
-from tamias2d.spec.evaluate import evaluate
 from tamias2d.verify.case import Case
 from tamias2d.verify.exact import answers
-from tamias2d.verify.formula import Array, distance, history, law, measure
+from tamias2d.verify.formula import Array, distance, history
 from tamias2d.verify.items import items
 from tamias2d.verify.outcome import Outcome
 
@@ -35,6 +40,25 @@ METHODS: dict[str, Method] = {
     "runge_kutta_4": RungeKutta4(),
 }
 
+
+@dataclass(frozen=True)
+class FixedSteps(Method):
+    """The step of any scheme of the specification, of one length."""
+
+    scheme: str
+    stepped = True
+
+    def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
+        """Return motion by the scheme; what a pair says of its error is not asked for."""
+        step = getattr(schemes, self.scheme)
+
+        def plain(*state: Any) -> tuple[Array, Array]:
+            position, velocity = step(*state)[:2]
+            return position, velocity
+
+        return IntegratedMotion(scene, duration, Grid(plain, duration, time_step))
+
+
 Errors = dict[tuple[str, str], Array]
 """Body and quantity -> found minus exact, at the end of the run."""
 Stepping = Callable[[str, int], Errors]
@@ -42,27 +66,51 @@ Stepping = Callable[[str, int], Errors]
 
 
 def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
-    """The worst of four observed orders against the proven one; errors against constants."""
-    stepping = _on_equation(case, given) if "acceleration" in given else _on_scene(case)
-    counts = [int(given["steps"]) * 2**k for k in range(HALVINGS + 1)]
-    for scheme in given.get("orders", ()):
-        yield from _orders(case, given, scheme, [stepping(scheme, n) for n in counts])
+    """The worst of the observed orders against the proven one; errors against constants.
+
+    `shows` names orders that schemes show where their proof does not hold.
+    """
+    stepping = _on_scene(case)
+    proven = {scheme: int(items()[scheme]["data"]["order"]) for scheme in given.get("orders", ())}
+    shown = {scheme: int(order) for scheme, order in given.get("shows", {}).items()}
+    for scheme, order in [*proven.items(), *shown.items()]:
+        errors = [stepping(scheme, n) for n in _counts(given, scheme)]
+        word = "proven" if scheme in proven else "expected"
+        yield from _orders(case, given, scheme, errors, order, word)
     for scheme, constants in given.get("constants", {}).items():
+        counts = _counts(given, scheme)
         error = max(_misfit(case, constants, n, stepping(scheme, n)) for n in counts)
         yield case.outcome(given, f"error constant of {scheme}", error)
 
 
+def _counts(given: Mapping[str, Any], scheme: str) -> list[int]:
+    """Return the numbers of steps, each twice the one before; `steps` and `halvings` say how many.
+
+    Both can be one number for all schemes, or a mapping with some of the schemes.
+    """
+    first, halvings = (
+        int(value.get(scheme, rest) if isinstance(value, Mapping) else value)
+        for value, rest in ((given["steps"], 0), (given.get("halvings", HALVINGS), HALVINGS))
+    )
+    return [first * 2**k for k in range(halvings + 1)]
+
+
 def _orders(
-    case: Case, given: Mapping[str, Any], scheme: str, errors: list[Errors]
+    case: Case,
+    given: Mapping[str, Any],
+    scheme: str,
+    errors: list[Errors],
+    expected: int,
+    word: str,
 ) -> Iterator[Outcome]:
-    proven = int(items()[scheme]["data"]["order"])
     for body, quantity in errors[0]:
         if "of" not in given or quantity in given["of"].get(body, ()):
             sizes = [float(np.linalg.norm(error[body, quantity])) for error in errors]
-            worst = max(_observed(sizes), key=lambda order: abs(order - proven))
-            what = f"order of {scheme} in {quantity.replace('_', ' ')}"
-            note = f"order {worst:.3f}, proven {proven}"
-            yield case.outcome(given, what, abs(worst - proven), note)
+            worst = max(_observed(sizes), key=lambda order: abs(order - expected))
+            whose = "" if body == "body" else f" of {body}"
+            what = f"order of {scheme} in {quantity.replace('_', ' ')}{whose}"
+            note = f"order {worst:.3f}, {word} {expected}"
+            yield case.outcome(given, what, abs(worst - expected), note)
 
 
 def _observed(sizes: list[float]) -> list[float]:
@@ -81,44 +129,17 @@ def _misfit(case: Case, constants: Mapping[str, Any], steps: int, errors: Errors
 
 
 def _on_scene(case: Case) -> Stepping:
-    exact = case.data["exact"]["bodies"]
+    exact = case.data["exact" if "exact" in case.data else "final"]["bodies"]
 
     def errors(scheme: str, steps: int) -> Errors:
-        run = simulate(
-            case.scene,
-            duration=case.duration,
-            method=METHODS[scheme],
-            time_step=case.duration / steps,
-        )
-        found = answers(run, exact, slice(-1, None))
+        found = answers(run_by(case, scheme, steps), exact, slice(-1, None))
         return {(one.body, one.quantity): one.found - one.exact for one in found}
 
     return errors
 
 
-def _on_equation(case: Case, given: Mapping[str, Any]) -> Stepping:
-    tree = law(given["acceleration"], "acceleration")
-    end = np.array([case.duration])
-
-    def acceleration(time: float, position: Array, velocity: Array) -> Array:
-        value = evaluate(tree, {"time": time, "position": position, "velocity": velocity})
-        return np.asarray(value, dtype=float)
-
-    def errors(scheme: str, steps: int) -> Errors:
-        step = getattr(schemes, scheme)
-        state = {name: np.array(measure(text, name)) for name, text in given["start"].items()}
-        position, velocity = state["position"], state["velocity"]
-        time_step = case.duration / steps
-        for k in range(steps):
-            position, velocity = step(k * time_step, time_step, position, velocity, acceleration)
-        found = {"position": position, "velocity": velocity}
-        return {
-            ("body", quantity): found[quantity] - _scalar(text, quantity, end)
-            for quantity, text in given["exact"].items()
-        }
-
-    return errors
-
-
-def _scalar(text: str, quantity: str, times: Array) -> Array:
-    return np.asarray(evaluate(law(text, quantity), {"time": times}))
+def run_by(case: Case, scheme: str, steps: int) -> Run:
+    """Return the run of a case's scene by a scheme, in equal steps."""
+    method = METHODS.get(scheme, FixedSteps(scheme))
+    time_step = case.duration / steps
+    return simulate(case.scene, duration=case.duration, method=method, time_step=time_step)
