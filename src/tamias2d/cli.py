@@ -113,11 +113,23 @@ def scenes(as_json: _Json = False) -> None:
 
 
 @app.command()
-def explain(scene: _Scene, as_json: _Json = False) -> None:
+def explain(
+    scene: _Scene,
+    source: Annotated[
+        bool, typer.Option("--source", help="Print the code that is made for exactly this scene.")
+    ] = False,
+    method: Annotated[
+        Method, typer.Option(help="The stepped method that the code is made for.")
+    ] = Method.VELOCITY_VERLET,
+    as_json: _Json = False,
+) -> None:
     """Say which models, states and terms a scene needs, and why the others are left out."""
-    from tamias2d.commands.explain import explain_scene
+    from tamias2d.commands.explain import explain_scene, explain_source
 
-    explain_scene(scene, as_json=as_json)
+    if source:
+        explain_source(scene, method.value)
+    else:
+        explain_scene(scene, as_json=as_json)
 
 
 @app.command()

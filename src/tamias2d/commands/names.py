@@ -1,4 +1,4 @@
-"""What a user types, turned into what the library takes: scenes and times.
+"""What a user types, turned into what the library takes: scenes, methods and times.
 
 Serves: the commands that take a scene. Hides: how a name is told from a file, and a time is read.
 """
@@ -6,6 +6,7 @@ Serves: the commands that take a scene. Hides: how a name is told from a file, a
 import difflib
 from pathlib import Path
 
+from tamias2d import motion
 from tamias2d.commands.output import command
 from tamias2d.errors import InputError
 from tamias2d.scene import Scene, catalogue, load
@@ -27,6 +28,14 @@ def find_scene(text: str) -> Scene:
         f"SCENE: {text!r}: must be a name of the catalogue or a file (R1). "
         f"{hint}`{command()} scenes` lists the names."
     )
+
+
+def find_method(name: str) -> motion.Method:
+    """The method with a name such as 'runge-kutta-4', which is the class RungeKutta4."""
+    kind: type[motion.Method] = getattr(
+        motion, "".join(part.capitalize() for part in name.split("-"))
+    )
+    return kind()
 
 
 def seconds(text: str | None, *, option: str, symbol: str) -> float | None:

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tamias2d import motion
 from tamias2d.commands.exact import KnownError, known_errors
-from tamias2d.commands.names import find_scene, seconds
+from tamias2d.commands.names import find_method, find_scene, seconds
 from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
 from tamias2d.errors import InputError, SimulationError, TamiasError
 from tamias2d.run import Run
@@ -53,7 +52,7 @@ def run_scene(
         run = simulate(
             scene,
             duration=_duration(scene, name, duration),
-            method=None if method is None else _method(method),
+            method=None if method is None else find_method(method),
             time_step=seconds(time_step, option="--time-step", symbol="time_step"),
             progress=sys.stderr.isatty(),
         )
@@ -80,14 +79,6 @@ def _duration(scene: Scene, name: str, text: str | None) -> float:
             "Give it, for example --duration '4 s'."
         )
     return duration
-
-
-def _method(name: str) -> motion.Method:
-    """The method with a name such as 'runge-kutta-4', which is the class RungeKutta4."""
-    kind: type[motion.Method] = getattr(
-        motion, "".join(part.capitalize() for part in name.split("-"))
-    )
-    return kind()
 
 
 def _keep(run: Run | None, files: _Files) -> None:

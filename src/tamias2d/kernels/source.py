@@ -80,7 +80,7 @@ def source(demand: Demand, *, compiled: bool = True) -> str:
     """Return the source of the kernel for a demand, for numba or as plain Python."""
     body = re.sub(r"(\w+)\[i\]", r"block_\1[i]", "\n".join(_body(demand)))
     decorator = _DECORATOR if compiled else ""
-    copies = "".join(f"{decorator}{_copied(f)}\n\n\n" for f in _functions(demand, body))
+    copies = "".join(f"{decorator}{_copied(f)}\n\n\n" for f in _functions(body))
     imports = ["from math import sqrt"] if "sqrt(" in body + copies else []
     imports += ["from numba import njit"] if compiled else []
     return _TEMPLATE.format(
@@ -101,9 +101,9 @@ def _views(body: str) -> Iterator[str]:
         yield f"block_{name} = {name}[first:last]"
 
 
-def _functions(demand: Demand, body: str) -> list[Callable[..., Any]]:
+def _functions(body: str) -> list[Callable[..., Any]]:
     """The generated functions that a kernel calls."""
-    known = (
+    known: tuple[Callable[..., Any], ...] = (
         elementary.power,
         translation.acceleration,
         rotation.angular_acceleration,
@@ -130,7 +130,9 @@ def _body(demand: Demand) -> Iterator[str]:
     states = (("position", "positions"), ("velocity", "velocities"))
     for state, many in states:
         yield from (f"{state}_{axis} = {many}_{axis}[i]" for axis in along)
-    lines = list(statements(getattr(schemes, demand.scheme), along, lambda name: _pull(demand, name)))
+    lines = list(
+        statements(getattr(schemes, demand.scheme), along, lambda name: _pull(demand, name))
+    )
     yield from _used(lines)
     for state, many in states:
         yield from (f"{many}_{axis}[i] = {state}_{axis}" for axis in along)

@@ -11,7 +11,7 @@ from copy import deepcopy
 from typing import Any
 
 Pull = Callable[[str], Iterator[str]]
-"""Statements that give an acceleration of some name, from `at_time`, `at_position`, `at_velocity`."""
+"""Statements that set an acceleration of some name from `at_time`, `at_position_x` and so on."""
 _NUMBERS = {"time", "time_step"}
 
 
@@ -64,7 +64,7 @@ class _Asked(ast.NodeTransformer):
     def __init__(self) -> None:
         self.calls: dict[str, ast.Call] = {}
 
-    def visit_Call(self, node: ast.Call) -> ast.expr:  # noqa: N802
+    def visit_Call(self, node: ast.Call) -> ast.expr:
         """Replace a call of `acceleration`."""
         name = f"pull{len(self.calls)}" if self.calls else "pull"
         self.calls[name] = node
@@ -77,6 +77,6 @@ class _OnAxis(ast.NodeTransformer):
     def __init__(self, axis: str) -> None:
         self.axis = axis
 
-    def visit_Name(self, node: ast.Name) -> ast.expr:  # noqa: N802
+    def visit_Name(self, node: ast.Name) -> ast.expr:
         """Rename a vector; numbers stay."""
         return node if node.id in _NUMBERS else ast.Name(f"{node.id}_{self.axis}")
