@@ -63,7 +63,8 @@ def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]
     return heads, [
         (
             str(row["bodies"]), row["demand"], str(row["arrays"]), str(row["bytes"]),
-            f"{row['ns']:.3f}", f"{row['gain']:.1f}", f"{row['limit_ns']:.3f}", f"{row['of_limit']:.2f}",
+            f"{row['ns']:.3f}", f"{row['gain']:.1f}",
+            f"{row['limit_ns']:.3f}", f"{row['of_limit']:.2f}",
         )
         for row in found["rows"]
     ]  # fmt: skip
