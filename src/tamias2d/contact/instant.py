@@ -33,6 +33,8 @@ class Surroundings(NamedTuple):
     held: Callable[[PairOf], bool]
     """Whether a contact of the pair has lasted until now."""
     restitution: Callable[[int, int], float]
+    steady: Callable[[Sequence[int], bool], bool]
+    """Whether the loads of bodies stay as they are, for given bodies and whether they rest."""
 
 
 class Hit(NamedTuple):
@@ -246,6 +248,9 @@ class Instant:
     def _hold(self, island: Island) -> None:
         self.states.update(island.stopped(self.states))
         island.refuse_what_moves_on(self.states, self.time)
+        bodies = island.bodies
+        if len(bodies) > 1 and not self._world.steady(bodies, island.at_rest(self.states)):
+            island.refuse_loads_that_vary(self.time)
         self.holds.update(island.holds())
         self.changed.update(island.bodies)
 

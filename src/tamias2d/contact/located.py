@@ -2,7 +2,7 @@
 
 import heapq
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 import numpy as np
 
@@ -15,8 +15,10 @@ from tamias2d.contact.manifold import Contact
 from tamias2d.contact.near import Swept
 from tamias2d.contact.path import Motion, Piece
 from tamias2d.contact.refusal import OverlapError, named
+from tamias2d.contact.release import Support
 from tamias2d.scene import Scene
-from tamias2d.state import Array, Hold, State
+from tamias2d.scene.acting import groups, timed_loads, varying_loads
+from tamias2d.state import Acceleration, Array, Hold, State
 
 
 class Located:
@@ -36,10 +38,14 @@ class Located:
         self._holds: list[Hold | None] = [None for _ in self._cores]
         self._held: dict[PairOf, list[Contact]] = {}
         self._resume: dict[PairOf, float] = {}
+        self._approached: dict[PairOf, tuple[int, int]] = {}
         self._version = [0 for _ in self._cores]
         self._events: list[tuple[float, int, int, int, int]] = []
         self._swept = Swept(self._cores)
         self._forecasts = Forecasts()
+        self._varying = varying_loads(scene)
+        self._timed = timed_loads(scene)
+        self._group_of = {i: group for group in groups(scene) for i in group}
 
     def go(self, duration: float, *, told: Callable[[float], None] = lambda time: None) -> None:
         """Go on to a time in s; `told` hears of every time that is reached.
@@ -84,6 +90,7 @@ class Located:
         if self.time == 0:
             self._happens(0.0, [core.index for core in self._cores if core.dynamic], end)
         self._predict(range(len(self._cores)))
+        self._watch(range(len(self._cores)), end)
         return end
 
     def _lay(self, body: int, path: Piece) -> None:
@@ -113,11 +120,51 @@ class Located:
         if time is not None:
             heapq.heappush(self._events, (time, i, j, self._version[i], self._version[j]))
 
+    def _watch(self, bodies: Iterable[int], end: float, decided: Collection[int] = ()) -> None:
+        """Put the end of each held body's contacts on the list, if its loads vary."""
+        for body in bodies:
+            if body not in self._varying or self._holds[body] is None:
+                continue
+            contacts = [c for pair, held in self._held.items() if body in pair for c in held]
+            if sum(self._cores[i].dynamic for i in {i for c in contacts for i in (c.a, c.b)}) > 1:
+                continue  # in equilibrium with others, which lasts
+            support = Support(self._cores, body, contacts, self._state_at, self._free)
+            time = support.ends(self.time, end, decided=body in decided)
+            if time is not None and time < end:  # what ends there is for the next segment
+                i, j = contacts[0].a, contacts[0].b
+                heapq.heappush(self._events, (time, i, j, self._version[i], self._version[j]))
+
+    def _state_at(self, body: int, time: float) -> State:
+        return self.tracks[body][-1].at(time)
+
+    def _free(self, body: int, time: float) -> Acceleration:
+        return self._motion.free(body, time, lambda i: self._state_at(i, time))
+
+    def _steady(self, bodies: Sequence[int], resting: bool) -> bool:
+        """Whether loads stay: they do not vary, or only with the state of these bodies at rest."""
+        return all(
+            body not in self._varying
+            or (resting and body not in self._timed and set(self._group_of[body]) <= set(bodies))
+            for body in bodies
+        )
+
     def _next_event(self, end: float) -> None:
         time, i, j, version_i, version_j = heapq.heappop(self._events)
-        if (version_i, version_j) == (self._version[i], self._version[j]):
+        if (version_i, version_j) != (self._version[i], self._version[j]):
+            return
+        if self._approached.get((i, j)) == (version_i, version_j) or not self._approach(time, i, j):
             self.time = time
             self._happens(time, [i, j], end)
+
+    def _approach(self, time: float, i: int, j: int) -> bool:
+        """Lay better paths for a meeting, if there are any; it is then found again on them."""
+        paths = self._motion.approach((i, j), time, lambda k: self.tracks[k][-1], self._holds)
+        for body, path in paths.items():
+            self.tracks[body].pop()
+            self._lay(body, path)
+        self._approached[i, j] = (self._version[i], self._version[j])
+        self._predict(paths)
+        return bool(paths)
 
     def _happens(self, time: float, bodies: list[int], end: float) -> None:
         """Let an instant happen around some bodies, and lay the paths from it on."""
@@ -128,6 +175,7 @@ class Located:
             lambda body, state: self._motion.free(body, time, state),
             self._held.__contains__,
             self._scene.restitution,
+            self._steady,
         )
         instant = Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
         self._hits += [(time, hit) for hit in instant.hits]
@@ -147,15 +195,31 @@ class Located:
             self._lay(body, path)
         self._depart(instant)
         self._predict(paths or bodies)
+        self._watch(paths, end, decided=instant.changed)
 
     def _depart(self, instant: Instant) -> None:
         """Find out from when on pairs that part without normal velocity are seen to be apart."""
         for pair, bend in instant.opening.items():
-            i, j = pair
             tolerance = instant.touches[pair].tolerance
+            if self._varying.keys() & set(pair):
+                self._resume[pair] = self._apart(pair, 4 * tolerance)
+                continue
             step = math.sqrt(8 * tolerance / bend)
-            path_i, path_j = self.tracks[i][-1], self.tracks[j][-1]
-            self._resume[pair] = min(instant.time + step, path_i.end, path_j.end)
+            self._resume[pair] = min(instant.time + step, self._end(pair))
+
+    def _end(self, pair: PairOf) -> float:
+        return min(self.tracks[i][-1].end for i in pair)
+
+    def _apart(self, pair: PairOf, distance: float) -> float:
+        """Return a time in s at which a pair that parts ever faster is a distance in m apart."""
+        end = self._end(pair)
+        step = 1e-6 * (end - self.time)
+        while self.time + step < end:
+            a, b = (place(self._cores[i], self._state_at(i, self.time + step)) for i in pair)
+            if max(axis.gap for axis in axes(a, b)) > distance:
+                return self.time + step
+            step *= 2
+        return end
 
     def _refuse_overlap(self, states: list[State]) -> None:
         placed = [place(core, state) for core, state in zip(self._cores, states, strict=True)]

@@ -60,5 +60,17 @@ class Motion(Protocol):
     ) -> Mapping[int, Piece]:
         """Return the paths from `start` to `end`, s, of some bodies and of all they act on."""
 
+    def approach(
+        self,
+        bodies: Iterable[int],
+        time: float,
+        path: Callable[[int], Piece],
+        holds: Sequence[Hold | None],
+    ) -> Mapping[int, Piece]:
+        """Return better paths of some bodies, and of all they act on, for a meeting at `time`, s.
+
+        They begin and end where their paths of now do; nothing is returned for good ones.
+        """
+
     def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""

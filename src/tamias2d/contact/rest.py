@@ -62,17 +62,41 @@ class Island:
         normals = [contact.normal for contact in self.lasting]
         return {self.bodies[0]: _projection(normals, turning=not self._angular())}
 
+    def moves_on(self, states: Mapping[int, State]) -> tuple[Contact, str] | None:
+        """Return a lasting contact whose normal does not stay, and why; None if all do."""
+        for contact in self.lasting:
+            if reason := self._turns(contact, states) or self._slides(contact, states):
+                return contact, reason
+        return None
+
+    def at_rest(self, states: Mapping[int, State]) -> bool:
+        """Whether its bodies are in equilibrium, and hardly move."""
+        for i in self.bodies:
+            speed, spin = math.hypot(*states[i].velocity), states[i].angular_velocity
+            size = self._cores[i].size
+            if self._rounded(i) != _STILL or speed**2 + (spin * size) ** 2 > (
+                _SMALL * self._scale * size
+            ):
+                return False
+        return True
+
     def refuse_what_moves_on(self, states: Mapping[int, State], time: float) -> None:
         """Raise `LastingContactError` if the normal of a lasting contact does not stay."""
-        for contact in self.lasting:
-            reason = self._turns(contact, states) or self._slides(contact, states)
-            if reason:
-                names = named(self._cores[contact.a].name, self._cores[contact.b].name)
-                raise LastingContactError(
-                    f"{names} at {time!r} s: they stay in contact while {reason}, which the located "
-                    "way does not follow (GD3). End the run before, or change the scene.",
-                    time=time,
-                )
+        if found := self.moves_on(states):
+            contact, reason = found
+            self._refuse([contact.a, contact.b], reason, time)
+
+    def refuse_loads_that_vary(self, time: float) -> None:
+        """Raise `LastingContactError` for bodies on each other: what each feels is not fixed."""
+        self._refuse(self.bodies, "forces on them vary", time)
+
+    def _refuse(self, bodies: Sequence[int], reason: str, time: float) -> None:
+        names = named(*(self._cores[i].name for i in bodies))
+        raise LastingContactError(
+            f"{names} at {time!r} s: they stay in contact while {reason}, which the located way "
+            "does not follow (GD3). End the run before, or change the scene.",
+            time=time,
+        )
 
     def _turns(self, contact: Contact, states: Mapping[int, State]) -> str:
         for i in (contact.a, contact.b):

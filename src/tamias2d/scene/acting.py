@@ -54,6 +54,13 @@ def varying_loads(scene: Scene) -> dict[int, str]:
     return {k: found[k] for k in moving if k in found}
 
 
+def timed_loads(scene: Scene) -> set[int]:
+    """Return the bodies on which some law acts that depends on time, whatever their state."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    laws = varying_laws(scene, moving)
+    return {moving[row] for (_, law), rows in laws.items() if "time" in law.names for row in rows}
+
+
 def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]]:
     for k in moving:
         body = scene.bodies[k]
