@@ -45,12 +45,12 @@ METHODS: dict[str, Method] = {
 class FixedSteps(Method):
     """The step of any scheme of the specification, of one length."""
 
-    scheme: str
+    item: str
     stepped = True
 
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
         """Return motion by the scheme; what a pair says of its error is not asked for."""
-        step = getattr(schemes, self.scheme)
+        step = getattr(schemes, self.item)
 
         def plain(*state: Any) -> tuple[Array, Array]:
             position, velocity = step(*state)[:2]
