@@ -142,10 +142,37 @@ def test_a_ball_at_rest_under_drag_slides_to_a_stop() -> None:
     assert np.all(run.position[:, 0, 1] == 0.5)
 
 
+def test_a_ball_on_the_floor_oscillates_along_it() -> None:
+    """The spring also presses it down by 100 N/m times 0.3 m, which the floor bears."""
+    scene = Scene(gravity=(0, -9.81))
+    scene.add_body(Disc(radius=0.5), mass=1, position=(1, 0.5), restitution=0)
+    scene.add_static(HalfPlane(normal=(0, 1), offset=0))
+    scene.add_spring(0, (0, 0.2), stiffness=100, rest_length=0)
+    run = simulate(scene, duration=3)
+    assert isinstance(run.method, ClosedForm)
+    np.testing.assert_allclose(run.position[:, 0, 0], np.cos(10 * run.times), atol=1e-13)
+    np.testing.assert_allclose(run.position[:, 0, 1], 0.5, rtol=1e-15)
+
+
+def test_drag_that_bears_a_falling_ball_does_not_bear_it_at_rest() -> None:
+    """At the impact the drag of 8 kg/s is more than the weight; after it, there is none."""
+    scene = dragged((0, -9), 8, (0, -10), torque=0)
+    scene.add_static(HalfPlane(normal=(0, 1), offset=0))
+    scene.set_restitution(0, 1, 0)
+    run = simulate(scene, duration=2)
+    (hit,) = run.impacts.time
+    assert run.impacts.normal_velocity[0] * -8 > 20
+    assert f"from {hit.item()!r} s" in run.notes[-1]
+    assert np.all(run.position[run.times > hit, 0, 1] == 0.5)
+
+
 def test_no_exact_path_is_claimed_where_something_else_acts() -> None:
     def refused(change: str) -> str:
         scene = sprung((0, 0), 5, (0, 0))
         match change:
+            case "anchor":
+                scene.add_body(Disc(radius=1), mass=1, position=(9, 9))
+                scene.add_spring(1, (3, 0), stiffness=1, rest_length=0, anchor=(0.5, 0))
             case "length":
                 scene.add_spring(0, (5, 5), stiffness=1, rest_length=1)
             case "field":
@@ -157,7 +184,7 @@ def test_no_exact_path_is_claimed_where_something_else_acts() -> None:
             simulate(scene, duration=1, method=ClosedForm())
         return str(caught.value)
 
-    for change in ("length", "field", "attraction"):
+    for change in ("anchor", "length", "field", "attraction"):
         assert "has no closed form" in refused(change)
     for name in ("quadratic-drag", "damped-oscillator", "kepler", "pendulum"):
         assert isinstance(simulate(catalogue.load(name), duration=0.1).method, Reference)
