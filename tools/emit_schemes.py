@@ -34,6 +34,8 @@ class Facts(NamedTuple):
     """Longest stable step, times the angular frequency."""
     decay: float
     """Longest stable step, times the rate of the decay."""
+    evaluations: int
+    """Of the accelerations in a step."""
 
 
 class Pair(NamedTuple):
@@ -72,8 +74,9 @@ def _facts(items: Sequence[Item]) -> str:
         if "stability" in item.data:
             symplectic = item.data["family"] == "splitting"
             stable = item.data["stability"]
+            calls = len(item.data.get("c") or item.data["kick"])
             given = f"{item.data['order']}, {symplectic}, {float(stable['oscillation'])}"
-            lines.append(f'    "{item.id}": Facts({given}, {float(stable["decay"])}),')
+            lines.append(f'    "{item.id}": Facts({given}, {float(stable["decay"])}, {calls}),')
     return "\n".join([*lines, "}"])
 
 

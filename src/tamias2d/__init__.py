@@ -10,6 +10,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:  # the same names as below, for readers, editors and type checkers
+    from tamias2d.cost import Cost as Cost
     from tamias2d.errors import (
         InputError as InputError,
         RecordingError as RecordingError,
@@ -20,12 +21,18 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     )
     from tamias2d.motion import (
         ClosedForm as ClosedForm,
+        Dop853 as Dop853,
+        DormandPrince5 as DormandPrince5,
         ExplicitEuler as ExplicitEuler,
+        ExponentialDrag as ExponentialDrag,
         Legacy2018 as Legacy2018,
         Reference as Reference,
         RungeKutta4 as RungeKutta4,
         SemiImplicitEuler as SemiImplicitEuler,
+        StabilityError as StabilityError,
+        StepSizeError as StepSizeError,
         VelocityVerlet as VelocityVerlet,
+        Yoshida4 as Yoshida4,
     )
     from tamias2d.run import Impacts as Impacts, Run as Run
     from tamias2d.scene import (
@@ -45,9 +52,11 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.verify import verify as verify
 
 _HOMES = {
+    "cost": "Cost",
     "errors": "InputError RecordingError SceneError SimulationError SpecError TamiasError",
-    "motion": "ClosedForm ExplicitEuler Legacy2018 Reference RungeKutta4 SemiImplicitEuler "
-    "VelocityVerlet",
+    "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
+    "Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError VelocityVerlet "
+    "Yoshida4",
     "run": "Impacts Run",
     "scene": "Body Box Disc HalfPlane Polygon Scene catalogue load needs scene_text",
     "simulate": "simulate",

@@ -60,6 +60,10 @@ class Method(StrEnum):
     SEMI_IMPLICIT_EULER = "semi-implicit-euler"
     VELOCITY_VERLET = "velocity-verlet"
     RUNGE_KUTTA_4 = "runge-kutta-4"
+    YOSHIDA_4 = "yoshida-4"
+    EXPONENTIAL_DRAG = "exponential-drag"
+    DORMAND_PRINCE_5 = "dormand-prince-5"
+    DOP853 = "dop853"
     LEGACY_2018 = "legacy-2018"
     REFERENCE = "reference"
 

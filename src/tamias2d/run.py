@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.certificate import Certificate
+from tamias2d.cost import Cost
 from tamias2d.errors import InputError
 from tamias2d.motion import Method
 from tamias2d.scene import Scene
@@ -71,6 +73,10 @@ class Run:
     """(k,), about the origin, kg m^2/s"""
     notes: tuple[str, ...]
     """Which way was taken and why; which bodies came to rest on which, and when."""
+    cost: Cost | None = None
+    """What it cost; None if it was not simulated but read from a recording."""
+    certificate: Certificate | None = None
+    """How wrong it is at most; None until it is certified."""
 
     def digest(self) -> str:
         """Return the SHA-256 of all numbers of the run: equal runs have equal digests."""

@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tamias2d.balance import balance
 from tamias2d.contact import Located, Refusal
+from tamias2d.cost import Cost
 from tamias2d.errors import InputError, SimulationError
-from tamias2d.generated import definitions
-from tamias2d.motion import ClosedForm, Legacy2018, Method, Motion, Reference
-from tamias2d.motion.energy import energy_between
+from tamias2d.motion import ClosedForm, Legacy2018, Method, Motion, Reference, Tally
 from tamias2d.motion.legacy import legacy_history
 from tamias2d.motion.stepped import grid
 from tamias2d.motion.track import sample
@@ -75,15 +75,16 @@ def simulate(
     motion = plan.method.motion(scene, plan.duration, plan.time_step or plan.duration)
     located = Located(scene, motion)
     if not located.can_meet:
-        return _finished(plan, _unhindered(plan, motion), _no_impacts(), ())
+        history = _unhindered(plan, motion)
+        return _finished(plan, history, _no_impacts(), motion.notes, motion.tally)
     try:
         _go(located, plan.duration, progress)
     except Refusal as refusal:
-        refusal.run = _collected(plan, located)
+        refusal.run = _collected(plan, motion, located)
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_collected(plan, located)) from None
-    return _collected(plan, located)
+        raise Interrupted(_collected(plan, motion, located)) from None
+    return _collected(plan, motion, located)
 
 
 def _unhindered(plan: _Plan, motion: Motion) -> History:
@@ -93,6 +94,9 @@ def _unhindered(plan: _Plan, motion: Motion) -> History:
 
         steps = grid(plan.duration, plan.time_step)
         if (history := flight(plan.scene, plan.method, steps, plan.times)) is not None:
+            motion.tally.steps = len(steps) - 1
+            if plan.method.facts is not None:
+                motion.tally.force_evaluations = plan.method.facts.evaluations * (len(steps) - 1)
             return history
     return motion.history(plan.times)
 
@@ -153,7 +157,9 @@ def _samples(times: Iterable[float], duration: float) -> Array:
 
 def _legacy(plan: _Plan) -> Run:
     times, history = legacy_history(plan.scene, plan.duration, plan.time_step or plan.duration)
-    return _finished(plan._replace(times=times), history, _no_impacts(), ())
+    taken = len(times) - 1
+    tally = Tally(steps=taken, force_evaluations=taken)
+    return _finished(plan._replace(times=times), history, _no_impacts(), (), tally)
 
 
 def _go(located: Located, duration: float, progress: bool) -> None:
@@ -168,17 +174,18 @@ def _go(located: Located, duration: float, progress: bool) -> None:
         located.go(duration, told=lambda time: bar.update(task, completed=time))
 
 
-def _collected(plan: _Plan, located: Located) -> Run:
+def _collected(plan: _Plan, motion: Motion, located: Located) -> Run:
     """Return the run up to the time that was reached."""
     reached = plan.times[plan.times <= located.time]
     plan = plan._replace(times=reached if len(reached) else plan.times[:1])
-    return _finished(
-        plan, sample(located.tracks, plan.times), Impacts(**located.impacts()), located.notes
-    )
+    history, impacts = sample(located.tracks, plan.times), Impacts(**located.impacts())
+    return _finished(plan, history, impacts, motion.notes + located.notes, motion.tally)
 
 
-def _finished(plan: _Plan, history: History, impacts: Impacts, notes: tuple[str, ...]) -> Run:
-    energy, momentum, angular_momentum = _balance(plan.scene, history)
+def _finished(
+    plan: _Plan, history: History, impacts: Impacts, notes: tuple[str, ...], tally: Tally
+) -> Run:
+    energy, momentum, angular_momentum = balance(plan.scene, history)
     return Run(
         scene=plan.scene,
         method=plan.method,
@@ -191,27 +198,13 @@ def _finished(plan: _Plan, history: History, impacts: Impacts, notes: tuple[str,
         momentum=momentum,
         angular_momentum=angular_momentum,
         notes=plan.notes + notes,
+        cost=_cost(impacts, tally),
     )
 
 
-def _balance(scene: Scene, history: History) -> tuple[Array, Array, Array]:
-    """Return energy (k,), momentum (k, 2) and angular momentum (k,) of all that moves."""
-    moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
-    mass = np.array([scene.bodies[i].mass for i in moving])
-    inertia = np.array([scene.bodies[i].inertia for i in moving])
-    inertia[~np.isfinite(inertia)] = 0.0  # it cannot turn, and 0 times infinity is nothing
-    position = (history.position[:, moving, 0], history.position[:, moving, 1])
-    velocity = (history.velocity[:, moving, 0], history.velocity[:, moving, 1])
-    spin = history.angular_velocity[:, moving]
-    kinetic = definitions.kinetic_energy(mass, velocity, inertia, spin)
-    potential = definitions.potential_energy(mass, scene.gravity, position)
-    momentum = definitions.momentum(mass, velocity)
-    turning = definitions.angular_momentum(mass, position, velocity, inertia, spin)
-    return (
-        (kinetic + potential).sum(axis=-1) + energy_between(scene, history),
-        np.stack([part.sum(axis=-1) for part in momentum], axis=-1),
-        turning.sum(axis=-1),
-    )
+def _cost(impacts: Impacts, tally: Tally) -> Cost:
+    met = zip(impacts.time.tolist(), *impacts.bodies.T.tolist(), strict=True)
+    return Cost(**vars(tally), impacts=len(set(met)))
 
 
 def _no_impacts() -> Impacts:

@@ -64,7 +64,7 @@ class Motion(Protocol):
         self,
         bodies: Iterable[int],
         time: float,
-        path: Callable[[int], Piece],
+        path: Callable[[int], Any],
         holds: Sequence[Hold | None],
     ) -> Mapping[int, Piece]:
         """Return better paths of some bodies, and of all they act on, for a meeting at `time`, s.

@@ -4,22 +4,31 @@ Service: the path of a body from a state and a time on, as a function of time wi
 derivatives. Secret: how that path is found (closed form, a scheme, scipy).
 """
 
+from tamias2d.motion.adaptive import StepSizeError
 from tamias2d.motion.methods import (
     ClosedForm,
+    Dop853,
+    DormandPrince5,
     ExplicitEuler,
+    ExponentialDrag,
     Legacy2018,
     Method,
     Reference,
     RungeKutta4,
     SemiImplicitEuler,
     VelocityVerlet,
+    Yoshida4,
 )
-from tamias2d.motion.piece import Bounds, Motion, Piece
+from tamias2d.motion.piece import Bounds, Motion, Piece, Tally
+from tamias2d.motion.stability import StabilityError
 
 __all__ = [
     "Bounds",
     "ClosedForm",
+    "Dop853",
+    "DormandPrince5",
     "ExplicitEuler",
+    "ExponentialDrag",
     "Legacy2018",
     "Method",
     "Motion",
@@ -27,5 +36,9 @@ __all__ = [
     "Reference",
     "RungeKutta4",
     "SemiImplicitEuler",
+    "StabilityError",
+    "StepSizeError",
+    "Tally",
     "VelocityVerlet",
+    "Yoshida4",
 ]

@@ -8,7 +8,7 @@ from tamias2d.generated import rotation, translation
 from tamias2d.motion.dragged import Dragged
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.oscillating import Oscillating
-from tamias2d.motion.piece import Piece
+from tamias2d.motion.piece import Piece, Tally
 from tamias2d.motion.track import sample
 from tamias2d.motion.uniform import Uniform
 from tamias2d.scene import Scene
@@ -20,6 +20,8 @@ class ClosedFormMotion:
     """Exact paths, each to the end of the run."""
 
     def __init__(self, scene: Scene, duration: float) -> None:
+        self.tally = Tally()
+        self.notes: tuple[str, ...] = ()
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)
@@ -46,6 +48,10 @@ class ClosedFormMotion:
     ) -> dict[int, Piece]:
         """Return the paths of some bodies from `start` to `end`, s; they act on no others."""
         return {body: self._path(body, start, state(body), end, holds[body]) for body in bodies}
+
+    def approach(self, *_: object) -> dict[int, Piece]:
+        """Return nothing: exact paths need not be better anywhere."""
+        return {}
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""

@@ -1,23 +1,29 @@
 """Motion by integration: paths from whatever steps an integrator takes."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Protocol
 
 import numpy as np
 
-from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
-from tamias2d.motion.piece import Piece
+from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
+from tamias2d.motion.piece import Piece, Tally
 from tamias2d.motion.polynomial import Chain, Stretch
 from tamias2d.motion.uniform import Uniform
+from tamias2d.motion.watched import Watched
 from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, History, Hold, State
+
+_NEAR = 1e-3  # of a step: so close to its ends a path is as good as there
 
 
 class Integrator(Protocol):
     """A scheme, with its choice of steps."""
 
+    best_at_ends: bool
+    """Whether velocities between the ends of a step are worse than at them."""
+
     def step(
-        self, field: Field, start: float, limit: float, position: Array, velocity: Array
+        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
     ) -> Stretch:
         """Step coordinates and rates (n, 3) from `start` towards `limit`, s, and not past it."""
 
@@ -25,20 +31,25 @@ class Integrator(Protocol):
 class IntegratedMotion:
     """Paths by an integrator; what is static stands still."""
 
-    def __init__(self, scene: Scene, duration: float, integrator: Integrator) -> None:
+    def __init__(
+        self, scene: Scene, duration: float, integrator: Integrator, notes: tuple[str, ...] = ()
+    ) -> None:
+        self.notes = notes
         self._scene = scene
         self._duration = duration
         self._integrator = integrator
+        self.tally = Tally()
         self._loads = Loads(scene)
+        self._fields: dict[tuple[int, ...], Watched] = {}
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
 
     def segment(
         self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
     ) -> tuple[float, list[Piece]]:
         """Return the end of one step and the path of every body to it."""
-        field = self._loads.field(self._moving, [holds[i] for i in self._moving])
+        field = self._field(self._moving, holds)
         q, rate = coordinates([states[i] for i in self._moving])
-        stretch = self._integrator.step(field, start, self._duration, q, rate)
+        stretch = next(self._stretches(field, start, self._duration, q, rate))
         moving = {body: stretch.piece(k) for k, body in enumerate(self._moving)}
         still = (0.0, 0.0, 0.0)
         pieces: list[Piece] = [
@@ -59,13 +70,49 @@ class IntegratedMotion:
         groups = {min(group): group for group in map(self._loads.group_of.__getitem__, bodies)}
         pieces: dict[int, Piece] = {}
         for group in groups.values():
-            field = self._loads.field(group, [holds[i] for i in group])
+            field = self._field(group, holds)
             now = coordinates([state(i) for i in group])
             steps = list(self._stretches(field, start, end, *now))
             for k, body in enumerate(group):
-                parts = [step.piece(k) for step in steps]
+                parts: list[Piece] = [step.piece(k) for step in steps]
+                parts = parts or [_instant(start, state(body))]
                 pieces[body] = parts[0] if len(parts) == 1 else Chain(parts)
         return pieces
+
+    def approach(
+        self,
+        bodies: Iterable[int],
+        time: float,
+        path: Callable[[int], Piece],
+        holds: Sequence[Hold | None],
+    ) -> dict[int, Piece]:
+        """Return paths of some bodies, and of all they act on, with the end of a step at `time`, s.
+
+        They begin and end with their paths of now. Nothing is returned for those that are as good
+        as they can be there.
+        """
+        if not self._integrator.best_at_ends:
+            return {}
+        groups = {min(group): group for group in map(self._loads.group_of.get, bodies) if group}
+        pieces: dict[int, Piece] = {}
+        for group in groups.values():
+            now = path(group[0])
+            near = _NEAR * (now.end - now.start)
+            if now.start + near < time < now.end - near:
+                pieces |= self._knotted(group, time, now, path, holds)
+        return pieces
+
+    def _knotted(
+        self,
+        group: Sequence[int],
+        time: float,
+        now: Piece,
+        path: Callable[[int], Piece],
+        holds: Sequence[Hold | None],
+    ) -> dict[int, Piece]:
+        before = self.restart(group, now.start, lambda i: path(i).at(now.start), time, holds)
+        after = self.restart(group, time, lambda i: before[i].at(time), now.end, holds)
+        return {body: Chain([before[body], after[body]]) for body in group}
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""
@@ -75,7 +122,7 @@ class IntegratedMotion:
         """Return the states at sorted times (k,), s: all bodies at once."""
         states = coordinates(start_states(self._scene))
         rows = np.repeat(np.stack(states)[None], len(times), axis=0)
-        field = self._loads.field(self._moving, [None] * len(self._moving))
+        field = self._field(self._moving, [None] * len(self._scene))
         moving = (states[0][self._moving], states[1][self._moving])
         done = int(np.searchsorted(times, 0.0, side="right"))
         for stretch in self._stretches(field, 0.0, self._duration, *moving):
@@ -85,13 +132,28 @@ class IntegratedMotion:
             done = until
         return history_of(rows)
 
+    def _field(self, bodies: Sequence[int], holds: Sequence[Hold | None]) -> Watched:
+        """Return the accelerations of some bodies; the same object while the same holds last."""
+        held = tuple(holds[i] for i in bodies)
+        known = self._fields.get(tuple(bodies))
+        if known is None or known.holds != held:
+            known = Watched(self._loads.field(bodies, held), bodies, held, self.tally)
+            self._fields[tuple(bodies)] = known
+        return known
+
     def _stretches(
-        self, field: Field, start: float, end: float, position: Array, velocity: Array
+        self, field: Watched, start: float, end: float, position: Array, velocity: Array
     ) -> Iterator[Stretch]:
         while start < end:
             stretch = self._integrator.step(field, start, end, position, velocity)
+            self.tally.steps += 1
             yield stretch
             start, (position, velocity) = stretch.end, stretch.last
+
+
+def _instant(time: float, state: State) -> Piece:
+    """Return the path of a body that was hit at the very end of its time."""
+    return Uniform(start=time, end=time, state=state, acceleration=(0.0, 0.0, 0.0))
 
 
 def history_of(rows: Array) -> History:

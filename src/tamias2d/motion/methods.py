@@ -7,11 +7,15 @@ from typing import ClassVar
 
 from tamias2d.errors import InputError
 from tamias2d.generated import schemes
+from tamias2d.generated.schemes import FACTS, Facts
+from tamias2d.motion.adaptive import Adaptive, Tolerance
 from tamias2d.motion.closed_form import ClosedFormMotion
+from tamias2d.motion.exponential import ExponentialGrid
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads, start_states
 from tamias2d.motion.piece import Motion
-from tamias2d.motion.reference import Dop853
+from tamias2d.motion.reference import ScipyDop853
+from tamias2d.motion.stability import check
 from tamias2d.motion.stepped import Grid, Scheme
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
@@ -22,6 +26,13 @@ class Method(ABC):
     """A way of finding smooth motion. A `stepped` one needs a time step."""
 
     stepped: ClassVar[bool] = False
+    scheme: ClassVar[str | None] = None
+    """Its item in the specification, if it has one."""
+
+    @property
+    def facts(self) -> Facts | None:
+        """Order, symplecticity and limits of stability, as the specification proves them."""
+        return FACTS.get(self.scheme or "")
 
     @abstractmethod
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
@@ -51,9 +62,15 @@ class _Stepped(Method):
     scheme: ClassVar[str]
 
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
-        """Return motion by the scheme."""
+        """Return motion by the scheme; raise `StabilityError` if the steps are too long for it."""
+        steps = self._grid(scene, duration, time_step)
+        length, _ = _scale(scene, duration)
+        notes = check(scene, f"{self}", steps, duration=duration, time_step=time_step, scale=length)
+        return IntegratedMotion(scene, duration, steps, notes)
+
+    def _grid(self, scene: Scene, duration: float, time_step: float) -> Grid:  # noqa: ARG002
         step: Scheme = getattr(schemes, self.scheme)
-        return IntegratedMotion(scene, duration, Grid(step, duration, time_step))
+        return Grid(step, duration, time_step)
 
 
 @dataclass(frozen=True)
@@ -85,6 +102,83 @@ class RungeKutta4(_Stepped):
 
 
 @dataclass(frozen=True)
+class Yoshida4(_Stepped):
+    """Order 4, symplectic."""
+
+    scheme = "yoshida_4"
+
+
+@dataclass(frozen=True)
+class ExponentialDrag(_Stepped):
+    """Order 2; exact under linear drag and constant loads, which set its steps no limit."""
+
+    scheme = "exponential_verlet"
+
+    def _grid(self, scene: Scene, duration: float, time_step: float) -> Grid:
+        return ExponentialGrid(scene, duration, time_step)
+
+
+class _Embedded(Method):
+    """A generated pair, with steps as long as a tolerance allows."""
+
+    scheme: ClassVar[str]
+    estimates: ClassVar[tuple[int, ...]]
+    damping: ClassVar[float]
+    rtol: float
+    atol: float | None
+
+    def __post_init__(self) -> None:
+        if not 1e-14 <= self.rtol < 1:
+            raise InputError(
+                f"rtol {self.rtol!r} of {type(self).__name__}: must lie from 1e-14, which is as "
+                "far as float64 goes, to 1 (R5). Give a relative tolerance such as 1e-8."
+            )
+        if self.atol is not None and not 0 < self.atol < math.inf:
+            raise InputError(
+                f"atol {self.atol!r} m of {type(self).__name__}: must be > 0 (R5). Give a length "
+                "in m that does not matter, or leave it out."
+            )
+
+    def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:  # noqa: ARG002
+        """Return motion by adaptive steps."""
+        length, time = _scale(scene, duration)
+        small = self.rtol * length if self.atol is None else self.atol
+        steps = Adaptive(
+            f"{self}",
+            getattr(schemes, self.scheme),
+            orders=self.estimates,
+            tolerance=Tolerance(self.rtol, small, small / time),
+            damping=self.damping,
+        )
+        return IntegratedMotion(scene, duration, steps)
+
+
+@dataclass(frozen=True)
+class DormandPrince5(_Embedded):
+    """Order 5, adaptive: the error of each step within `rtol` of every value.
+
+    Of values that are small it is within `atol`, m; without it, `rtol` of the size of the bodies.
+    """
+
+    rtol: float = 1e-6
+    atol: float | None = None
+    scheme = "dormand_prince_5"
+    estimates = (4,)
+    damping = 0.04
+
+
+@dataclass(frozen=True)
+class Dop853(_Embedded):
+    """Order 8, adaptive as `DormandPrince5` is: for tolerances below about 1e-8."""
+
+    rtol: float = 1e-10
+    atol: float | None = None
+    scheme = "dop853"
+    estimates = (5, 3)
+    damping = 0.0
+
+
+@dataclass(frozen=True)
 class Legacy2018(Method):
     """What the 2018 program did, wrong as it was: for scenes in which nothing meets."""
 
@@ -110,7 +204,7 @@ class Reference(Method):
 
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:  # noqa: ARG002
         """Return motion by adaptive steps."""
-        return IntegratedMotion(scene, duration, Dop853(self.rtol, _scale(scene, duration)))
+        return IntegratedMotion(scene, duration, ScipyDop853(self.rtol, _scale(scene, duration)))
 
 
 def _scale(scene: Scene, duration: float) -> tuple[float, float]:

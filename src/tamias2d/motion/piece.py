@@ -1,9 +1,19 @@
 """A piece of a body's path: what whoever looks for contacts may ask of it."""
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 from tamias2d.state import Acceleration, Array, History, Hold, State, Vector
+
+
+@dataclass
+class Tally:
+    """What a motion has cost so far."""
+
+    steps: int = 0
+    rejected: int = 0
+    force_evaluations: int = 0
 
 
 class Bounds(NamedTuple):
@@ -43,6 +53,11 @@ class Piece(Protocol):
 class Motion(Protocol):
     """One way of finding paths, for the bodies of one scene up to the end of one run."""
 
+    tally: Tally
+    """What it has cost so far."""
+    notes: tuple[str, ...]
+    """What the user should know of it."""
+
     def segment(
         self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
     ) -> tuple[float, list[Piece]]:
@@ -57,6 +72,18 @@ class Motion(Protocol):
         holds: Sequence[Hold | None],
     ) -> dict[int, Piece]:
         """Return the paths from `start` to `end`, s, of some bodies and of all they act on."""
+
+    def approach(
+        self,
+        bodies: Iterable[int],
+        time: float,
+        path: Callable[[int], Piece],
+        holds: Sequence[Hold | None],
+    ) -> dict[int, Piece]:
+        """Return better paths of some bodies, and of all they act on, for a meeting at `time`, s.
+
+        They begin and end where their paths of now do; nothing is returned for good ones.
+        """
 
     def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""

@@ -5,14 +5,16 @@ from functools import cache
 
 import numpy as np
 
-from tamias2d.motion.loads import Field
 from tamias2d.motion.polynomial import Stretch
+from tamias2d.motion.watched import Watched
 from tamias2d.state import Array
 
 _NODES = -np.cos(np.pi * np.arange(10) / 9)  # in x from -1 to 1, where the accelerations are taken
 
+_STAGES = 12
 
-class Dop853:
+
+class ScipyDop853:
     """Adaptive steps of order 8.
 
     Between their ends DOP853 knows less than at them. So the path is taken from the accelerations
@@ -22,13 +24,15 @@ class Dop853:
     quantities that pass through 0.
     """
 
+    best_at_ends = False
+
     def __init__(self, rtol: float, scale: tuple[float, float]) -> None:
         self._rtol = rtol
         self._scale = scale
         self._proposed: dict[int, float] = {}
 
     def step(
-        self, field: Field, start: float, limit: float, position: Array, velocity: Array
+        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
     ) -> Stretch:
         """Take one step, of the length that the tolerance allows."""
         from scipy.integrate import DOP853
@@ -51,7 +55,9 @@ class Dop853:
             atol=self._tolerance(len(position)),  # type: ignore[arg-type]
             first_step=None if hint is None else min(hint, limit - start),
         )
+        before = solver.nfev
         solver.step()
+        field.tally.rejected += (solver.nfev - before) // _STAGES - 1
         self._proposed[size] = float(solver.h_abs)
         between = solver.dense_output()
         end = float(solver.t)

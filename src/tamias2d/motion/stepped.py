@@ -1,33 +1,43 @@
 """Motion by the generated schemes, on a grid of equal steps."""
 
 from collections.abc import Callable
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from tamias2d.motion.loads import Field
 from tamias2d.motion.polynomial import Stretch, hermite
+from tamias2d.motion.watched import Watched
 from tamias2d.state import Array
 
-Scheme: TypeAlias = Callable[[float, float, Array, Array, Field], tuple[Array, Array]]
+Scheme: TypeAlias = Callable[[float, float, Array, Array, Field], tuple[Any, Any]]
 """One generated step: time, time step, coordinates, rates, accelerations -> coordinates, rates."""
 
 
 class Grid:
     """Steps of a scheme that end at the multiples of the time step, and at the end of the run."""
 
+    best_at_ends = True
+
     def __init__(self, scheme: Scheme, duration: float, time_step: float) -> None:
         self._scheme = scheme
         self.times = grid(duration, time_step)
 
     def step(
-        self, field: Field, start: float, limit: float, position: Array, velocity: Array
+        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
     ) -> Stretch:
         """Step to the next time of the grid; from between two of them by a shorter step."""
         end = min(limit, float(self.times[np.searchsorted(self.times, start, side="right")]))
-        q, rate = self._scheme(start, end - start, position, velocity, field)
         first = (position, velocity, field(start, position, velocity))
+        q, rate = self.advance(field, start, end - start, position, velocity)
         return hermite(start, end, first, (q, rate, field(end, q, rate)))
+
+    def advance(
+        self, field: Watched, start: float, time_step: float, position: Array, velocity: Array
+    ) -> tuple[Array, Array]:
+        """Return coordinates and rates (n, 3) after one step from `start`, s."""
+        after: tuple[Array, Array] = self._scheme(start, time_step, position, velocity, field)
+        return after
 
 
 def grid(duration: float, time_step: float) -> Array:
@@ -35,6 +45,6 @@ def grid(duration: float, time_step: float) -> Array:
     count = max(round(duration / time_step), 1)
     if abs(count * time_step - duration) > 1e-9 * time_step:  # more than rounding
         count = int(np.ceil(duration / time_step))
-    times = np.arange(count + 1) * time_step
+    times = np.arange(count + 1, dtype=np.float64) * time_step
     times[-1] = duration
     return times

@@ -29,6 +29,10 @@ METHODS: dict[str, Any] = {
         methods.SemiImplicitEuler,
         methods.VelocityVerlet,
         methods.RungeKutta4,
+        methods.Yoshida4,
+        methods.ExponentialDrag,
+        methods.DormandPrince5,
+        methods.Dop853,
         methods.Legacy2018,
         methods.Reference,
     )

@@ -60,6 +60,7 @@ def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where:
             f"{where}: impacts.bodies: found index {pairs.max()} of {len(scene.bodies)} bodies. "
             "Record the run again."
         )
+    stored: dict[str, Any] = {name: arrays[name] for name in ("times", *OF_BODIES, *TOTALS)}
     return Run(
         scene=scene,
         method=headers.method_of(header, where=where),
@@ -67,7 +68,7 @@ def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where:
         time_step=header.time_step,
         notes=header.notes,
         impacts=Impacts(**{name: arrays[f"impacts.{name}"] for name in OF_IMPACTS}),
-        **{name: arrays[name] for name in ("times", *OF_BODIES, *TOTALS)},
+        **stored,
     )
 
 

@@ -1,0 +1,212 @@
+"""Steps as long as a tolerance allows, by pairs that know their error.
+
+The error of a step is compared with what is allowed for each coordinate and rate, and the next
+step is as long as the error of this one and of the last suggests (Hairer, Norsett and Wanner,
+Solving Ordinary Differential Equations I, section II.4).
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import TypeAlias
+
+import numpy as np
+
+from tamias2d.errors import SimulationError
+from tamias2d.generated.schemes import Pair
+from tamias2d.motion.polynomial import Stretch
+from tamias2d.motion.watched import Watched
+from tamias2d.state import Array
+
+Scheme: TypeAlias = Callable[[float, float, Array, Array, Watched], Pair]
+
+_SAFETY = 0.9
+_LONGER, _SHORTER = 6.0, 0.2  # a step is to the one before at most and at least
+_SMALLEST = 16.0  # times the resolution of float64 at the time reached
+_CORRECTION = 0.01  # of an estimate by one of lower order (ibid., section II.10)
+
+
+class StepSizeError(SimulationError):
+    """No step that float64 can take meets the tolerance."""
+
+    code = "step-size"
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """What is allowed of an error: a share of the value, and a size for values that are small."""
+
+    relative: float
+    length: float
+    """For positions, m; for orientations as many rad."""
+    rate: float
+    """For velocities, m/s and rad/s."""
+
+    def of(self, position: Array, velocity: Array) -> tuple[Array, Array]:
+        """Return what is allowed for coordinates and rates (n, 3) of this size."""
+        return (
+            self.length + self.relative * np.abs(position),
+            self.rate + self.relative * np.abs(velocity),
+        )
+
+
+@dataclass
+class _Memory:
+    step: float
+    """The length that the next one should have, s."""
+    error: float = 1e-4
+    """Of the last step, in shares of what is allowed."""
+
+
+class Adaptive:
+    """Steps of a pair whose error stays within a tolerance.
+
+    `orders` are those of the error estimates, the highest first; `damping` is the weight of the
+    last error but one in the choice of the next step.
+    """
+
+    best_at_ends = False
+
+    def __init__(
+        self,
+        name: str,
+        scheme: Scheme,
+        *,
+        orders: Sequence[int],
+        tolerance: Tolerance,
+        damping: float,
+    ) -> None:
+        self._name = name
+        self._scheme = scheme
+        self._tolerance = tolerance
+        # an estimate of order p errs as h^(p+1); two of them combine to the first squared
+        # over the second
+        powers = [order + 1 for order in orders]
+        self._power = powers[0] if len(powers) == 1 else 2 * powers[0] - powers[1]
+        self._damping = damping
+        self._memory: dict[tuple[int, ...], _Memory] = {}
+
+    def step(
+        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
+    ) -> Stretch:
+        """Take one step, of the length that the tolerance allows.
+
+        Raises:
+            StepSizeError: it allows none.
+        """
+        if field.bodies not in self._memory:
+            first = self._first(field, start, limit, position, velocity)
+            self._memory[field.bodies] = _Memory(first)
+        memory = self._memory[field.bodies]
+        wanted = step = memory.step
+        rejected = False
+        while True:
+            end = start + step if step < limit - start else limit
+            step = end - start
+            pair, error = self._trial(field, start, step, position, velocity)
+            if pair is not None and error <= 1:
+                break
+            field.tally.rejected += 1
+            rejected = True
+            step *= max(_SHORTER, _SAFETY * error ** (-1 / self._power))
+            self._refuse_small(start, step, error)
+        longer = step * self._growth(error, memory.error, rejected=rejected)
+        memory.step = max(longer, wanted) if end == limit and not rejected else longer
+        memory.error = max(error, 1e-4)
+        return _stretch(start, end, (position, velocity), pair)
+
+    def _trial(
+        self, field: Watched, start: float, step: float, position: Array, velocity: Array
+    ) -> tuple[Pair | None, float]:
+        """Return a step and its error, the largest of all, in shares of what is allowed."""
+        with np.errstate(all="ignore"):
+            try:
+                pair = self._scheme(start, step, position, velocity, field)
+            except SimulationError:  # no finite force where it went, which was too far
+                return None, math.inf
+            allowed = self._tolerance.of(
+                np.maximum(np.abs(position), np.abs(pair.position)),
+                np.maximum(np.abs(velocity), np.abs(pair.velocity)),
+            )
+            estimates = [
+                np.stack((q / allowed[0], rate / allowed[1]))
+                for q, rate in zip(pair.position_errors, pair.velocity_errors, strict=True)
+            ]
+        error = float(np.max(_combined(estimates)))
+        return pair, error if math.isfinite(error) else math.inf
+
+    def _growth(self, error: float, before: float, *, rejected: bool) -> float:
+        """Return how much longer than this step the next should be."""
+        power = 1 / self._power - 0.75 * self._damping
+        factor = _SAFETY * max(error, 1e-10) ** -power * before**self._damping
+        return float(min(max(factor, _SHORTER), 1.0 if rejected else _LONGER))
+
+    def _refuse_small(self, start: float, step: float, error: float) -> None:
+        smallest = _SMALLEST * math.ulp(start)
+        if step > max(smallest, math.ulp(0.0)):
+            return
+        found = f"{error:.3g} times what is allowed" if math.isfinite(error) else "not finite"
+        raise StepSizeError(
+            f"{self._name} at {start!r} s: the error of a step of {smallest:.3g} s, the smallest "
+            f"that float64 can take there, is {found} (R5). Give a larger rtol, end the run "
+            "before, or look for a force that jumps or has no limit there."
+        )
+
+    def _first(
+        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
+    ) -> float:
+        """Return the length of the first step, s (ibid., section II.4, starting step size)."""
+        allowed = np.stack(self._tolerance.of(position, velocity))
+        rates = np.stack((velocity, field(start, position, velocity)))
+        value = _largest(np.stack((position, velocity)) / allowed)
+        slope = _largest(rates / allowed)
+        trial = 0.01 * value / slope if min(value, slope) > 1e-5 else 1e-6 * (limit - start)
+        trial = min(trial, limit - start)
+        q, v = position + trial * velocity, velocity + trial * rates[1]
+        try:
+            bend = _largest((np.stack((v, field(start + trial, q, v))) - rates) / allowed) / trial
+        except SimulationError:
+            return trial
+        steepest = max(slope, bend)
+        if steepest <= 1e-15:
+            return limit - start
+        return min(100 * trial, float((0.01 / steepest) ** (1 / self._power)), limit - start)
+
+
+def _largest(values: Array) -> float:
+    return float(np.max(np.abs(values)))
+
+
+def _combined(estimates: Sequence[Array]) -> Array:
+    """Return the sizes of errors; one that happens to be small is held up by the next order."""
+    first, *others = (np.abs(estimate) for estimate in estimates)
+    if not others:
+        return first
+    size = np.hypot(first, math.sqrt(_CORRECTION) * others[0])
+    size[size == 0] = 1.0  # of no error at all
+    return first * first / size
+
+
+def _stretch(start: float, end: float, first: tuple[Array, Array], pair: Pair) -> Stretch:
+    """Return the path of a step: the dense velocity, integrated once.
+
+    It ends at the position of the pair. What the integral lacks of that, of the order of the
+    dense output's own error, is added as a cubic that is level at both ends.
+    """
+    position, velocity = first
+    step = end - start
+    powers = [position, step * velocity]
+    powers += [step * step * c / (k + 2) for k, c in enumerate(pair.dense)]
+    lacking = pair.position - sum(powers[1:], powers[0])
+    powers[2] = powers[2] + 3 * lacking
+    powers[3] = powers[3] - 2 * lacking
+    coefficients = np.tensordot(_centred(len(powers)), np.stack(powers), axes=1)
+    return Stretch(start, end, first, (pair.position, pair.velocity), coefficients)
+
+
+@cache
+def _centred(count: int) -> Array:
+    """Return the matrix from powers of s, from 0 to 1, to those of x = 2 s - 1."""
+    rows = [[math.comb(k, j) / 2.0**k for k in range(count)] for j in range(count)]
+    return np.array(rows)

@@ -1,0 +1,43 @@
+"""Accelerations that are counted, and not computed twice for one time and state."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from tamias2d.motion.loads import Field
+from tamias2d.motion.piece import Tally
+from tamias2d.state import Array, Hold
+
+_REMEMBERED = 32  # times; more than any step asks for
+
+
+class Watched:
+    """The accelerations of some bodies, each time and state of which is computed once.
+
+    The end of a step is the start of the next, and the path between them asks for both again.
+    """
+
+    def __init__(
+        self, field: Field, bodies: Sequence[int], holds: Sequence[Hold | None], tally: Tally
+    ) -> None:
+        self.bodies = tuple(bodies)
+        self.holds = tuple(holds)
+        self._field = field
+        self.tally = tally
+        self._known: dict[float, tuple[Array, Array, Array]] = {}
+
+    def __call__(self, time: float, position: Array, velocity: Array) -> Array:
+        """Return the accelerations (n, 3) at a time in s, for coordinates and rates (n, 3)."""
+        known = self._known.get(time)
+        if (
+            known is not None
+            and np.array_equal(known[0], position)
+            and np.array_equal(known[1], velocity)
+        ):
+            return known[2]
+        self.tally.force_evaluations += 1
+        result = self._field(time, position, velocity)
+        if len(self._known) >= _REMEMBERED:
+            self._known.clear()
+        self._known[time] = (position, velocity, result)
+        return result
