@@ -40,15 +40,18 @@ def _butcher(data: dict) -> str:
     return rf"\begin{{array}}{{{columns}}} {_stack(rows)} \\ \hline {last} \end{{array}}"
 
 
-def _splitting(data: dict) -> str:
+_KICK = r"\boldsymbol{{v}} &\leftarrow \boldsymbol{{v}} + {step}\, \boldsymbol{{a}}"
+_DRIFT = r"\boldsymbol{{p}} &\leftarrow \boldsymbol{{p}} + {step}\, \boldsymbol{{v}}"
+_EXACT = r"\boldsymbol{{p}},\, \boldsymbol{{v}} &\leftarrow \text{{exact motion for }} {step}"
+
+
+def _splitting(data: dict, drift: str = _DRIFT) -> str:
     stages: list[str] = []
     for n in range(max(len(data["kick"]), len(data["drift"]))):
-        for key, letter, rate in (("kick", "v", "a"), ("drift", "p", "v")):
+        for key, stage in (("kick", _KICK), ("drift", drift)):
             if n < len(data[key]) and data[key][n] != "0":
                 weight = "" if data[key][n] == "1" else _fraction(data[key][n])
-                moved = rf"\boldsymbol{{{letter}}}"
-                step = rf"{weight} h\, \boldsymbol{{{rate}}}"
-                stages.append(rf"{moved} &\leftarrow {moved} + {step} && \text{{({key})}}")
+                stages.append(stage.format(step=f"{weight} h") + rf" && \text{{({key})}}")
     return rf"\begin{{aligned}} {_stack(stages)} \end{{aligned}}"
 
 
@@ -86,4 +89,9 @@ def _fraction(text: str) -> str:
     return rf"\tfrac{{{above}}}{{{below}}}" if below else text
 
 
-_TABLEAUS = {"runge_kutta": _butcher, "splitting": _splitting, "two_level": _two_level}
+_TABLEAUS = {
+    "runge_kutta": _butcher,
+    "splitting": _splitting,
+    "exponential": lambda data: _splitting(data, drift=_EXACT),
+    "two_level": _two_level,
+}
