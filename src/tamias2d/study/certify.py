@@ -1,0 +1,193 @@
+"""A certificate for a run: what bounds its error, found by companion runs of the same scene."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tamias2d.certificate import Certificate, Kind, hashes, not_claimed
+from tamias2d.errors import SceneError, SimulationError
+from tamias2d.motion import ClosedForm, Dop853, Legacy2018, Method, Reference
+from tamias2d.run import Run
+from tamias2d.simulate import simulate
+from tamias2d.state import Array
+from tamias2d.study.error import MEASURE, apart, radii, scale
+from tamias2d.study.invariants import energy_drift
+from tamias2d.study.twin import LOST, MOVED, growth, horizon
+
+_EPSILON = 2.0**-52
+_ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
+_TRUSTED, _DISTRUSTED = 1.25, 3.0  # times what two grids say (Roache's grid convergence index)
+_ORDER = 0.3  # within which the observed order is that of the scheme
+_TIGHTER = 30.0  # is the companion of a run that chooses its own steps
+_TIGHTEST = 1e-14
+
+
+@dataclass(frozen=True)
+class _Bound:
+    kind: Kind
+    value: float
+    """m"""
+    how: str
+    order: float | None = None
+
+
+class _NoBoundError(Exception):
+    """Why there is none."""
+
+
+def certify(run: Run) -> Run:
+    """Return the run with a certificate.
+
+    The scene is simulated some times more: in closed form twice, by a stepped scheme on two coarser
+    grids (together three quarters of the run's cost, and a finer one if they disagree about the
+    order), by an adaptive one at a tighter tolerance; and once more for the twin.
+    """
+    grown = growth(run)
+    lost_at = horizon(run, grown)
+    try:
+        if lost_at is not None:
+            raise _NoBoundError(
+                f"a change of {MOVED:g} of the scale grows to {LOST:.0%} of it within the run"
+            )
+        certificate = _of_positions(run, _way(run.method)(run, grown), grown)
+    except _NoBoundError as reason:
+        certificate = _of_energy(run, str(reason), lost_at)
+    return replace(run, certificate=certificate)
+
+
+def _way(method: Method) -> Callable[[Run, Array | None], _Bound]:
+    if isinstance(method, ClosedForm):
+        return _exact
+    if isinstance(method, Legacy2018):
+        raise _NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
+    if method.stepped:
+        return _step_doubling
+    return _embedded
+
+
+def _of_positions(run: Run, found: _Bound, grown: Array | None) -> Certificate:
+    length = scale(run)
+    twin = "" if grown is None else f"a small change grows to {grown.max():.3g} times its size"
+    until = f"at all {len(run.times)} samples up to {run.times[-1]:g} s"
+    return Certificate(
+        kind=found.kind,
+        measure=f"{MEASURE}, relative to the {length:.6g} m that the farthest one goes",
+        bound=found.value / length,
+        how=found.how,
+        claims=tuple(
+            text for text in (f"the exact solution of the scene's equations, {until}", twin) if text
+        ),
+        does_not_claim=not_claimed(None),
+        observed_order=found.order,
+        predictability_horizon=None,
+        hashes=hashes(run.scene),
+    )
+
+
+def _of_energy(run: Run, reason: str, lost_at: float | None) -> Certificate:
+    """Return what is left to say: how well the run keeps the balance of energy."""
+    strayed = energy_drift(run)
+    bound = strayed if strayed is not None and math.isfinite(strayed) else None
+    return Certificate(
+        kind="none" if bound is None else "invariants",
+        measure="balance of energy, with what impacts take, relative to the largest kinetic energy",
+        bound=bound,
+        how=reason,
+        claims=() if bound is None else ("the balance of energy at all samples",),
+        does_not_claim=(*not_claimed(lost_at), "where single bodies are, since " + reason),
+        observed_order=None,
+        predictability_horizon=lost_at,
+        hashes=hashes(run.scene),
+    )
+
+
+def _exact(run: Run, grown: Array | None) -> _Bound:
+    """Bound what rounding does, from the sizes of the terms, and how the twin says that it grows.
+
+    An impact is located within the rounding of its gap, which moves its instant by that over the
+    normal velocity. The twin meets as much earlier or later, so that its growth has this in it.
+    """
+    count = len(run.impacts)
+    if count and grown is None:
+        raise _NoBoundError("a scene that differs by rounding ends in a refusal")
+    largest = 1.0 if grown is None else max(float(grown.max()), 1.0)
+    passed = math.sqrt(1 + count)
+    value = rounding(run) * _ROUNDINGS * passed * (largest if count else 1.0)
+    how = "closed form, bounded from its rounding"
+    if count:
+        how = (
+            f"closed form and {count} located impacts, bounded from their rounding, which the "
+            f"impacts make {largest:.3g} times larger"
+        )
+    return _Bound("exact", value, how)
+
+
+def rounding(run: Run) -> float:
+    """Return the rounding of the largest terms in any place of the run, m."""
+    reach = radii(run.scene)
+    speed = np.linalg.norm(run.velocity, axis=-1) + np.abs(run.angular_velocity) * reach
+    far = np.linalg.norm(run.position, axis=-1) + np.abs(run.orientation) * reach
+    worst = far.max(axis=0) + run.times[-1] * speed.max(axis=0)
+    moving = np.array([body.dynamic for body in run.scene.bodies])
+    return _EPSILON * float(worst[moving].max(initial=0.0))
+
+
+def _step_doubling(run: Run, _: Array | None) -> _Bound:
+    """Bound the error from grids of twice and four times the step.
+
+    Where the order that they show is not that of the scheme, the bound comes from a grid of half
+    the step, and no order is relied on.
+    """
+    step = run.time_step or run.duration
+    half, full = (_companion(run, time_step=min(k * step, run.duration)) for k in (4, 2))
+    coarse, fine = _difference(half, full), _difference(full, run)
+    order = _order(coarse, fine)
+    nominal = float(run.method.facts.order) if run.method.facts else 1.0
+    if order is not None and abs(order - nominal) <= _ORDER:
+        value = _TRUSTED * fine / (2**order - 1) + rounding(run)
+        how = f"steps of {step:.4g} s, of twice and of four times that; observed order {order:.2f}"
+        return _Bound("step doubling", value, how, order)
+    finer = _difference(run, _companion(run, time_step=step / 2))
+    if not finer < fine:
+        raise _NoBoundError("halving the step brings the results no nearer to each other")
+    seen = math.log2(fine / finer) if finer else nominal
+    value = _TRUSTED * finer / (1 - 2.0 ** -min(seen, nominal)) + rounding(run)
+    how = f"steps of {step:.4g} s, of twice and of half that; observed order {seen:.2f}"
+    return _Bound("step doubling", value, how, seen)
+
+
+def _order(coarse: float, fine: float) -> float | None:
+    return math.log2(coarse / fine) if 0 < fine < coarse < math.inf else None
+
+
+def _embedded(run: Run, _: Array | None) -> _Bound:
+    """Bound the error from the same method at a tighter tolerance, or from an independent one."""
+    method = run.method
+    rtol: float = method.rtol  # type: ignore[attr-defined]
+    if isinstance(method, Reference) or rtol / _TIGHTER < _TIGHTEST:
+        other: Method = Dop853(1e-14) if isinstance(method, Reference) else Reference(1e-13)
+        kind: Kind = "reference"
+    else:
+        other, kind = replace(method, rtol=rtol / _TIGHTER), "embedded"  # type: ignore[type-var]
+    distance = _difference(run, _companion(run, method=other))
+    value = _TRUSTED * (1 + 1 / _TIGHTER) * distance + rounding(run)
+    if kind == "reference":
+        value += distance
+    return _Bound(kind, value, f"{method} against {other}")
+
+
+def _difference(one: Run, other: Run) -> float:
+    worst = float(apart(one, other).max())
+    return worst if math.isfinite(worst) else math.inf
+
+
+def _companion(run: Run, **changes: object) -> Run:
+    inputs = {"method": run.method, "time_step": run.time_step} | changes
+    if not inputs["method"].stepped:  # type: ignore[attr-defined]
+        inputs["time_step"] = None
+    try:
+        return simulate(run.scene, duration=run.duration, times=run.times, **inputs)  # type: ignore[arg-type]
+    except (SimulationError, SceneError) as fault:
+        raise _NoBoundError(f"a companion run was refused: {fault}") from fault

@@ -1,0 +1,52 @@
+"""How far apart two histories of one scene are: the measure in which errors are stated."""
+
+import math
+
+import numpy as np
+
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.state import Array
+
+MEASURE = "distance of any point of any body from its exact place, at any time of the history"
+
+
+def apart(run: Run, other: Run) -> Array:
+    """Return (k,), m: how far the worst point of all bodies is from its place in another run.
+
+    Both have the same times. A point of a body of some radius moves with its centre and turns
+    around it.
+    """
+    moved = np.linalg.norm(run.position - other.position, axis=-1)
+    turned = np.abs(run.orientation - other.orientation) * radii(run.scene)
+    result: Array = (moved + turned).max(axis=1, initial=0.0)
+    return result
+
+
+def scale(run: Run) -> float:
+    """Return how far the farthest moving body goes during a run, m; errors are relative to it.
+
+    It is the diagonal of the box around its path, and the arc of its outermost point. Where nothing
+    moves, it is the size of the largest body.
+    """
+    span = np.ptp(run.position, axis=0)
+    arcs = np.ptp(run.orientation, axis=0) * radii(run.scene)
+    ways = np.hypot(span[:, 0], span[:, 1]) + arcs
+    largest = float(ways.max(initial=0.0))
+    return largest or float(radii(run.scene).max(initial=0.0)) or 1.0
+
+
+def radii(scene: Scene) -> Array:
+    """Return (n,), m: how far each body that moves reaches from its centre; 0 for a particle."""
+    return np.array(
+        [
+            body.shape.bounding_radius if body.dynamic and body.shape is not None else 0.0
+            for body in scene.bodies
+        ]
+    )
+
+
+def history_error(run: Run, exact: Run) -> float:
+    """Return the error of a whole run, relative to the scale of the exact one."""
+    worst = float(apart(run, exact).max())
+    return worst / scale(exact) if math.isfinite(worst) else math.inf

@@ -1,0 +1,46 @@
+"""What a run leaves as it was, where no more than that can be said of it."""
+
+import numpy as np
+
+from tamias2d.generated import definitions
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.state import Array
+
+
+def energy_drift(run: Run) -> float | None:
+    """Return how far the energy strays from what impacts leave of it, relative to the largest
+    kinetic energy; None if something else in the scene gives or takes energy.
+    """
+    if not _conserves_energy(run.scene):
+        return None
+    impacts = run.impacts
+    lost = [
+        (1 - run.scene.restitution(a, b)) * impulse * -rate / 2
+        for (a, b), impulse, rate in zip(
+            impacts.bodies.tolist(), impacts.impulse, impacts.normal_velocity, strict=True
+        )
+    ]
+    before = np.searchsorted(impacts.time, run.times, side="right")
+    left = run.energy[0] - np.concatenate(([0.0], np.cumsum(lost)))[before]
+    largest = float(_kinetic(run).max())
+    return float(np.abs(run.energy - left).max()) / largest if largest else None
+
+
+def _conserves_energy(scene: Scene) -> bool:
+    """Whether all forces but those of impacts are gravity, attraction and springs."""
+    pushed = any(law != 0 for body in scene.bodies for law in (*body.force, body.torque))
+    slowed = any(body.linear_drag or body.quadratic_drag for body in scene.bodies)
+    damped = any(spring.damping for spring in scene.springs)
+    return not (pushed or slowed or damped or scene.fields)
+
+
+def _kinetic(run: Run) -> Array:
+    moving = [i for i, body in enumerate(run.scene.bodies) if body.dynamic]
+    mass = np.array([run.scene.bodies[i].mass for i in moving])
+    inertia = np.array([run.scene.bodies[i].inertia for i in moving])
+    inertia[~np.isfinite(inertia)] = 0.0  # it cannot turn
+    velocity = (run.velocity[:, moving, 0], run.velocity[:, moving, 1])
+    energy = definitions.kinetic_energy(mass, velocity, inertia, run.angular_velocity[:, moving])
+    total: Array = energy.sum(axis=-1)
+    return total

@@ -1,0 +1,155 @@
+"""Pilot runs: how fast the error of each method falls with its cost, in this very scene.
+
+Errors are differences from one run that is far tighter than what is asked for, at times spread over
+the whole run: short horizons would not show how errors grow. From two grids on which the error
+falls at the order of the scheme follows its constant C, and from error = C h^p the step for a
+tolerance. Everything is counted, nothing is timed, so that the same scene gives the same answer.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tamias2d.errors import SceneError, SimulationError
+from tamias2d.motion import Dop853, Method
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.simulate import simulate
+from tamias2d.study.error import apart, scale
+
+MARGIN = 1.6
+"""Of the tolerance over the error that is aimed at: certificates are larger than errors."""
+_SAMPLES = 120
+_ORDER = 0.35  # within which an observed order is that of the scheme
+_TRIALS = 5
+_NEAR = 0.25  # of the error that is aimed at is near enough
+_FEWEST = 8  # steps of a pilot
+_FARTHER = 16.0  # times the steps of a pilot that its order is trusted for
+_LOOSEST, _TIGHTEST = 1e-2, 1e-14
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """What a method is expected to cost for a tolerance; `why` not, if it cannot."""
+
+    method: Method
+    time_step: float | None
+    """s"""
+    force_evaluations: float
+    error: float
+    """Relative to the scale: an upper bound with the tolerance's margin."""
+    observed_order: float | None
+    why: str = ""
+
+
+class Pilot:
+    """Pilot runs of one scene, for one tolerance; `spent` force evaluations on them."""
+
+    def __init__(self, scene: Scene, duration: float, tolerance: float) -> None:
+        self._scene = scene
+        self._duration = duration
+        self._times = np.linspace(0.0, duration, _SAMPLES + 1)
+        self.tolerance = tolerance
+        self._aim = tolerance / MARGIN
+        self.spent = 0
+        self.reachable = 0.0
+        """The error of the tightest run that was looked at, relative to the scale."""
+        self._exact = self._witness()
+        self.scale = scale(self._exact)
+
+    def stepped(self, method: Method, most: float) -> Estimate:
+        """Return the step with which a scheme meets the tolerance; give up above a cost."""
+        order = float(method.facts.order) if method.facts else 1.0
+        count = _FEWEST
+        before, seen, cost = math.inf, None, 0.0
+        while True:
+            error, run = self._error(method, self._duration / count)
+            if run is not None and run.cost is not None:
+                cost = run.cost.force_evaluations / run.cost.steps
+            seen = math.log2(before / error) if 0 < error < before < math.inf else None
+            if error <= self._aim:
+                wanted = self._between(count, before, error, seen)
+                return self._estimate(method, wanted, cost, seen)
+            if seen is not None and abs(seen - order) <= _ORDER:
+                farther = (error / self._aim) ** (1 / min(seen, order))
+                if farther <= _FARTHER or farther * count * cost > most:
+                    return self._estimate(method, count * farther, cost, seen)
+            if count * cost > most or count > 2**22:
+                why = "no order" if seen is None else f"order {seen:.2f}, of {order:g},"
+                why = f"{why} seen at {count} steps" if error < math.inf else "refused so far"
+                why += f", which cost {count * cost:.0f}" if count * cost > most else ""
+                return Estimate(method, None, math.inf, error, seen, why)
+            before, count = error, 2 * count
+
+    def adaptive(self, method: type[Any]) -> Estimate:
+        """Return the tolerance of its own with which an adaptive method meets that of the run.
+
+        How its errors follow its tolerance has no law, so that the one that is returned was tried.
+        """
+        rtol, best = min(self.tolerance, _LOOSEST), None
+        least = math.inf
+        tried: set[float] = set()
+        while len(tried) < _TRIALS and rtol not in tried:
+            tried.add(rtol)
+            error, run = self._error(method(rtol=rtol), None)
+            least = min(least, error)
+            cost = run.cost.force_evaluations if run and run.cost else math.inf
+            if error <= self._aim and (best is None or cost < best.force_evaluations):
+                best = Estimate(method(rtol=rtol), None, cost, error * MARGIN, None)
+            if _NEAR <= error / self._aim <= 1:
+                break
+            factor = min(max(0.6 * self._aim / max(error, 1e-17), 1e-3), 1e3)
+            rtol = _two_digits(min(max(rtol * factor, _TIGHTEST), _LOOSEST))
+        why = f"reaches only {least:.1e}" if math.isfinite(least) else "refused"
+        return best or Estimate(method(rtol=rtol), None, math.inf, least, None, why)
+
+    def _between(self, count: int, before: float, error: float, seen: float | None) -> float:
+        """Return how many steps are enough, if `count` are and half of them may not be."""
+        if seen is None or before <= self._aim:
+            return count
+        return max(count * (error / self._aim) ** (1 / seen), count / 2)
+
+    def _estimate(
+        self, method: Method, count: float, per_step: float, seen: float | None
+    ) -> Estimate:
+        steps = 4 * math.ceil(count / 4)  # so that the certificate's coarser grids fit
+        step = self._duration / steps
+        return Estimate(method, step, steps * per_step, self.tolerance, seen)
+
+    def _witness(self) -> Run:
+        """Return the run that the others are compared with, and see how far it can be trusted."""
+        rtol = min(max(self.tolerance * 1e-3, 1e-13), 1e-6)
+        loose = self._run(Dop853(rtol=rtol * 30))
+        while True:
+            tight = self._run(Dop853(rtol=rtol))
+            self.reachable = float(apart(tight, loose).max()) / scale(tight)
+            if self.reachable <= self.tolerance / 10 or rtol <= 1e-13:
+                return tight
+            loose, rtol = tight, max(rtol / 30, 1e-13)
+
+    def _error(self, method: Method, time_step: float | None) -> tuple[float, Run | None]:
+        try:
+            run = self._run(method, time_step)
+        except (SimulationError, SceneError):
+            return math.inf, None
+        error = float(apart(run, self._exact).max()) / self.scale
+        return (error if math.isfinite(error) else math.inf), run
+
+    def _run(self, method: Method, time_step: float | None = None) -> Run:
+        run = simulate(
+            self._scene,
+            duration=self._duration,
+            method=method,
+            time_step=time_step,
+            times=self._times,
+        )
+        if run.cost is not None:
+            self.spent += run.cost.force_evaluations
+        return run
+
+
+def _two_digits(rtol: float) -> float:
+    """Return a tolerance rounded to two digits: plans are read by people."""
+    return float(f"{rtol:.1e}")

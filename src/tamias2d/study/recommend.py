@@ -1,0 +1,134 @@
+"""Which method and step meet a tolerance at the least cost, and why the others lost.
+
+The scene says which methods can be asked: the closed form where every body has one, which costs
+nothing; else all schemes that suit its forces. A pilot finds what each would cost.
+"""
+
+import math
+from dataclasses import dataclass, replace
+
+from tamias2d.errors import InputError, SimulationError
+from tamias2d.motion import (
+    ClosedForm,
+    Dop853,
+    DormandPrince5,
+    ExponentialDrag,
+    Method,
+    RungeKutta4,
+    SemiImplicitEuler,
+    VelocityVerlet,
+    Yoshida4,
+)
+from tamias2d.scene import Scene
+from tamias2d.scene.acting import varying_loads
+from tamias2d.scene.exact import closed_forms
+from tamias2d.scene.rules import number
+from tamias2d.study.pilot import Estimate, Pilot
+
+TIGHTEST, LOOSEST = 1e-15, 0.1
+
+
+class ToleranceError(SimulationError):
+    """No method meets the tolerance; `reachable` is an error that can be met, if one is known."""
+
+    code = "tolerance"
+
+    def __init__(self, message: str, reachable: float | None) -> None:
+        super().__init__(message)
+        self.reachable = reachable
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What to do for a tolerance, and all that was weighed, the cheapest first."""
+
+    tolerance: float
+    estimates: tuple[Estimate, ...]
+    pilot: int
+    """Force evaluations that finding it has cost."""
+
+    @property
+    def choice(self) -> Estimate:
+        """The cheapest that meets the tolerance."""
+        return self.estimates[0]
+
+
+def recommend(scene: Scene, *, duration: float, tolerance: float) -> Plan:
+    """Return how to simulate a scene for a duration in s within a tolerance.
+
+    The tolerance bounds the distance of any point of any body from its exact place, at any time,
+    relative to how far the farthest one goes.
+
+    Raises:
+        InputError: an argument breaks a rule.
+        ToleranceError: nothing meets it.
+        SimulationError: the scene has no unique answer.
+    """
+    duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
+    tolerance = checked_tolerance(tolerance)
+    if solved(scene):
+        why = "costs nothing more than its impacts"
+        return Plan(tolerance, (Estimate(ClosedForm(), None, 0.0, 0.0, None, why),), 0)
+    pilot = Pilot(scene, duration, tolerance)
+    if pilot.reachable > tolerance:
+        raise refusal(tolerance, pilot.reachable)
+    found = _weighed(scene, pilot)
+    if not math.isfinite(found[0].force_evaluations):
+        raise refusal(tolerance, min(estimate.error for estimate in found))
+    return Plan(tolerance, tuple(found), pilot.spent)
+
+
+def solved(scene: Scene) -> bool:
+    """Whether every body that moves has a closed form."""
+    return not set(varying_loads(scene)) - set(closed_forms(scene))
+
+
+def checked_tolerance(value: object) -> float:
+    """Return a tolerance that a run can be asked for; raise `InputError` otherwise."""
+    remedy = "Give a relative error such as 1e-6."
+    if isinstance(value, bool) or not isinstance(value, int | float) or not value == value:
+        raise InputError(f"tolerance {value!r}: must be a number (R5). {remedy}")
+    if not TIGHTEST <= value <= LOOSEST:
+        raise InputError(
+            f"tolerance {value!r}: must lie from {TIGHTEST:g}, which is as far as float64 goes, to "
+            f"{LOOSEST:g} (R5). {remedy}"
+        )
+    return float(value)
+
+
+def refusal(tolerance: float, reachable: float) -> ToleranceError:
+    """Return the error that says what can be reached instead."""
+    if not math.isfinite(reachable):
+        return ToleranceError(
+            f"tolerance {tolerance:g}: no method meets it, and none bounds its error (R5). End the "
+            "run before, or run without a tolerance.",
+            None,
+        )
+    return ToleranceError(
+        f"tolerance {tolerance:g}: no method meets it: the error can be bounded by {reachable:.1e} "
+        "(R5). Give that or more, or end the run before.",
+        reachable,
+    )
+
+
+def _weighed(scene: Scene, pilot: Pilot) -> list[Estimate]:
+    """Return the estimates of all methods, the cheapest first; those who lost say why."""
+    found = [pilot.adaptive(kind) for kind in (Dop853, DormandPrince5)]
+    for method in _schemes(scene):
+        best = min(estimate.force_evaluations for estimate in found)
+        found.append(pilot.stepped(method, best))
+    found.sort(key=lambda estimate: estimate.force_evaluations)
+    best = found[0].force_evaluations
+    reasons = ["the cheapest", *(one.why or _lost(one, best) for one in found[1:])]
+    return [replace(one, why=why) for one, why in zip(found, reasons, strict=True)]
+
+
+def _lost(one: Estimate, best: float) -> str:
+    return f"costs {one.force_evaluations / best:.3g} times as much"
+
+
+def _schemes(scene: Scene) -> list[Method]:
+    schemes: list[Method] = [RungeKutta4(), Yoshida4(), VelocityVerlet(), SemiImplicitEuler()]
+    if any(body.linear_drag for body in scene.bodies):
+        schemes.insert(0, ExponentialDrag())
+    return schemes

@@ -1,0 +1,78 @@
+"""The twin of a run: one that starts a little elsewhere, and shows how small errors grow.
+
+It is moved by 1e-12 of what changes during the run, as rounding would do; what stays as it is, and
+what is zero throughout, rounding leaves alone, and so does the twin.
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from tamias2d.errors import SceneError, SimulationError
+from tamias2d.motion import ClosedForm, RungeKutta4
+from tamias2d.run import Run
+from tamias2d.scene import Body, Scene
+from tamias2d.scene.restart import restarted
+from tamias2d.simulate import simulate
+from tamias2d.state import Array
+from tamias2d.study.error import apart, scale
+
+MOVED = 1e-12
+LOST = 1e-2  # of the scale: a twin that far away says nothing any more
+
+
+def growth(run: Run) -> Array | None:
+    """Return (k,): how far the twin is from the run, relative to how far it was moved.
+
+    None if the twin could not go all the way. The motion is that of the run where it is exact, and
+    else that of a scheme on as many steps as the run took, for both.
+    """
+    twin = _twin(run)
+    method: dict[str, object] = {"method": ClosedForm()}
+    if not isinstance(run.method, ClosedForm):
+        steps = max(run.cost.steps if run.cost else 0, 64)
+        method = {"method": RungeKutta4(), "time_step": run.duration / steps}
+    try:
+        other = _history(twin, run, method)
+        own = run if isinstance(run.method, ClosedForm) else _history(run.scene, run, method)
+    except (SimulationError, SceneError):
+        return None
+    result: Array = apart(other, own) / (MOVED * scale(run))
+    return result
+
+
+def horizon(run: Run, grown: Array | None) -> float | None:
+    """Return the time in s at which the twin is lost; None if that is not within the run."""
+    if grown is None:
+        return None
+    lost = np.flatnonzero(~(grown * MOVED < LOST))
+    return float(run.times[lost[0]]) if len(lost) else None
+
+
+def _history(scene: Scene, run: Run, method: dict[str, object]) -> Run:
+    return simulate(scene, duration=run.duration, times=run.times, **method)  # type: ignore[arg-type]
+
+
+def _twin(run: Run) -> Scene:
+    parts = (
+        run.position[..., 0],
+        run.position[..., 1],
+        run.orientation,
+        run.velocity[..., 0],
+        run.velocity[..., 1],
+        run.angular_velocity,
+    )
+    size = [np.abs(part).max(axis=0) * (np.ptp(part, axis=0) > 0) for part in parts]
+    bodies = enumerate(run.scene.bodies)
+    return restarted(run.scene, [_moved(body, i, [float(s[i]) for s in size]) for i, body in bodies])
+
+
+def _moved(body: Body, i: int, size: list[float]) -> Body:
+    """Return a body moved by given sizes, to sides that differ from body to body."""
+    start = (*body.position, body.orientation, *body.velocity, body.angular_velocity)
+    x, y, turn, u, v, spin = (
+        value + MOVED * math.copysign(size[k], math.cos(1 + 2.4 * (6 * i + k)))
+        for k, value in enumerate(start)
+    )
+    return replace(body, position=(x, y), orientation=turn, velocity=(u, v), angular_velocity=spin)
