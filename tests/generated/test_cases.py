@@ -21,9 +21,9 @@ def test_oa6_fall_against_linear_drag() -> None:
     passes("OA6")
 
 
-def test_oa6b_drag_so_weak_that_it_cancels() -> None:
-    """OA6b, srs/verification/forces.md:177; verifies R5, R9."""
-    passes("OA6b")
+def test_oa6c_drag_so_weak_that_it_cancels() -> None:
+    """OA6c, srs/verification/forces.md:177; verifies R5, R9."""
+    passes("OA6c")
 
 
 def test_oa7_fall_against_quadratic_drag() -> None:

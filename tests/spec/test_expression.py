@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import example, given, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 from tamias2d.spec.derivative import differentiate
 from tamias2d.spec.evaluate import evaluate
@@ -166,7 +166,8 @@ def test_arrays_give_the_same_bits_as_floats() -> None:
     assert many.tolist() == single
 
 
-@given(st.integers(-40 * 2**20, 40 * 2**20).map(lambda n: n / 2**20))
+@settings(deadline=None)  # sums of fractions
+@given(st.integers(-20 * 2**20, 20 * 2**20).map(lambda n: n / 2**20))
 @example(0.0)
 @example(-1e-9)
 @example(-1.0)
@@ -175,7 +176,7 @@ def test_phi_functions_are_the_integrals_of_the_exponential(z: float) -> None:
     exact = Fraction(z)
     for name, k in (("phi1", 1), ("phi2", 2)):
         total, term = Fraction(0), Fraction(1, math.factorial(k))
-        for n in range(220):
+        for n in range(110):
             total += term
             term *= exact / (n + 1 + k)
         wanted = pytest.approx(float(total), rel=2e-15)

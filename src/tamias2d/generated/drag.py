@@ -16,7 +16,7 @@ def linear_drag_force(linear_drag: Scalar, velocity: Vector) -> Vector:
         linear_drag: Coefficient of the drag that grows with the speed, kg/s
         velocity: Velocity of the centre of mass, m/s
 
-    Source: IM6, srs/models/drag.md:38.
+    Source: IM6, srs/models/drag.md:37.
     """
     velocity_x, velocity_y = velocity
     return ((-linear_drag) * velocity_x, (-linear_drag) * velocity_y)
@@ -32,7 +32,7 @@ def quadratic_drag_force(quadratic_drag: Scalar, velocity: Vector) -> Vector:
         quadratic_drag: Coefficient of the drag that grows with the square of the speed, kg/m
         velocity: Velocity of the centre of mass, m/s
 
-    Source: IM6, srs/models/drag.md:39.
+    Source: IM6, srs/models/drag.md:38.
     """
     velocity_x, velocity_y = velocity
     speed = sqrt(velocity_x * velocity_x + velocity_y * velocity_y)
@@ -48,7 +48,7 @@ def drag_rate(linear_drag: Scalar, mass: Scalar) -> Scalar:
         linear_drag: Coefficient of the drag that grows with the speed, kg/s
         mass: Mass of a body, kg
 
-    Source: IM6, srs/models/drag.md:40.
+    Source: IM6, srs/models/drag.md:39.
     """
     return linear_drag / mass
 
@@ -75,7 +75,7 @@ def position(
         drag_rate: Share of its velocity that a body loses to linear drag per unit of time, 1/s
         time: Time since the start of the simulation, s
 
-    Source: IM6, srs/models/drag.md:62.
+    Source: IM6, srs/models/drag.md:61.
     """
     position_start_x, position_start_y = position_start
     velocity_start_x, velocity_start_y = velocity_start
@@ -106,7 +106,7 @@ def velocity(
         drag_rate: Share of its velocity that a body loses to linear drag per unit of time, 1/s
         time: Time since the start of the simulation, s
 
-    Source: IM6, srs/models/drag.md:65.
+    Source: IM6, srs/models/drag.md:64.
     """
     velocity_start_x, velocity_start_y = velocity_start
     acceleration_x, acceleration_y = acceleration

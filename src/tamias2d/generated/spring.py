@@ -37,7 +37,7 @@ def spring_force(
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: IM7, srs/models/spring.md:58.
+    Source: IM7, srs/models/spring.md:56.
     """
     point_a_x, point_a_y = point_a
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
@@ -70,7 +70,7 @@ def spring_energy(
         point_a: Place of a point of a body, or of the plane; of body A, m
         point_b: Place of a point of a body, or of the plane; of body B, m
 
-    Source: IM7, srs/models/spring.md:59.
+    Source: IM7, srs/models/spring.md:57.
     """
     point_a_x, point_a_y = point_a
     point_b_x, point_b_y = point_b
@@ -89,7 +89,7 @@ def angular_frequency(stiffness: Scalar, mass: Scalar) -> Scalar:
         stiffness: Force of a spring for each unit of extension, N/m
         mass: Mass of a body, kg
 
-    Source: IM7, srs/models/spring.md:60.
+    Source: IM7, srs/models/spring.md:58.
     """
     return sqrt(stiffness / mass)
 
@@ -104,7 +104,7 @@ def equilibrium(point: Vector, acceleration: Vector, angular_frequency: Scalar) 
         acceleration: Acceleration of the centre of mass, m/s^2
         angular_frequency: Phase that an oscillation gains per unit of time, rad/s
 
-    Source: IM7, srs/models/spring.md:61.
+    Source: IM7, srs/models/spring.md:59.
     """
     point_x, point_y = point
     acceleration_x, acceleration_y = acceleration
@@ -136,7 +136,7 @@ def position(
         angular_frequency: Phase that an oscillation gains per unit of time, rad/s
         time: Time since the start of the simulation, s
 
-    Source: IM7, srs/models/spring.md:87.
+    Source: IM7, srs/models/spring.md:85.
     """
     equilibrium_x, equilibrium_y = equilibrium
     position_start_x, position_start_y = position_start
@@ -173,7 +173,7 @@ def velocity(
         angular_frequency: Phase that an oscillation gains per unit of time, rad/s
         time: Time since the start of the simulation, s
 
-    Source: IM7, srs/models/spring.md:90.
+    Source: IM7, srs/models/spring.md:88.
     """
     equilibrium_x, equilibrium_y = equilibrium
     position_start_x, position_start_y = position_start

@@ -90,12 +90,20 @@ def _is_own(item: Item, key: Node, node: Node, table: SymbolTable, report: Repor
 
 def _check_end(item: Item, last: Relation, table: SymbolTable, report: Report) -> None:
     targets = [Relation("==", Name(name), tree) for name, tree in _own_equations(item, report)]
+    targets += _rates(item, report)
     if text := item.data.get("equation"):
         own = relation(item, text, table, report, "equation")
         targets += [own] if own else []
     if targets and not any(_implies(last, target, {}, table) for target in targets):
         text = f"the last step '{plain(last)}' is not the item's equation. Finish it"
         report(item.diagnostic(Code.DERIVATION_GAP, text, "derivation"))
+
+
+def _rates(item: Item, report: Report) -> Iterator[Relation]:
+    for name, text in item.data.get("states", {}).items():
+        rate = parsed(item, text, report, "states", name)
+        if rate is not None:
+            yield Relation("==", Call("d", (Name(name), Name("time"))), rate)
 
 
 def _own_equations(item: Item, report: Report) -> Iterator[tuple[str, Node]]:
