@@ -99,6 +99,19 @@ def test_a_field_that_twists_turns_what_has_inertia() -> None:
     assert "rotation (IM2)" in needs(scene)
 
 
+def test_a_law_that_asks_how_a_body_is_turned_needs_the_orientation() -> None:
+    """A thrust along the body's axis: the body does not turn, but has to be turned."""
+    scene = Scene(gravity=(0, 0), duration=1)
+    scene.add_body(
+        Box(width=1, height=1),
+        mass=1,
+        position=(0, 0),
+        orientation=1,
+        force=("3[N]*cos(orientation)", 0),
+    )
+    assert "orientation, angular velocity" in needs(scene)
+
+
 def test_a_constant_field_is_swept_like_gravity() -> None:
     """Pushed by 2 m/s^2 for 3 s it moves by 9 m."""
     for wall, pairs in ((9.4, [(0, 1)]), (9.6, [])):

@@ -1,4 +1,7 @@
-"""When a lasting contact comes to its end, where loads vary: its push vanishes, or a body tips."""
+"""When a lasting contact comes to its end, where loads vary: its push vanishes, or a body tips.
+
+Serves: the located way. Hides: where along a path a contact is looked at.
+"""
 
 from collections.abc import Callable, Sequence
 

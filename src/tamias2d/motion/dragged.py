@@ -1,4 +1,7 @@
-"""Exact paths under linear drag and otherwise constant loads: the closed form of IM6."""
+"""Exact paths under linear drag and otherwise constant loads: the closed form of IM6.
+
+Serves: the closed form. Hides: how the path and its bounds are found.
+"""
 
 import math
 

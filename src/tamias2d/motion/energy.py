@@ -1,4 +1,7 @@
-"""Energy that a scene holds in its springs (IM7) and in the attraction of its bodies (IM5)."""
+"""Energy that a scene holds in its springs (IM7) and in the attraction of its bodies (IM5).
+
+Serves: the balance of a run. Hides: which pairs and springs there are, and the order of the sum.
+"""
 
 import numpy as np
 

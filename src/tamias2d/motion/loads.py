@@ -1,7 +1,7 @@
 """What accelerates the bodies of a scene: gravity, and the sum of all forces and torques.
 
-Service: accelerations of one body, or of many as a function for the schemes (IM1, IM2, GD6).
-Secret: which terms there are; a scene pays for no others.
+Serves: whoever needs the accelerations of one body, or of many as a function for the schemes (IM1,
+IM2, GD6). Hides: which terms there are; a scene pays for no others.
 """
 
 from collections.abc import Callable, Sequence

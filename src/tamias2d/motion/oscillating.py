@@ -1,4 +1,7 @@
-"""Exact paths on a spring of no length to a point: the closed form of IM7."""
+"""Exact paths on a spring of no length to a point: the closed form of IM7.
+
+Serves: the closed form. Hides: how the path and its bounds are found.
+"""
 
 import math
 from typing import Any

@@ -1,4 +1,7 @@
-"""Exact paths under constant force and torque: the closed forms of IM1 and IM2."""
+"""Exact paths under constant force and torque: the closed forms of IM1 and IM2.
+
+Serves: the closed form, and whatever stands still. Hides: the formulas of the path and its bounds.
+"""
 
 import math
 

@@ -1,4 +1,8 @@
-"""What acts on which bodies: whose loads vary, and who moves only together with others."""
+"""What acts on which bodies: whose loads vary, and who moves only together with others.
+
+Serves: motion, contact and `needs`. Hides: how what is stated for bodies, springs and fields is
+collected.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +14,7 @@ from tamias2d.scene.law import Law, StateLaw, value_at, varies
 if TYPE_CHECKING:
     from tamias2d.scene.scene import Scene
 
+_VELOCITIES = {"velocity", "angular_velocity"}
 
 Load: TypeAlias = tuple[float, float, float]
 """Both components of a force, N, and a torque, N m."""
@@ -79,6 +84,16 @@ def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]
             yield from (
                 (k, "in a field that varies with time or state") for k in moving if field.acts_on(k)
             )
+
+
+def felt_velocity(scene: Scene) -> bool:
+    """Return whether a load of any body depends on a velocity."""
+    laws = (law for k in range(len(scene)) for _, law in _laws_on(scene, k))
+    return (
+        any(body.linear_drag or body.quadratic_drag for body in scene.bodies)
+        or any(spring.damping for spring in scene.springs)
+        or any(isinstance(law, StateLaw) and law.names & _VELOCITIES for law in laws)
+    )
 
 
 def groups(scene: Scene) -> list[list[int]]:

@@ -1,4 +1,7 @@
-"""Which bodies have a closed form: their motion between impacts is a formula of time."""
+"""Which bodies have a closed form: their motion between impacts is a formula of time.
+
+Serves: the closed form, and the choice of it. Hides: what rules a closed form out.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The forms that the parts of a scene file take: mappings with known keys, lists, two names."""
+"""The forms that the parts of a scene file take: mappings with known keys, lists, two names.
+
+Serves: the readers of scene files. Hides: the wording of what is wrong with a form.
+"""
 
 import difflib
 from collections.abc import Iterator

@@ -7,13 +7,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from tamias2d.scene.acting import groups, varying_loads
+from tamias2d.scene.acting import groups, varying_laws, varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import number
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Disc
+
+_TURNED = {"orientation", "angular_velocity"}
 
 Kind = Literal["state", "term", "model", "method"]
 
@@ -178,10 +180,21 @@ class _Inquiry:
         ]
         if self.pairs and cornered:
             return True, f"{_named(cornered)} turned when hit beside the centre of mass"
+        asked = {k for laws in self.laws() if laws[1] & _TURNED for k in laws[0]}
+        if asked:
+            return True, f"{_named(self._bodies(asked))} under a law of how it is turned"
         idle = "no body has a torque or a spin"
         if not self.pairs:
             return False, f"{idle}, and none can be hit"
         return False, f"{idle}, and a disc is hit through its centre (no friction, A6)"
+
+    def laws(self) -> list[tuple[list[int], frozenset[str]]]:
+        """Return the bodies that share a law that varies, and the names in it, for each law."""
+        moving = [k for k, body in enumerate(self.scene.bodies) if body.dynamic]
+        return [
+            ([moving[row] for row in rows], law.names)
+            for (_, law), rows in varying_laws(self.scene, moving).items()
+        ]
 
     def compared(self, solid: int) -> str:
         if solid < 2:

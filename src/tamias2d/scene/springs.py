@@ -1,4 +1,7 @@
-"""Springs, perhaps with a damper beside them: between two bodies, or a body and a point (IM7)."""
+"""Springs, perhaps with a damper beside them: between two bodies, or a body and a point (IM7).
+
+Serves: scenes with springs, and the forces that follow. Hides: how a spring is checked.
+"""
 
 import math
 from collections.abc import Sequence
