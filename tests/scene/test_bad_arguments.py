@@ -165,6 +165,15 @@ def test_a_bad_scene_is_refused(act: Callable[[Scene], object]) -> None:
     assert len(scene) == 2
 
 
+@pytest.mark.parametrize("key", ["torque", "angular_velocity"])
+def test_a_particle_needs_an_inertia_to_turn(key: str) -> None:
+    scene = Scene(gravity=(0, 0))
+    with pytest.raises(InputError, match=f"inertia of body 'p': found none, though its {key} is"):
+        scene.add_body(None, mass=1, position=(0, 0), name="p", **{key: 2.0})
+    scene.add_body(None, mass=1, position=(0, 0), name="p", inertia=3.0, **{key: 2.0})
+    assert scene.bodies[0].inverse_inertia == 1 / 3
+
+
 def test_a_law_without_a_value_is_refused_at_its_time() -> None:
     scene = Scene(gravity=(0, 0))
     scene.add_body(None, mass=1, position=(0, 0), force=("1[N*s]/(1[s] - time)", 0))
