@@ -60,8 +60,9 @@ def _case(item: Item, woven: Woven) -> Iterator[str]:
         yield bullets(questions)
     yield bullets(_judged(name, part, woven) for name, part in data.items() if _is_judged(part))
     yield _results(item, woven)
-    if shown := published.part(item):
-        yield fence("dropdown", "Published, reproduced and exact", shown, depth=6, color="light")
+    if "published" in data:
+        title = "Published, reproduced and exact"
+        yield fence("dropdown", title, published.part(item.id), depth=6, color="light")
     yield fence("dropdown", "As written", code("yaml", woven.source(item)), depth=6, color="light")
 
 
