@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tamias2d.contact import Located, Refusal
-from tamias2d.errors import InputError, SimulationError
+from tamias2d.errors import InputError
 from tamias2d.generated import definitions
 from tamias2d.motion import ClosedForm, Legacy2018, Method, Reference
 from tamias2d.motion.legacy import legacy_history
@@ -20,16 +20,11 @@ from tamias2d.state import Array, History
 _FRAMES = 60  # samples in a second, where nothing else is asked
 
 
-class Interrupted(SimulationError):  # noqa: N818
+class Interrupted(KeyboardInterrupt):
     """The user stopped a run; `run` is what there was of it."""
 
-    code = "interrupted"
-
     def __init__(self, run: Run) -> None:
-        super().__init__(
-            f"run of {run.duration:g} s: interrupted at {run.times[-1]:.6g} s. What was computed "
-            "is in the error's `run`."
-        )
+        super().__init__(f"Run of {run.duration:g} s: interrupted at {run.times[-1]:.6g} s.")
         self.run = run
 
 

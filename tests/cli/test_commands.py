@@ -14,7 +14,7 @@ from tamias2d import cli, motion
 from tamias2d.commands import run as run_command
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import Interrupted, simulate
-from tamias2d.verify import exact
+from tamias2d.verify import case, exact
 
 Call = Callable[..., Result]
 
@@ -171,15 +171,16 @@ def test_an_interrupted_run_is_kept(
     assert (tmp_path / "part.npz").is_file()
 
 
-def test_an_interrupted_check_says_where_results_are(
+def test_an_interrupted_check_is_no_failed_one(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def stopped(*_: Any, **__: Any) -> None:
-        raise KeyboardInterrupt
+        raise Interrupted(simulate(catalogue.load("tc3"), duration=1.0))
 
-    monkeypatch.setattr("tamias2d.commands.verify.verify_cases", stopped)
-    result = call("verify")
+    monkeypatch.setattr(case, "simulate", stopped)
+    result = call("verify", "TC3")
     assert result.exit_code == 130
+    assert result.stdout == ""
     assert str(tmp_path / "home") in result.stderr
 
 

@@ -15,7 +15,7 @@ from tamias2d.commands.output import command, error_text, figure, pair, print_js
 from tamias2d.errors import InputError, SimulationError, TamiasError
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.simulate import simulate
+from tamias2d.simulate import Interrupted, simulate
 
 _SHOWN = 5  # impacts
 
@@ -57,7 +57,7 @@ def run_scene(
             time_step=seconds(time_step, option="--time-step", symbol="time_step"),
             progress=sys.stderr.isatty(),
         )
-    except SimulationError as stop:
+    except (SimulationError, Interrupted) as stop:
         _keep(getattr(stop, "run", None), files)
         raise
     errors = known_errors(run, name)
