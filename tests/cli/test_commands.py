@@ -81,7 +81,7 @@ def test_a_file_is_not_taken_for_the_case_of_its_name(call: Call, tmp_path: Path
     assert answer(call("run", file, "--duration", "4", "--json"))["errors"] == []
 
 
-@pytest.mark.parametrize("suffix", [".npz"])
+@pytest.mark.parametrize("suffix", [".npz", ".rrd"])
 def test_run_keeps_a_recording_that_checks(call: Call, tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"with blank{suffix}"
     text = call("run", "tc3", "--record", path).stdout
@@ -89,6 +89,12 @@ def test_run_keeps_a_recording_that_checks(call: Call, tmp_path: Path, suffix: s
     checked = call("replay", path, "--check")
     assert checked.exit_code == 0
     assert "identical" in checked.stdout
+
+
+def test_run_draws_a_plot(call: Call, tmp_path: Path) -> None:
+    assert call("run", "tc3", "--plot", tmp_path / "run.svg").exit_code == 0
+    assert (tmp_path / "run.svg").read_text().lstrip().startswith("<?xml")
+    assert "suffix '.doc'" in refused(call("run", "tc3", "--plot", tmp_path / "run.doc"))
 
 
 def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -> None:
