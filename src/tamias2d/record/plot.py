@@ -59,6 +59,7 @@ def _figure(path: Path) -> Any:
             "Install it by `pip install tamias2d[plot]`."
         ) from fault
     figure = Figure(figsize=(10, 5.6), layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
     FigureCanvasAgg(figure)
     return figure
 
@@ -80,7 +81,9 @@ def _world(axes: Any, run: Run) -> None:
     axes.plot(*run.impacts.point.T, "x", color="black", markersize=4, markeredgewidth=0.8)
     axes.set(xlim=(x - width, x + width), ylim=(y - height, y + height), aspect="equal")
     shown = ", ".join(f"{run.times[k]:.3g}" for k in instants)
-    axes.set(xlabel="x, m", ylabel="y, m", title=f"{run.scene.name}: bodies at {shown} s")
+    met = "; × where they met" if len(run.impacts) else ""
+    axes.set(xlabel="x, m", ylabel="y, m", title=f"{run.scene.name}: bodies at {shown} s{met}")
+    axes.title.set_fontsize("medium")
 
 
 def _body(

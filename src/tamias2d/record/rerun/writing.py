@@ -116,9 +116,9 @@ def _lines(body: Body, view: View, colour: Colour) -> rr.LineStrips2D:
 
 
 def _scale_bar(stream: rr.RecordingStream, view: View) -> None:
-    """A bar of a round length in the lower left corner of the view, with its length."""
+    """A bar of a round length in the upper left corner of the view, with its length."""
     length = drawing.round_length(view.half[0] / 3)
-    x, y = view.center[0] - 0.95 * view.half[0], view.center[1] - 0.9 * view.half[1]
+    x, y = view.center[0] - 0.95 * view.half[0], view.center[1] + 0.9 * view.half[1]
     bar = rr.LineStrips2D(
         [[(x, y), (x + length, y)]],
         colors=[drawing.STATIC_COLOUR],
@@ -187,14 +187,18 @@ def _column(values: NDArray[Any]) -> Any:
 
 
 def _impacts(stream: rr.RecordingStream, run: Run, view: View) -> None:
-    """An arrow for each impact, from where the bodies meet along the impulse on body B."""
+    """An arrow for each impact, from where the bodies meet along the impulse.
+
+    It is the impulse on body B or, where that is static, its opposite on body A.
+    """
     impacts = run.impacts
     if not len(impacts.time):
         return
     clock = np.rint(impacts.time * 1e9).astype(np.int64)
     times = _times(clock, np.searchsorted(run.times, impacts.time))
     longest = float(impacts.impulse.max()) or 1.0
-    length = LONGEST_ARROW * view.reach * impacts.impulse / longest
+    moved = np.array([body.dynamic for body in run.scene.bodies])[impacts.bodies[:, 1]]
+    length = np.where(moved, 1, -1) * LONGEST_ARROW * view.reach * impacts.impulse / longest
     texts = [document.impact_line(run, k) for k in range(len(impacts.time))]
     stream.send_columns(layout.IMPACT_LOG, times, rr.TextLog.columns(text=texts))
     look = rr.Arrows2D.from_fields(
