@@ -14,7 +14,7 @@ from tamias2d.errors import SpecError
 from weave import gallery
 from weave.chapter import IndicesDirective, ItemDirective, SymbolsDirective, item_kinds
 from weave.checks import on_build_finished
-from weave.guide import CodesDirective, GuideDirective, InterfaceDirective
+from weave.guide import CodesDirective, GuideDirective, InterfaceDirective, RefusalsDirective
 from weave.links import ItemRole, ModuleRole, SymbolRole
 from weave.matrices import MatrixDirective, PlanTableDirective, RequirementsDirective
 from weave.mirror import on_builder_inited
@@ -32,6 +32,7 @@ _TABLES = {
     "gallery": gallery.GalleryDirective,
     "module-guide": GuideDirective,
     "interface": InterfaceDirective,
+    "refusals": RefusalsDirective,
     "error-codes": CodesDirective,
 }
 
