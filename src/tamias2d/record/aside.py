@@ -1,4 +1,7 @@
-"""A recording appears whole or not at all: it is written aside and renamed at the end."""
+"""A recording appears whole or not at all: it is written aside and renamed at the end.
+
+Serves: everything that writes a recording. Hides: the name of the file meanwhile.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""A picture of a run: where the bodies went, how high, and what became of the energy."""
+"""A picture of a run: where the bodies went, how high, and what became of the energy.
+
+Serves: `--plot`, the gallery. Hides: matplotlib.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Forces and torques: a plain number, or a law of time in the language of the specification."""
+"""Forces and torques: a plain number, or a law of time in the language of the specification.
+
+Serves: bodies whose loads vary with time. Hides: how an expression is read, checked and evaluated.
+"""
 
 import math
 from dataclasses import dataclass, field

@@ -1,5 +1,7 @@
 """Values of a scene file: text with units, turned into numbers in SI units.
 
+Serves: the reader of scene files. Hides: the language of units and expressions.
+
 Every function raises `RuleError` with the path of the value; its place is the caller's to add.
 """
 

@@ -1,4 +1,7 @@
-"""A verification case: what srs/verification says, with the scene and run that belong to it."""
+"""A verification case: what srs/verification says, with the scene and run that belong to it.
+
+Serves: the comparisons. Hides: where a case's scene comes from.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

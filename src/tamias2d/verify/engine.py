@@ -1,4 +1,7 @@
-"""Which cases there are, and what is done with each."""
+"""Which cases there are, and what is done with each.
+
+Serves: `verify`. Hides: the order of the cases and which comparison belongs to which key.
+"""
 
 import difflib
 import math

@@ -1,4 +1,7 @@
-"""What a comparison found: one quantity of one case, its error and the verdict."""
+"""What a comparison found: one quantity of one case, its error and the verdict.
+
+Serves: reports and results. Hides: how an outcome is written as JSON.
+"""
 
 import math
 from dataclasses import asdict, dataclass

@@ -1,4 +1,7 @@
-"""Reading the header and the exact history back from an `.rrd`."""
+"""Reading the header and the exact history back from an `.rrd`.
+
+Serves: replay. Hides: how rows of the file become arrays.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Writing a run as `.rrd`: static things once, then each body's history in blocks of samples."""
+"""Writing a run as `.rrd`: static things once, then each body's history in blocks of samples.
+
+Serves: `Run.save`. Hides: which archetypes draw what, and the size of a block.
+"""
 
 from __future__ import annotations
 
