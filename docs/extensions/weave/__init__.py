@@ -18,7 +18,7 @@ from weave.guide import CodesDirective, GuideDirective, InterfaceDirective, Refu
 from weave.links import ItemRole, ModuleRole, SymbolRole
 from weave.matrices import MatrixDirective, PlanTableDirective, RequirementsDirective
 from weave.mirror import on_builder_inited
-from weave.verification import PublishedDirective, ResultsDirective
+from weave.verification import PublishedDirective, ResultsDirective, SurveyDirective
 from weave.woven import weave
 
 _TABLES = {
@@ -28,6 +28,7 @@ _TABLES = {
     "requirements-table": RequirementsDirective,
     "published-tables": PublishedDirective,
     "all-results": ResultsDirective,
+    "survey": SurveyDirective,
     "plan-table": PlanTableDirective,
     "gallery": gallery.GalleryDirective,
     "module-guide": GuideDirective,
