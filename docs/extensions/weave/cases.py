@@ -41,7 +41,8 @@ def parts(item: Item, woven: Woven) -> Iterator[str]:
     elif about := cases_of(item.id, woven):
         rows = [[f"{{srs}}`{id}`", woven.spec.items[id].title, badge(id, woven)] for id in about]
         listing = table(["", "case", "last result"], rows, style="cases")
-        yield fence("dropdown", f"Cases ({len(rows)})", listing, depth=6, color="light")
+        title = f"Cases ({len(rows)}): {woven.verdict(item.id)}"
+        yield fence("dropdown", title, listing, depth=6, color="light")
 
 
 def _case(item: Item, woven: Woven) -> Iterator[str]:
