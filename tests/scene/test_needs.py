@@ -176,6 +176,21 @@ def test_what_has_no_bound_can_meet_everything() -> None:
     assert pairs_that_can_meet(scene, 1e9) == [(0, 1), (0, 2), (1, 2)]  # 1e309 is no number
 
 
+def test_a_bound_that_overflows_is_no_bound() -> None:
+    """The end of the path is infinity less infinity."""
+    scene = Scene(gravity=(0, -1e300))
+    scene.add_body(Disc(radius=1), mass=1, position=(0, 0), velocity=(0, 1e300))
+    scene.add_static(Disc(radius=1), position=(0, 9))
+    assert pairs_that_can_meet(scene, 1e200) == [(0, 1)]
+
+
+def test_a_static_body_does_not_fall() -> None:
+    scene = Scene(gravity=(0, -10))
+    scene.add_body(Disc(radius=1), mass=1, position=(0, -30))
+    scene.add_static(Box(width=9, height=1), position=(0, 10))
+    assert pairs_that_can_meet(scene, 9.0) == []
+
+
 @given(st.lists(discs, min_size=2, max_size=5), st.floats(0.1, 5))
 @settings(max_examples=300, deadline=None)
 def test_no_pair_that_meets_is_missed(

@@ -42,13 +42,13 @@ class _Bounds:
 def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
     """Return all pairs (i, j), i < j, of which one body moves and whose swept bounds meet."""
     bodies = [(k, body) for k, body in enumerate(scene.bodies) if body.shape is not None]
-    walls = [(k, body) for k, body in bodies if isinstance(body.shape, HalfPlane)]
+    walls = [(k, body.shape) for k, body in bodies if isinstance(body.shape, HalfPlane)]
     bounded = [(k, body) for k, body in bodies if not isinstance(body.shape, HalfPlane)]
     found = {
         (min(j, k), max(j, k))
         for j, wall in walls
         for k, body in bounded
-        if body.dynamic and _reaches(body, wall.shape, scene.gravity, duration)
+        if body.dynamic and _reaches(body, wall, scene.gravity, duration)
     }
     bounds = [_swept(k, body, scene.gravity, duration) for k, body in bounded]
     found.update(pair for pair in _overlaps(bounds) if _moves(scene, pair))
@@ -79,9 +79,7 @@ def _swept(index: int, body: Body, gravity: Vector, duration: float) -> _Bounds:
     return _Bounds(index, center, right - left, high - low)
 
 
-def _reaches(body: Body, wall: object, gravity: Vector, duration: float) -> bool:
-    if not isinstance(wall, HalfPlane):
-        return False
+def _reaches(body: Body, wall: HalfPlane, gravity: Vector, duration: float) -> bool:
     low, _ = _shadow(body, gravity, duration, wall.normal)
     return not low > wall.offset + _MARGIN * abs(wall.offset)
 
