@@ -32,8 +32,8 @@ SETTLED = 1.0
 
 
 @contextmanager
-def headless_viewer(recording: Path) -> Iterator[Any]:
-    """Open a recording in a viewer without a window; gives its client, and ends it.
+def headless_viewer() -> Iterator[Any]:
+    """Start a viewer without a window; gives its client, and ends it.
 
     Raises:
         ConnectionError: the viewer does not start: there is no Vulkan driver.
@@ -51,11 +51,17 @@ def headless_viewer(recording: Path) -> Iterator[Any]:
     finally:
         os.environ.pop("CI") if before is None else os.environ.update(CI=before)
     try:
-        client.open(str(recording.absolute()))
         time.sleep(SETTLED)
+        client.get_state()  # without a driver it has gone by now
         yield client
     finally:
         client.quit()
+
+
+def look(client: Any, recording: Path) -> None:
+    """Open a recording, and wait until it is loaded."""
+    client.open(str(recording.absolute()))
+    time.sleep(SETTLED)
 
 
 def show(client: Any, instant: float) -> None:
@@ -91,7 +97,8 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         recording = Path(folder, f"{SCENE}.rrd")
         run.save(recording)
-        with headless_viewer(recording) as client:
+        with headless_viewer() as client:
+            look(client, recording)
             show(client, INSTANT)
             client.save_screenshot(str(PICTURES / "viewer.png"))
     _crop(PICTURES / "viewer.png")

@@ -9,7 +9,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.record.drawing import PALETTE
-from tools.pictures import headless_viewer, show
+from tools.pictures import headless_viewer, look, show
 
 pytestmark = pytest.mark.viewer
 
@@ -18,29 +18,29 @@ SPEED = 4.0
 
 
 @pytest.fixture(scope="module")
-def viewer(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """Two discs that stay give the scale of the picture; a third goes up, a box turns about."""
+def client() -> Iterator[Any]:
     pytest.importorskip("rerun")
-    scene = t2.Scene(gravity=(0.0, 0.0), name="viewer test")
-    for x in (-4.0, 4.0):
-        scene.add_body(t2.Disc(radius=RADIUS), mass=1.0, position=(x, -1.0), restitution=1.0)
-    scene.add_body(
-        t2.Disc(radius=RADIUS),
-        mass=1.0,
-        position=(-1.0, -1.0),
-        velocity=(0.0, SPEED),
-        restitution=1.0,
-    )
-    box = t2.Box(width=2.0, height=0.5)
-    scene.add_body(box, mass=1.0, position=(1.5, 1.0), angular_velocity=np.pi, restitution=1.0)
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=-2.0))
-    path = tmp_path_factory.mktemp("viewer") / "run.rrd"
-    t2.simulate(scene, duration=1.0).save(path)
     try:
-        with headless_viewer(path) as client:
+        with headless_viewer() as client:
             yield client
     except ConnectionError as fault:
         pytest.skip(f"the viewer does not start, most likely without a Vulkan driver: {fault}")
+
+
+@pytest.fixture(scope="module")
+def viewer(client: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """Two discs that stay give the scale of the picture; a third goes up, a box turns about."""
+    scene = t2.Scene(gravity=(0.0, 0.0), name="viewer test")
+    for place, velocity in (((-4.0, -1.0), 0.0), ((4.0, -1.0), 0.0), ((-1.0, -1.0), SPEED)):
+        disc = t2.Disc(radius=RADIUS)
+        scene.add_body(disc, mass=1.0, position=place, velocity=(0.0, velocity), restitution=1.0)
+    box = t2.Box(width=2.0, height=0.5)
+    scene.add_body(box, mass=1.0, position=(1.5, 1.0), angular_velocity=np.pi, restitution=1.0)
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=-2.0), name="floor")
+    path = tmp_path_factory.mktemp("viewer") / "run.rrd"
+    t2.simulate(scene, duration=1.0).save(path)
+    look(client, path)
+    return client
 
 
 def world(client: Any, instant: float) -> np.ndarray[Any, Any]:
