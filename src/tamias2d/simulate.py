@@ -1,11 +1,11 @@
 """From a scene to its run: choose the way, go it, and say which it was (R5, R6, R8)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.contact import Located, Refusal
+from tamias2d.contact import Hit, Located, Refusal
 from tamias2d.errors import InputError
 from tamias2d.generated import definitions
 from tamias2d.motion import ClosedForm, Legacy2018, Method, Reference
@@ -67,7 +67,7 @@ def simulate(
     motion = plan.method.motion(scene, plan.duration, plan.time_step or plan.duration)
     located = Located(scene, motion)
     if not located.can_meet:
-        return _finished(plan, motion.history(plan.times), _no_impacts(), ())
+        return _finished(plan, motion.history(plan.times), _impacts([]), ())
     try:
         _go(located, plan.duration, progress)
     except Refusal as refusal:
@@ -130,7 +130,7 @@ def _samples(times: Iterable[float], duration: float) -> Array:
 
 def _legacy(plan: _Plan) -> Run:
     times, history = legacy_history(plan.scene, plan.duration, plan.time_step or plan.duration)
-    return _finished(plan._replace(times=times), history, _no_impacts(), ())
+    return _finished(plan._replace(times=times), history, _impacts([]), ())
 
 
 def _go(located: Located, duration: float, progress: bool) -> None:
@@ -150,7 +150,7 @@ def _collected(plan: _Plan, located: Located) -> Run:
     reached = plan.times[plan.times <= located.time]
     plan = plan._replace(times=reached if len(reached) else plan.times[:1])
     return _finished(
-        plan, sample(located.tracks, plan.times), Impacts(**located.impacts()), located.notes
+        plan, sample(located.tracks, plan.times), _impacts(located.hits), located.notes
     )
 
 
@@ -191,14 +191,13 @@ def _balance(scene: Scene, history: History) -> tuple[Array, Array, Array]:
     )
 
 
-def _no_impacts() -> Impacts:
-    none = np.empty(0)
-    pairs = np.empty((0, 2))
+def _impacts(hits: Sequence[tuple[float, Hit]]) -> Impacts:
+    contacts = [hit.contact for _, hit in hits]
     return Impacts(
-        time=none,
-        bodies=pairs.astype(np.int64),
-        point=pairs,
-        normal=pairs,
-        impulse=none,
-        normal_velocity=none,
+        time=np.array([time for time, _ in hits], dtype=np.float64),
+        bodies=np.array([(c.a, c.b) for c in contacts], dtype=np.int64).reshape(-1, 2),
+        point=np.array([c.point for c in contacts], dtype=np.float64).reshape(-1, 2),
+        normal=np.array([c.normal for c in contacts], dtype=np.float64).reshape(-1, 2),
+        impulse=np.array([hit.impulse for _, hit in hits], dtype=np.float64),
+        normal_velocity=np.array([hit.normal_velocity for _, hit in hits], dtype=np.float64),
     )

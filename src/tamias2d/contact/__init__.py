@@ -5,6 +5,7 @@ Secret: how a contact is found (conservative advancement along separating axes) 
 what happens at one instant is decided.
 """
 
+from tamias2d.contact.instant import Hit
 from tamias2d.contact.located import Located
 from tamias2d.contact.refusal import (
     LastingContactError,
@@ -15,6 +16,7 @@ from tamias2d.contact.refusal import (
 )
 
 __all__ = [
+    "Hit",
     "LastingContactError",
     "Located",
     "OverlapError",

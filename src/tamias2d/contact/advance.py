@@ -8,17 +8,23 @@ for a disc over a half-plane under constant force, in one step.
 """
 
 import math
+from collections.abc import Sequence
 
-from tamias2d.contact.core import Core, place
-from tamias2d.contact.gap import Axis, Gap, Placed, axes, gaps, resolution
+from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.gap import Axis, Gap, axes, gaps, resolution
+from tamias2d.contact.manifold import Contact
 from tamias2d.contact.path import Bounds, Piece
 
 
 class Pair:
     """Two bodies on their paths."""
 
-    def __init__(self, a: Core, b: Core, path_a: Piece, path_b: Piece) -> None:
+    def __init__(
+        self, a: Core, b: Core, path_a: Piece, path_b: Piece, kept: Sequence[Contact] = ()
+    ) -> None:
+        """Take two bodies, and the lasting contacts that do not count as a meeting."""
         self.cores = (a, b)
+        self._kept = {contact.gap.index for contact in kept}
         self._paths = (path_a, path_b)
 
     def placed(self, time: float) -> tuple[Placed, Placed]:
@@ -40,6 +46,24 @@ class Pair:
                 return time
             time = after
 
+    def seen_apart(self, start: float, step: float) -> float:
+        """Return a time in s soon after `start` at which a parting pair is apart and opens.
+
+        `step` is the first guess of how long that takes; it is doubled until float64 can tell.
+        """
+        end = min(path.end for path in self._paths)
+        while (time := start + step) < end:
+            a, b = self.placed(time)
+            axis = max(axes(a, b), key=lambda each: each.gap)
+            nearest = min(gaps(a, b, axis), key=lambda gap: gap.value)
+            tolerance = resolution(a, b, time)
+            if nearest.value > tolerance and nearest.rate > 0:
+                return time
+            if nearest.value < -4 * tolerance:
+                break
+            step *= 2
+        return min(time, end)
+
     def _safe_step(self, time: float, end: float) -> float | None:
         """Return how long no contact can come about, s, or None if one is there."""
         a, b = self.placed(time)
@@ -48,6 +72,8 @@ class Pair:
         if far:
             return step
         found = axes(a, b)
+        if self._kept:
+            return self._step_beside(a, b, time, end)
         largest = max(axis.gap for axis in found)
         steps = []
         for axis in found:
@@ -57,6 +83,14 @@ class Pair:
                     continue
                 steps.append(self._step_along(axis, near, a, b, time, end))
         return max(max(steps), step) if steps else None
+
+    def _step_beside(self, a: Placed, b: Placed, time: float, end: float) -> float | None:
+        """Return the safe step for all other corners along the axis of a lasting contact."""
+        axis = max(axes(a, b), key=lambda each: each.gap)
+        near = [gap for gap in gaps(a, b, axis) if gap.index not in self._kept]
+        if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
+            return None
+        return self._step_along(axis, near, a, b, time, end) if near else math.inf
 
     def _far_step(self, a: Placed, b: Placed, time: float, end: float) -> tuple[bool, float]:
         """Return whether circles around the bodies are well apart, and how long they stay so."""

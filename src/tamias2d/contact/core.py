@@ -27,6 +27,8 @@ class Core:
         self.name = body.name
         self.dynamic = body.dynamic
         self.solid = shape is not None
+        self.endless = isinstance(shape, HalfPlane)
+        self.steady = body.constant
         self.inverse_mass = body.inverse_mass
         self.inverse_inertia = body.inverse_inertia
         self.corners: tuple[Vector, ...] = ((0.0, 0.0),)

@@ -44,6 +44,8 @@ class Gap(NamedTuple):
     """The corner of Q, from its centre, m."""
     corner_p: Vector
     """The corner of P, from its centre, m; (0, 0) for a side."""
+    index: tuple[int, int]
+    """Which corners of P and Q these are; -1 for a side."""
 
 
 def axes(a: Placed, b: Placed) -> list[Axis]:
@@ -76,18 +78,21 @@ def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:
     found = []
     if axis.side is not None:
         base = axis.side.offset + q.core.radius
-        for (wx, wy), reach in zip(q.corners, q.core.reaches, strict=True):
+        for j, (wx, wy) in enumerate(q.corners):
             x, y = dx + wx, dy + wy
             rate = spin_p * (ux * y - uy * x) + ux * (u - spin_q * wy) + uy * (v + spin_q * wx)
-            found.append(Gap(ux * x + uy * y - base, rate, (0.0, reach), (wx, wy), (0.0, 0.0)))
+            reach = (0.0, q.core.reaches[j])
+            value = ux * x + uy * y - base
+            found.append(Gap(value, rate, reach, (wx, wy), (0.0, 0.0), (-1, j)))
         return found
     base = p.core.radius + q.core.radius
-    for (vx, vy), reach_p in zip(p.corners, p.core.reaches, strict=True):
-        for (wx, wy), reach_q in zip(q.corners, q.core.reaches, strict=True):
+    for i, (vx, vy) in enumerate(p.corners):
+        for j, (wx, wy) in enumerate(q.corners):
             x, y = dx + wx - vx, dy + wy - vy
             rate = ux * (u - spin_q * wy + spin_p * vy) + uy * (v + spin_q * wx - spin_p * vx)
             value = ux * x + uy * y - base
-            found.append(Gap(value, rate, (reach_p, reach_q), (wx, wy), (vx, vy)))
+            reach = (p.core.reaches[i], q.core.reaches[j])
+            found.append(Gap(value, rate, reach, (wx, wy), (vx, vy), (i, j)))
     return found
 
 

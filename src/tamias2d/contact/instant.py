@@ -5,19 +5,23 @@ other; let what neither approaches nor parts stay (GD3), if a contact can last.
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.gap import EPSILON, axes, resolution
+from tamias2d.contact.hold import opening
 from tamias2d.contact.manifold import Contact, approach, manifold
 from tamias2d.contact.refusal import SimultaneousImpactsError, named
 from tamias2d.contact.response import coupling, impulses, pushed
-from tamias2d.contact.rest import Island, opening
+from tamias2d.contact.rest import Island
 from tamias2d.state import Acceleration, Hold, State
 
 PairOf = tuple[int, int]
+
+_HELD_NOISE = 1e-9
+"""Of the speeds: what normal velocity a lasting contact may have gathered."""
 
 
 class Surroundings(NamedTuple):
@@ -30,8 +34,8 @@ class Surroundings(NamedTuple):
     """The bodies that may touch a body now."""
     free: Callable[[int], Acceleration]
     """The acceleration of a body that nothing holds, now."""
-    held: Callable[[PairOf], bool]
-    """Whether a contact of the pair has lasted until now."""
+    held: Mapping[PairOf, Sequence[Contact]]
+    """The contacts that have lasted until now."""
     restitution: Callable[[int, int], float]
 
 
@@ -56,12 +60,14 @@ class Touch:
     staying: list[Contact] = field(default_factory=list)
     rest_at: float = 0.0
     """When its bounces end if they go on as a geometric series of times, s; 0 if they do not."""
+    rest_noise: float = 0.0
+    """What rounding makes of that, s."""
 
 
 class Instant:
     """One instant, and what it has made of the bodies."""
 
-    def __init__(self, time: float, world: Surroundings, bodies: Iterable[int]) -> None:
+    def __init__(self, time: float, world: Surroundings, bodies: Sequence[int]) -> None:
         self.time = time
         self._world = world
         self._placed: dict[int, Placed] = {}
@@ -73,13 +79,15 @@ class Instant:
         self.holds: dict[int, Hold] = {}
         self.opening: dict[PairOf, float] = {}
         """Pairs that part without normal velocity, with the second derivative of the gap."""
-        self._explore(list(bodies))
+        self._explore(bodies)
         self._part()
         self._stay()
 
-    def _explore(self, todo: list[int]) -> None:
+    def _explore(self, bodies: Sequence[int]) -> None:
+        todo = list(bodies)
         seen = set(todo)
         for body in todo:  # grows while it is gone through
+            self._place(body)
             for other in self._world.near(body):
                 pair = (min(body, other), max(body, other))
                 if pair in self.touches or not (touch := self._touch(pair)):
@@ -99,12 +107,12 @@ class Instant:
     def _touch(self, pair: PairOf) -> Touch | None:
         a, b = (self._place(i) for i in pair)
         tolerance = resolution(a, b, self.time)
-        if self._world.held(pair):  # what rounding did to it meanwhile does not count
-            tolerance = max(tolerance, 1e-9 * min(a.core.size, b.core.size))
-        elif _far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance:
+        kept = self._world.held.get(pair, ())
+        if not kept and (_far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance):
             return None
-        contacts = manifold(a, b, tolerance, self.time)
-        noise = 64 * EPSILON * max(_speed(c, a.state, b.state) for c in contacts)
+        contacts = manifold(a, b, tolerance, self.time, kept)
+        noise = max(_speed(contact, a.state, b.state) for contact in contacts)
+        noise *= _HELD_NOISE if kept else 64 * EPSILON
         return Touch(pair, contacts, tolerance, noise)
 
     def _approaches(self, touch: Touch) -> bool:
@@ -181,8 +189,8 @@ class Instant:
         for island in islands:
             if island.lasting:
                 self._hold(island)
-        freed = [t.pair for t in self.touches.values() if self._world.held(t.pair)]
-        self.changed.update(i for pair in freed for i in pair if self._world.cores[i].dynamic)
+        was_held = {i for pair in self.touches if pair in self._world.held for i in pair}
+        self.changed |= {i for i in was_held if self._world.cores[i].dynamic}
 
     def _islands(self, contacts: Sequence[Contact]) -> list[Island]:
         """Return the islands that contacts make."""
@@ -220,15 +228,18 @@ class Instant:
                 bend = opening(contact, placed, by)
                 rate = self._rate(contact)
                 if bend < 0:
-                    self._forecast(touch, 2 * rate / -bend)
+                    self._forecast(touch, rate, 2 * rate / -bend)
                     if rate**2 <= -2 * bend * touch.tolerance:
                         found.append(contact)
         return found
 
-    def _forecast(self, touch: Touch, flight: float) -> None:
+    def _forecast(self, touch: Touch, rate: float, flight: float) -> None:
         restitution = self._world.restitution(*touch.pair)
         if restitution < 1:
-            touch.rest_at = max(touch.rest_at, self.time + flight / (1 - restitution))
+            rest_at = self.time + flight / (1 - restitution)
+            if rest_at > touch.rest_at:
+                touch.rest_at = rest_at
+                touch.rest_noise = touch.tolerance / rate / (1 - restitution)
 
     def _open(self, islands: Sequence[Island], contacts: Sequence[Contact]) -> None:
         by = self._accelerations(islands)
@@ -238,8 +249,7 @@ class Instant:
 
     def _hold(self, island: Island) -> None:
         self.states.update(island.stopped(self.states))
-        island.refuse_what_moves_on(self.states, self.time)
-        self.holds.update(island.holds())
+        self.holds.update(island.holds(self.states, self.time))
         self.changed.update(island.bodies)
 
 

@@ -4,8 +4,6 @@ import heapq
 import math
 from collections.abc import Callable, Iterable
 
-import numpy as np
-
 from tamias2d.contact.advance import Pair
 from tamias2d.contact.core import Core, place
 from tamias2d.contact.forecast import Forecasts
@@ -15,8 +13,11 @@ from tamias2d.contact.manifold import Contact
 from tamias2d.contact.near import Swept
 from tamias2d.contact.path import Motion, Piece
 from tamias2d.contact.refusal import OverlapError, named
+from tamias2d.contact.watch import Watch
 from tamias2d.scene import Scene
-from tamias2d.state import Array, Hold, State
+from tamias2d.state import Hold, State
+
+_GENTLE = 1e-3  # m/s^2: with less than this, the search for the parting starts as if it were this
 
 
 class Located:
@@ -41,7 +42,7 @@ class Located:
         self._swept = Swept(self._cores)
         self._forecasts = Forecasts()
 
-    def go(self, duration: float, *, told: Callable[[float], None] = lambda time: None) -> None:
+    def go(self, duration: float, *, told: Callable[[float], None] = lambda _: None) -> None:
         """Go on to a time in s; `told` hears of every time that is reached.
 
         Raises:
@@ -62,17 +63,10 @@ class Located:
             states = [self._state(i) for i in range(len(self._cores))]
             told(end)
 
-    def impacts(self) -> dict[str, Array]:
-        """Return what the run's `Impacts` hold."""
-        hits = [(time, *hit) for time, hit in self._hits]
-        return {
-            "time": np.array([time for time, *_ in hits]),
-            "bodies": np.array([(c.a, c.b) for _, c, *_ in hits], dtype=np.int64).reshape(-1, 2),
-            "point": np.array([c.point for _, c, *_ in hits]).reshape(-1, 2),
-            "normal": np.array([c.normal for _, c, *_ in hits]).reshape(-1, 2),
-            "impulse": np.array([impulse for *_, impulse, _ in hits]),
-            "normal_velocity": np.array([rate for *_, rate in hits]),
-        }
+    @property
+    def hits(self) -> list[tuple[float, Hit]]:
+        """All impulses so far, with their times in s, in order."""
+        return self._hits
 
     def _segment(self, states: list[State]) -> float:
         """Lay the paths of all bodies from now on, and look for what meets on them."""
@@ -81,6 +75,8 @@ class Located:
         end, paths = self._motion.segment(self.time, states, self._holds)
         for body, path in enumerate(paths):
             self._lay(body, path)
+        for body in range(len(self._cores)):
+            self._watch(body, end)
         if self.time == 0:
             self._happens(0.0, [core.index for core in self._cores if core.dynamic], end)
         self._predict(range(len(self._cores)))
@@ -100,24 +96,33 @@ class Located:
         for body in bodies:
             for other in self._swept.near(body):
                 pair = (min(body, other), max(body, other))
-                if pair not in seen and pair not in self._held:
+                if pair not in seen:
                     seen.add(pair)
                     self._predict_pair(pair)
 
     def _predict_pair(self, pair: PairOf) -> None:
         i, j = pair
+        kept = self._held.get(pair, ())
+        if len(kept) > 1 or (kept and not self._bends(pair)):
+            return
         path_i, path_j = self.tracks[i][-1], self.tracks[j][-1]
         start = self._resume.get(pair, self.time)
         end = min(path_i.end, path_j.end)
-        time = Pair(self._cores[i], self._cores[j], path_i, path_j).meets(start, end)
+        time = Pair(self._cores[i], self._cores[j], path_i, path_j, kept).meets(start, end)
         if time is not None:
-            heapq.heappush(self._events, (time, i, j, self._version[i], self._version[j]))
+            self._put(time, i, j)
+
+    def _bends(self, pair: PairOf) -> bool:
+        return any((hold := self._holds[i]) and hold.bends for i in pair)
+
+    def _put(self, time: float, i: int, j: int) -> None:
+        heapq.heappush(self._events, (time, i, j, self._version[i], self._version[j]))
 
     def _next_event(self, end: float) -> None:
         time, i, j, version_i, version_j = heapq.heappop(self._events)
         if (version_i, version_j) == (self._version[i], self._version[j]):
             self.time = time
-            self._happens(time, [i, j], end)
+            self._happens(time, [i] if i == j else [i, j], end)
 
     def _happens(self, time: float, bodies: list[int], end: float) -> None:
         """Let an instant happen around some bodies, and lay the paths from it on."""
@@ -126,35 +131,57 @@ class Located:
             self._state,
             self._swept.near,
             lambda body: self._motion.free(body, time),
-            self._held.__contains__,
+            self._held,
             self._scene.restitution,
         )
         instant = Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
         self._hits += [(time, hit) for hit in instant.hits]
         self._forecasts.hear(instant)
-        for touch in instant.touches.values():
-            if touch.staying and touch.pair not in self._held:
-                names = named(*(self._cores[i].name for i in touch.pair))
-                since = self._forecasts.rest_of(touch.pair, time)
-                self.notes += (f"rest: {names} stay in contact from {since!r} s",)
-            self._held.pop(touch.pair, None)
-            if touch.staying:
-                self._held[touch.pair] = touch.staying
-        for body in sorted(instant.changed):
+        self._keep(instant)
+        ended = {i for i in bodies if self.tracks[i][-1].end == time and time < end}
+        changed = sorted(instant.changed | ended)
+        for body in changed:
             self._holds[body] = hold = instant.holds.get(body)
             path = self._motion.restart(body, time, instant.states[body], end, hold)
             self._lay(body, path)
+        for body in changed:
+            self._watch(body, end)
         self._depart(instant)
-        self._predict(sorted(instant.changed) if instant.changed else bodies)
+        self._predict(changed or bodies)
+
+    def _keep(self, instant: Instant) -> None:
+        """Take over which contacts last, and note those that are new."""
+        for pair, touch in instant.touches.items():
+            if touch.staying and pair not in self._held:
+                names = named(*(self._cores[i].name for i in pair))
+                since = self._forecasts.rest_of(pair, instant.time)
+                self.notes += (f"rest: {names} stay in contact from {since!r} s",)
+            self._held.pop(pair, None)
+            if touch.staying:
+                self._held[pair] = touch.staying
+
+    def _watch(self, body: int, end: float) -> None:
+        """Put on the list when a path ends before its time, and when what holds a body does."""
+        path, hold = self.tracks[body][-1], self._holds[body]
+        if path.end < end:
+            self._put(path.end, body, body)
+        contacts = [c for pair, held in self._held.items() if body in pair for c in held]
+        supports = {i: self._state(i) for c in contacts for i in (c.a, c.b) if i != body}
+        if hold and not any(self._cores[i].dynamic for i in supports):
+            watch = Watch(
+                self._cores, body, contacts, supports, lambda time: self._motion.free(body, time)
+            )
+            time = watch.ends(path, hold)
+            if time is not None:
+                self._put(time, body, body)
 
     def _depart(self, instant: Instant) -> None:
         """Find out from when on pairs that part without normal velocity are seen to be apart."""
         for pair, bend in instant.opening.items():
             i, j = pair
-            tolerance = instant.touches[pair].tolerance
-            step = math.sqrt(8 * tolerance / bend)
-            path_i, path_j = self.tracks[i][-1], self.tracks[j][-1]
-            self._resume[pair] = min(instant.time + step, path_i.end, path_j.end)
+            meeting = Pair(self._cores[i], self._cores[j], self.tracks[i][-1], self.tracks[j][-1])
+            step = math.sqrt(8 * instant.touches[pair].tolerance / max(bend, _GENTLE))
+            self._resume[pair] = meeting.seen_apart(instant.time, step)
 
     def _refuse_overlap(self, states: list[State]) -> None:
         placed = [place(core, state) for core, state in zip(self._cores, states, strict=True)]

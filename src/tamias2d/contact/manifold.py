@@ -3,6 +3,8 @@
 Contacts answer in velocities (IM3) and accelerations (GD3), through the generated functions.
 """
 
+import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from tamias2d.contact.core import Placed
@@ -28,15 +30,22 @@ class Contact(NamedTuple):
     gap: Gap
 
 
-def manifold(a: Placed, b: Placed, tolerance: float, time: float) -> list[Contact]:
-    """Return the contacts of a pair that touches within a tolerance in m."""
+def manifold(
+    a: Placed, b: Placed, tolerance: float, time: float, kept: Sequence[Contact] = ()
+) -> list[Contact]:
+    """Return the contacts of a pair that touches within a tolerance in m.
+
+    What rounding has done to the `kept` ones of a lasting contact does not count.
+    """
     found = axes(a, b)
     axis = max(found, key=lambda each: each.gap)
     _refuse_corner_on_corner(a, b, found, axis, tolerance, time)
-    near = [gap for gap in gaps(a, b, axis) if gap.value <= axis.gap + tolerance]
+    same = {contact.gap.index for contact in kept}
+    limit = (0.0 if kept else axis.gap) + tolerance
+    near = [gap for gap in gaps(a, b, axis) if gap.value <= limit or gap.index in same]
+    near = near or [min(gaps(a, b, axis), key=lambda gap: gap.value)]
     if axis.side is None or len(near) == 1:
         return [_contact(a, b, axis, near[0], None)]
-    ux, uy = axis.direction
     along = [_along(a, b, axis, gap) for gap in near]
     first, last = along.index(min(along)), along.index(max(along))
     low, high = axis.side.ends
@@ -44,6 +53,23 @@ def manifold(a: Placed, b: Placed, tolerance: float, time: float) -> list[Contac
     if ends[0][1] >= ends[1][1]:  # the ends of both sides meet: one point
         ends = ends[:1]
     return [_contact(a, b, axis, near[k], None if end == along[k] else end) for k, end in ends]
+
+
+def followed(contact: Contact, a: Placed, b: Placed) -> Contact:
+    """Return a contact of the same corners and sides, where the bodies are now."""
+    axis = contact.axis
+    p, q = (b, a) if axis.swapped else (a, b)
+    i, j = contact.gap.index
+    (px, py), (qx, qy) = p.state.position, q.state.position
+    w = q.corners[j]
+    if axis.side is not None:
+        now = axis._replace(direction=p.turned(axis.side.normal))
+        return _contact(a, b, now, contact.gap._replace(corner=w), None)
+    v = p.corners[i]
+    x, y = qx - px + w[0] - v[0], qy - py + w[1] - v[1]
+    distance = math.hypot(x, y)
+    now = axis._replace(direction=(x / distance, y / distance))
+    return _contact(a, b, now, contact.gap._replace(corner=w, corner_p=v), None)
 
 
 def approach(contact: Contact, a: State, b: State) -> float:

@@ -53,7 +53,10 @@ class Motion(Protocol):
     def restart(
         self, body: int, start: float, state: State, end: float, hold: Hold | None
     ) -> Piece:
-        """Return the path of one body from a new state at `start` to `end`, s."""
+        """Return the path of one body from a new state at `start` towards `end`, s.
+
+        It may end before, where the hold bends it.
+        """
 
     def free(self, body: int, time: float) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""

@@ -8,7 +8,7 @@ from typing import ClassVar
 from tamias2d.errors import SceneError, SimulationError
 
 
-class Refusal(SimulationError):
+class Refusal(SimulationError):  # noqa: N818
     """The base of all refusals of the located way."""
 
     code: ClassVar[str] = "refused"

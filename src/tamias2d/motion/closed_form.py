@@ -1,65 +1,16 @@
 """Exact motion under constant force and torque: the closed forms of IM1 and IM2."""
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from tamias2d.generated import rotation, translation
+from tamias2d.motion.bent import Bent
 from tamias2d.motion.loads import Loads, coordinates, start_states
-from tamias2d.motion.piece import Bounds, Piece
+from tamias2d.motion.piece import Piece
+from tamias2d.motion.uniform import Uniform
 from tamias2d.scene import Scene
-from tamias2d.state import Acceleration, Array, History, Hold, State, Vector
-
-
-class Uniform:
-    """A path with constant acceleration."""
-
-    def __init__(
-        self, *, start: float, end: float, state: State, acceleration: Acceleration
-    ) -> None:
-        self.start = start
-        self.end = end
-        self._state = state
-        self._linear: Vector = acceleration[:2]
-        self._angular = acceleration[2]
-
-    def at(self, time: float) -> State:
-        """Return the state at a time in s."""
-        position, orientation, velocity, angular_velocity = self._state
-        elapsed = time - self.start
-        return State(
-            translation.position(position, velocity, self._linear, elapsed),
-            rotation.orientation(orientation, angular_velocity, self._angular, elapsed),
-            translation.velocity(velocity, self._linear, elapsed),
-            rotation.angular_velocity(angular_velocity, self._angular, elapsed),
-        )
-
-    def acceleration(self, time: float) -> Acceleration:  # noqa: ARG002
-        """Return the acceleration, the same at all times."""
-        return (*self._linear, self._angular)
-
-    def bounds(self, first: float, last: float) -> Bounds:
-        """Return what holds from `first` to `last`, s; rates are largest at one of the two."""
-        v = self._state.velocity
-        early = translation.velocity(v, self._linear, first - self.start)
-        late = translation.velocity(v, self._linear, last - self.start)
-        spin = self._state.angular_velocity
-        spin_early = rotation.angular_velocity(spin, self._angular, first - self.start)
-        spin_late = rotation.angular_velocity(spin, self._angular, last - self.start)
-        return Bounds(
-            self._linear,
-            0.0,
-            max(math.hypot(*early), math.hypot(*late)),
-            max(abs(spin_early), abs(spin_late)),
-            abs(self._angular),
-        )
-
-    def sample(self, times: Array) -> Array:
-        """Return (k, 6) at times (k,), s."""
-        position, orientation, velocity, angular_velocity = self.at(times)  # type: ignore[arg-type]
-        columns = (*position, orientation, *velocity, angular_velocity)
-        return np.stack([np.broadcast_to(column, times.shape) for column in columns], axis=-1)
+from tamias2d.state import Acceleration, Array, History, Hold, State
 
 
 class ClosedFormMotion:
@@ -69,6 +20,7 @@ class ClosedFormMotion:
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)
+        self._bent = Bent(scene)
 
     def segment(
         self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
@@ -83,9 +35,13 @@ class ClosedFormMotion:
 
     def restart(
         self, body: int, start: float, state: State, end: float, hold: Hold | None
-    ) -> Uniform:
-        """Return the path of one body from `start` to `end`, s."""
-        acceleration = self._loads.acceleration(body, start, hold)
+    ) -> Piece:
+        """Return the path of one body from `start` to `end`, s, or one step where it bends."""
+        if hold and hold.bends:
+            return self._bent.restart(body, start, state, end, hold)
+        acceleration = self._loads.acceleration(body, start)
+        if hold:
+            acceleration = hold(acceleration, state)
         return Uniform(start=start, end=end, state=state, acceleration=acceleration)
 
     def free(self, body: int, time: float) -> Acceleration:

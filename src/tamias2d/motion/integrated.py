@@ -5,12 +5,15 @@ from typing import Protocol
 
 import numpy as np
 
-from tamias2d.motion.closed_form import Uniform
+from tamias2d.motion.bent import Bent
 from tamias2d.motion.loads import Field, Loads, coordinates, start_states
 from tamias2d.motion.piece import Piece
-from tamias2d.motion.polynomial import Chain, Stretch
+from tamias2d.motion.polynomial import Stretch
+from tamias2d.motion.uniform import Uniform
 from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, History, Hold, State
+
+_STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
 class Integrator(Protocol):
@@ -30,31 +33,37 @@ class IntegratedMotion:
         self._duration = duration
         self._integrator = integrator
         self._loads = Loads(scene)
+        self._bent = Bent(scene)
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
 
     def segment(
         self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
     ) -> tuple[float, list[Piece]]:
         """Return the end of one step and the path of every body to it."""
-        field = self._loads.field(self._moving, [holds[i] for i in self._moving])
-        q, rate = coordinates([states[i] for i in self._moving])
+        straight = [i for i in self._moving if not ((hold := holds[i]) and hold.bends)]
+        field = self._loads.field(straight, [holds[i] for i in straight])
+        q, rate = coordinates([states[i] for i in straight])
         stretch = self._integrator.step(field, start, self._duration, q, rate)
-        moving = {body: stretch.piece(k) for k, body in enumerate(self._moving)}
-        still = (0.0, 0.0, 0.0)
-        pieces: list[Piece] = [
-            moving.get(i) or Uniform(start=start, end=stretch.end, state=state, acceleration=still)
-            for i, state in enumerate(states)
-        ]
-        return stretch.end, pieces
+        end = stretch.end
+        stepped = {body: stretch.piece(k) for k, body in enumerate(straight)}
+        pieces: list[Piece] = []
+        for i, state in enumerate(states):
+            if i in stepped:
+                pieces.append(stepped[i])
+            elif self._scene.bodies[i].dynamic:
+                pieces.append(self.restart(i, start, state, end, holds[i]))
+            else:
+                pieces.append(Uniform(start=start, end=end, state=state, acceleration=_STILL))
+        return end, pieces
 
     def restart(
         self, body: int, start: float, state: State, end: float, hold: Hold | None
     ) -> Piece:
-        """Return the path of one body from `start` to `end`, s."""
+        """Return one step of the path of one body from `start` towards `end`, s."""
+        if hold and hold.bends:
+            return self._bent.restart(body, start, state, end, hold)
         field = self._loads.field([body], [hold])
-        steps = list(self._stretches(field, start, end, *coordinates([state])))
-        pieces = [stretch.piece(0) for stretch in steps]
-        return pieces[0] if len(pieces) == 1 else Chain(pieces)
+        return self._integrator.step(field, start, end, *coordinates([state])).piece(0)
 
     def free(self, body: int, time: float) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""

@@ -23,24 +23,27 @@ class Loads:
         self._gravity = scene.gravity
         self._constant = [self._at(body, 0.0) if body.constant else None for body in scene.bodies]
 
-    def acceleration(self, body: int, time: float, hold: Hold | None = None) -> Acceleration:
-        """Return the acceleration of one body at a time in s."""
+    def acceleration(self, body: int, time: float) -> Acceleration:
+        """Return the acceleration of one body that nothing holds, at a time in s."""
         free = self._constant[body]
         if free is None:
             free = self._at(self.bodies[body], time)
-        return hold(free) if hold else free
+        return free
 
     def field(self, bodies: Sequence[int], holds: Sequence[Hold | None]) -> Field:
         """Return the accelerations of some bodies as a function, for the schemes."""
-        if all(self._constant[i] is not None for i in bodies):
-            fixed = self._rows(bodies, holds, 0.0)
-            return lambda time, position, velocity: fixed  # noqa: ARG005
-        return lambda time, position, velocity: self._rows(bodies, holds, time)  # noqa: ARG005
+        held = [(k, hold) for k, hold in enumerate(holds) if hold]
 
-    def _rows(self, bodies: Sequence[int], holds: Sequence[Hold | None], time: float) -> Array:
-        return np.array(
-            [self.acceleration(i, time, hold) for i, hold in zip(bodies, holds, strict=True)]
-        ).reshape(-1, 3)
+        def accelerations(time: float, position: Array, velocity: Array) -> Array:
+            rows = [self.acceleration(i, time) for i in bodies]
+            for k, hold in held:
+                rows[k] = hold(rows[k], state_of(position[k], velocity[k]))
+            return np.array(rows).reshape(-1, 3)
+
+        if held or any(self._constant[i] is None for i in bodies):
+            return accelerations
+        fixed = np.array([self.acceleration(i, 0.0) for i in bodies]).reshape(-1, 3)
+        return lambda time, position, velocity: fixed  # noqa: ARG005
 
     def _at(self, body: Body, time: float) -> Acceleration:
         if not body.dynamic:
@@ -60,3 +63,10 @@ def coordinates(states: Sequence[State]) -> tuple[Array, Array]:
     position = [(*state.position, state.orientation) for state in states]
     velocity = [(*state.velocity, state.angular_velocity) for state in states]
     return np.array(position).reshape(-1, 3), np.array(velocity).reshape(-1, 3)
+
+
+def state_of(position: Array, velocity: Array) -> State:
+    """Return coordinates (3,) and their rates (3,) as a state."""
+    x, y, orientation = position.tolist()
+    u, v, angular_velocity = velocity.tolist()
+    return State((x, y), orientation, (u, v), angular_velocity)

@@ -4,14 +4,13 @@ The coordinates are x, y and orientation. The polynomial of the coordinates is t
 velocity is its derivative, so that what touches and how fast it meets cannot disagree.
 """
 
-import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from tamias2d.motion.piece import Bounds, Piece
+from tamias2d.motion.loads import state_of
+from tamias2d.motion.piece import Bounds
 from tamias2d.state import Acceleration, Array, State
 
 
@@ -47,8 +46,8 @@ class Stretch:
         return Polynomial(
             self.start,
             self.end,
-            _state(self.first[0][body], self.first[1][body]),
-            _state(self.last[0][body], self.last[1][body]),
+            state_of(self.first[0][body], self.first[1][body]),
+            state_of(self.last[0][body], self.last[1][body]),
             self.coefficients[:, body].tolist(),
         )
 
@@ -142,57 +141,9 @@ class Polynomial:
 
     def sample(self, times: Array) -> Array:
         """Return (k, 6) at times (k,), s."""
-        return sampled(self, times)
-
-
-class Chain:
-    """Pieces that follow each other, as one."""
-
-    def __init__(self, pieces: Sequence[Piece]) -> None:
-        self.start = pieces[0].start
-        self.end = pieces[-1].end
-        self._pieces = pieces
-
-    def _piece(self, time: float) -> Piece:
-        return next((p for p in self._pieces if time <= p.end), self._pieces[-1])
-
-    def at(self, time: float) -> State:
-        """Return the state at a time in s."""
-        return self._piece(time).at(time)
-
-    def acceleration(self, time: float) -> Acceleration:
-        """Return the acceleration at a time in s."""
-        return self._piece(time).acceleration(time)
-
-    def bounds(self, first: float, last: float) -> Bounds:
-        """Return what holds from `first` to `last`, s."""
-        inside = [p.bounds(first, last) for p in self._pieces if p.start <= last and p.end >= first]
-        x, y = inside[0].acceleration
-        return Bounds(
-            (x, y),
-            max(
-                b.deviation + math.hypot(b.acceleration[0] - x, b.acceleration[1] - y)
-                for b in inside
-            ),
-            *(max(column) for column in zip(*(b[2:] for b in inside), strict=True)),
-        )
-
-    def sample(self, times: Array) -> Array:
-        """Return (k, 6) at times (k,), s."""
-        return sampled(self, times)
-
-
-def sampled(piece: Piece, times: Array) -> Array:
-    """Return (k, 6) of a piece at times (k,), s, one by one."""
-    states = [piece.at(time) for time in times.tolist()]
-    rows = [(*p, turn, *v, spin) for p, turn, v, spin in states]
-    return np.array(rows).reshape(-1, 6)
-
-
-def _state(q: Array, rate: Array) -> State:
-    x, y, orientation = q.tolist()
-    u, v, angular_velocity = rate.tolist()
-    return State((x, y), orientation, (u, v), angular_velocity)
+        states = [self.at(time) for time in times.tolist()]
+        rows = [(*p, turn, *v, spin) for p, turn, v, spin in states]
+        return np.array(rows).reshape(-1, 6)
 
 
 def _place(step: "Stretch | Polynomial", time: float) -> tuple[float, float]:

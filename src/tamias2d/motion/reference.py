@@ -5,11 +5,18 @@ from functools import cache
 
 import numpy as np
 
+from tamias2d.errors import SimulationError
 from tamias2d.motion.loads import Field
 from tamias2d.motion.polynomial import Stretch
 from tamias2d.state import Array
 
 _NODES = -np.cos(np.pi * np.arange(10) / 9)  # in x from -1 to 1, where the accelerations are taken
+
+
+class NoStepError(SimulationError):
+    """The reference cannot step on."""
+
+    code = "no-step"
 
 
 class Dop853:
@@ -33,6 +40,8 @@ class Dop853:
         """Take one step, of the length that the tolerance allows."""
         from scipy.integrate import DOP853
 
+        if not position.size:
+            return _stretch(start, limit, position, velocity, np.zeros((10, *position.shape)))
         shape = position.shape
         size = position.size
 
@@ -52,6 +61,11 @@ class Dop853:
             first_step=None if hint is None else min(hint, limit - start),
         )
         solver.step()
+        if solver.status == "failed":
+            raise NoStepError(
+                f"run at {start!r} s: no step of the reference meets its tolerance {self._rtol:g} "
+                "(R5). Give loads that change less suddenly, or a larger rtol."
+            )
         self._proposed[size] = float(solver.h_abs)
         between = solver.dense_output()
         end = float(solver.t)
