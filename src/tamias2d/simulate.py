@@ -1,4 +1,8 @@
-"""From a scene to its run: choose the way, go it, and say which it was (R5, R6, R8)."""
+"""From a scene to its run: choose the way, go it, and say which it was (R5, R6, R8).
+
+Serves: `tamias2d.simulate`, the one door to a run. Hides: which way is taken, and how its parts
+are put together.
+"""
 
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple

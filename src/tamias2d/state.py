@@ -1,4 +1,7 @@
-"""Where bodies are and how they move: at one instant, and over a run."""
+"""Where bodies are and how they move: at one instant, and over a run.
+
+Serves: motion, contact and runs. Hides: the layout of the arrays.
+"""
 
 from typing import NamedTuple, Protocol, TypeAlias
 

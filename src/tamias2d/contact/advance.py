@@ -1,5 +1,7 @@
 """When a pair meets next: conservative advancement of second order.
 
+Serves: the located way. Hides: how a step is found that passes no impact.
+
 At a time t an axis gives for every corner a gap s with rate b. If the gap's second derivative is
 at least c up to a time t + window, the gap stays above s + b h + c h^2/2, so that t + h is safe
 up to the smallest root h. The largest such step over the axes is taken, again and again. It never

@@ -1,4 +1,7 @@
-"""Forces and impulses that push and never pull: the linear complementarity problem."""
+"""Forces and impulses that push and never pull: the linear complementarity problem.
+
+Serves: impacts and contacts that last. Hides: the method of solution.
+"""
 
 import numpy as np
 

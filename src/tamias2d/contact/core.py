@@ -1,4 +1,7 @@
-"""Bodies as whoever looks for contacts sees them: corners, sides and a radius around them."""
+"""Bodies as whoever looks for contacts sees them: corners, sides and a radius around them.
+
+Serves: gaps and manifolds. Hides: that all shapes are one: corners with a radius around them.
+"""
 
 import math
 from typing import NamedTuple

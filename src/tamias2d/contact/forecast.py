@@ -1,5 +1,7 @@
 """When bounces that get ever shorter come to their end (the Zeno time).
 
+Serves: contacts that come to rest. Hides: which forecast is trusted.
+
 Every bounce forecasts the end, as that of a geometric series. Early forecasts suffer from what is
 not constant, late ones from rounding, since low bounces are short. The best one is where the change
 from one to the next and the rounding are least.

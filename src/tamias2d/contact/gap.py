@@ -1,5 +1,7 @@
 """How far two bodies are apart, along an axis that separates them.
 
+Serves: the search for the next impact. Hides: which axes there are, and how a gap is bounded.
+
 An axis belongs to a side of one of the bodies, and turns with it, or to the world. Along it, the
 gap between one body and each corner of the other is a smooth function of time, and the smallest
 of these gaps is never more than the true separation of the two convex bodies:

@@ -1,4 +1,7 @@
-"""What lasting contacts make of a body's acceleration, as functions that motion can call (GD3)."""
+"""What lasting contacts make of a body's acceleration, as functions that motion can call (GD3).
+
+Serves: motion along a contact that lasts. Hides: how a turning normal bends the path.
+"""
 
 import math
 from collections.abc import Mapping, Sequence

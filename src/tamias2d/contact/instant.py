@@ -1,5 +1,7 @@
 """What happens at one instant to bodies that touch: they part, or stay.
 
+Serves: the located way. Hides: the order in which contacts are answered.
+
 In this order: find all that touches; let what approaches part (IM3), unless impacts act on each
 other; let what neither approaches nor parts stay (GD3), if a contact can last.
 """

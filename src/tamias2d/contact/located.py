@@ -1,4 +1,7 @@
-"""The located way: follow the paths from one impact to the next (R7, R8)."""
+"""The located way: follow the paths from one impact to the next (R7, R8).
+
+Serves: `simulate`. Hides: how bodies change paths, and when they rest.
+"""
 
 import heapq
 import math

@@ -1,5 +1,7 @@
 """Where a touching pair touches: one point, or the two ends of what a flat contact has in common.
 
+Serves: impacts and contacts that last. Hides: how the points of a flat contact are found.
+
 Contacts answer in velocities (IM3) and accelerations (GD3), through the generated functions.
 """
 

@@ -1,4 +1,7 @@
-"""What this part asks of a body's path and of whoever makes paths; `motion` answers it."""
+"""What this part asks of a body's path and of whoever makes paths; `motion` answers it.
+
+Serves: this package. Hides: who makes the paths.
+"""
 
 from collections.abc import Sequence
 from typing import Any, Protocol

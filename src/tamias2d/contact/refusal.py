@@ -1,5 +1,7 @@
 """What the located way cannot decide, each case under a name of its own.
 
+Serves: whoever asks why a run was refused. Hides: how bodies are named in a message.
+
 A refusal says when, which bodies and why; its `run` is the history up to there.
 """
 

@@ -1,5 +1,7 @@
 """Contacts that last: what the pushes of supports make of the motion (GD3).
 
+Serves: what happens at one instant. Hides: the system of pushes and how it is solved.
+
 The pushes are never negative, and vanish where a contact opens. What they make of the
 accelerations is unique. A contact can last only while its normal stays as it is, for otherwise the
 path is not one that the models give.

@@ -1,4 +1,7 @@
-"""How long lasting contacts last: until a push would have to pull, or what touches changes."""
+"""How long lasting contacts last: until a push would have to pull, or what touches changes.
+
+Serves: the located way. Hides: what is watched, and how its root is found.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 

@@ -1,4 +1,7 @@
-"""Exact motion under constant force and torque: the closed forms of IM1 and IM2."""
+"""Exact motion under constant force and torque: the closed forms of IM1 and IM2.
+
+Serves: runs whose loads are constant. Hides: the closed forms' arguments.
+"""
 
 from collections.abc import Sequence
 

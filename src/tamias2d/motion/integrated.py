@@ -1,4 +1,7 @@
-"""Motion by integration: paths from whatever steps an integrator takes."""
+"""Motion by integration: paths from whatever steps an integrator takes.
+
+Serves: the schemes and the reference. Hides: how steps become a path.
+"""
 
 from collections.abc import Iterator, Sequence
 from typing import Protocol

@@ -1,4 +1,7 @@
-"""What accelerates the bodies of a scene: gravity, applied forces and torques (IM1, IM2)."""
+"""What accelerates the bodies of a scene: gravity, applied forces and torques (IM1, IM2).
+
+Serves: every integrator. Hides: how forces become accelerations of coordinates.
+"""
 
 from collections.abc import Callable, Sequence
 from typing import TypeAlias

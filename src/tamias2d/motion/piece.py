@@ -1,4 +1,7 @@
-"""A piece of a body's path: what whoever looks for contacts may ask of it."""
+"""A piece of a body's path: what whoever looks for contacts may ask of it.
+
+Serves: contact, which asks; the methods, which answer. Hides: what kind of path it is.
+"""
 
 from collections.abc import Sequence
 from typing import NamedTuple, Protocol

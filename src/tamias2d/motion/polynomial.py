@@ -1,5 +1,7 @@
 """Paths as polynomials of time, through what a scheme says at the ends of its step.
 
+Serves: schemes and reference. Hides: the basis of the polynomials.
+
 The coordinates are x, y and orientation. The polynomial of the coordinates is the one truth: the
 velocity is its derivative, so that what touches and how fast it meets cannot disagree.
 """
