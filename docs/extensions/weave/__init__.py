@@ -8,7 +8,7 @@ from typing import Any
 
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
-from sphinx.errors import ExtensionError
+from sphinx.errors import SphinxError
 
 from tamias2d.errors import SpecError
 from weave import gallery
@@ -38,11 +38,17 @@ _TABLES = {
 }
 
 
+class SpecificationFaultError(SphinxError):
+    """The chapters cannot be read."""
+
+    category = "The specification has faults"
+
+
 def _read(app: Sphinx) -> None:
     try:
         app.woven = weave(Path(app.srcdir).parent)  # type: ignore[attr-defined]
     except SpecError as error:
-        raise ExtensionError(f"the specification has faults:\n{error}") from None
+        raise SpecificationFaultError(f"nothing can be woven:\n{error}") from None
 
 
 def _all_pages(_app: Sphinx, env: BuildEnvironment, *_changes: set[str]) -> set[str]:

@@ -45,7 +45,8 @@ class ItemRole(SphinxRole):
         item = woven.spec.items.get(self.text)
         if item is None:
             message = f"{self.text}: no such item. Correct the id"
-            return [nodes.literal("", self.text)], [self.inliner.reporter.warning(message)]
+            fault = self.inliner.reporter.warning(message, line=self.lineno)
+            return [nodes.literal("", self.text)], [fault]
         page = item.file.removesuffix(".md")
         uri = self.env.app.builder.get_relative_uri(self.env.docname, page)
         options: dict[str, Any] = {"internal": True, "classes": ["srs-link", item.kind]}
