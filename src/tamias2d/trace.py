@@ -13,7 +13,7 @@ from typing import Any
 
 from tamias2d.errors import InputError
 from tamias2d.verify import results
-from tamias2d.verify.items import Item, items, links, scene_hash
+from tamias2d.verify.items import Item, items, label_order, links, scene_hash
 from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
 
 STALE = "stale"
@@ -97,10 +97,8 @@ def exit_code(rows: Iterable[Traced]) -> int:
 
 def plan_table() -> tuple[list[str], list[tuple[str, str, list[bool]]]]:
     """Return the plan's Table 1, corrected: the columns, and for each case id, title and marks."""
-    cases = sorted(
-        (item for item in items().values() if item["id"].startswith("TC")),
-        key=lambda item: (int(item["id"][2:].rstrip("abc")), item["id"]),
-    )
+    ids = sorted((id for id in items() if id.startswith("TC")), key=label_order)
+    cases = [items()[id] for id in ids]
     named = {item["id"]: [id for id in links(item) if _in_plan(id)] for item in cases}
     columns = [id for id in items() if any(id in ids for ids in named.values())]
     columns.sort(key=lambda id: (("IM", "R", "NFR").index(id.rstrip("0123456789")), id))
@@ -169,11 +167,13 @@ class Graph:
         """Return the cases that name an item, or else rest on it; a case has none but itself."""
         if self.items[id]["kind"] in ("case", *_UNJUDGED):
             return []
-        named = [each for each in self.backward[id] if self.items[each]["kind"] == "case"]
+        named = self._only_cases(self.backward[id])
         if named or self.items[id]["kind"] in _DEMANDS:
             return named
-        around = self.reach(id, self.backward, ends=_DEMANDS)  # to verify is not to rest on
-        return [each for each in around if self.items[each]["kind"] == "case"]
+        return self._only_cases(self.reach(id, self.backward, ends=_DEMANDS))
+
+    def _only_cases(self, ids: Iterable[str]) -> list[str]:
+        return sorted((id for id in ids if self.items[id]["kind"] == "case"), key=label_order)
 
     def verdict(self, id: str) -> str:
         """Return the worst verdict of an item's cases; a demand takes those of what it uses."""

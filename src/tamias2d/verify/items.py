@@ -5,12 +5,14 @@ Service: items by id. Secret: the file they are in.
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
 Item = Mapping[str, Any]
+_LABEL = re.compile(r"([A-Z]+)(\d+)([a-z]?)")
 
 
 @cache
@@ -23,6 +25,12 @@ def items() -> dict[str, Item]:
 def links(item: Item) -> tuple[str, ...]:
     """Return the ids that an item names, each once."""
     return tuple(dict.fromkeys(id for ids in item["links"].values() for id in ids if id != "none"))
+
+
+def label_order(case: str) -> tuple[bool, str, int, str]:
+    """Return what sorts labels of cases: the plan's first, then the oracles; numbers by size."""
+    letters, number, part = _LABEL.fullmatch(case).groups()  # type: ignore[union-attr]
+    return letters != "TC", letters, int(number), part
 
 
 def scene_hash(item: Item) -> str:
