@@ -26,7 +26,7 @@ class Pair:
     ) -> None:
         """Take two bodies, and the lasting contacts that do not count as a meeting."""
         self.cores = (a, b)
-        self._kept = {contact.gap.index for contact in kept}
+        self._kept = kept
         self._paths = (path_a, path_b)
 
     def placed(self, time: float) -> tuple[Placed, Placed]:
@@ -88,8 +88,14 @@ class Pair:
 
     def _step_beside(self, a: Placed, b: Placed, time: float, end: float) -> float | None:
         """Return the safe step for all other corners along the axis of a lasting contact."""
-        axis = max(axes(a, b), key=lambda each: each.gap)
-        near = [gap for gap in gaps(a, b, axis) if gap.index not in self._kept]
+        owner = self._kept[0].axis
+        if owner.side is None:  # around a corner there is only one
+            return math.inf
+        found = axes(a, b)
+        same = [each for each in found if each[:2] == owner[:2]]
+        axis = same[0] if same else max(found, key=lambda each: each.gap)
+        indices = {contact.gap.index for contact in self._kept}
+        near = [gap for gap in gaps(a, b, axis) if gap.index not in indices]
         if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
             return None
         return self._step_along(axis, near, a, b, time, end) if near else math.inf

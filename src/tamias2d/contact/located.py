@@ -10,16 +10,17 @@ from collections.abc import Callable, Iterable
 from tamias2d.contact.advance import Pair
 from tamias2d.contact.core import Core, place
 from tamias2d.contact.forecast import Forecasts
-from tamias2d.contact.gap import axes, resolution
+from tamias2d.contact.gap import EPSILON, axes, resolution
 from tamias2d.contact.instant import Hit, Instant, PairOf, Surroundings
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.near import Swept
 from tamias2d.contact.path import Motion, Piece
-from tamias2d.contact.refusal import OverlapError, named
+from tamias2d.contact.refusal import OverlapError, UndecidedContactError, named
 from tamias2d.contact.watch import Watch
 from tamias2d.scene import Scene
 from tamias2d.state import Hold, State
 
+_TRIES = 32  # new paths for a body within a few units of the last place of time
 _GENTLE = 1e-3  # m/s^2: with less than this, the search for the parting starts as if it were this
 
 
@@ -42,6 +43,7 @@ class Located:
         self._resume: dict[PairOf, float] = {}
         self._version = [0 for _ in self._cores]
         self._events: list[tuple[float, int, int, int, int]] = []
+        self._stuck = [0 for _ in self._cores]
         self._swept = Swept(self._cores)
         self._forecasts = Forecasts()
 
@@ -86,6 +88,15 @@ class Located:
         return end
 
     def _lay(self, body: int, path: Piece) -> None:
+        """Send a body along a path; refuse if that has stopped it from getting on."""
+        stuck = self.tracks[body] and self.tracks[body][-1].start >= path.start * (1 - 4 * EPSILON)
+        self._stuck[body] = self._stuck[body] + 1 if stuck else 0
+        if self._stuck[body] > _TRIES:
+            raise UndecidedContactError(
+                f"'{self._cores[body].name}' at {path.start!r} s: float64 cannot tell whether its "
+                "contacts last or open (R7). End the run before, or change the scene a little.",
+                time=path.start,
+            )
         self.tracks[body].append(path)
         self._version[body] += 1
         self._swept.put(body, path)
@@ -109,7 +120,7 @@ class Located:
         if len(kept) > 1 or (kept and not self._bends(pair)):
             return
         path_i, path_j = self.tracks[i][-1], self.tracks[j][-1]
-        start = self._resume.get(pair, self.time)
+        start = max(self._resume.get(pair, 0.0), self.time)
         end = min(path_i.end, path_j.end)
         time = Pair(self._cores[i], self._cores[j], path_i, path_j, kept).meets(start, end)
         if time is not None:

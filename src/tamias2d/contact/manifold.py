@@ -30,6 +30,9 @@ class Contact(NamedTuple):
     """In the world, m."""
     axis: Axis
     gap: Gap
+    found: tuple[bool, int]
+    """Axis (`swapped`) and corner of Q by which it was found; `axis` and `gap` are others where the
+    side of P ends before that corner."""
 
 
 def manifold(
@@ -42,19 +45,33 @@ def manifold(
     found = axes(a, b)
     axis = max(found, key=lambda each: each.gap)
     _refuse_corner_on_corner(a, b, found, axis, tolerance, time)
-    same = {contact.gap.index for contact in kept}
+    if axis.side is None:
+        return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
+    same = [contact.found for contact in kept] + [
+        (contact.axis.swapped, contact.gap.index[1]) for contact in kept
+    ]
     limit = (0.0 if kept else axis.gap) + tolerance
-    near = [gap for gap in gaps(a, b, axis) if gap.value <= limit or gap.index in same]
+    near = [
+        gap
+        for gap in gaps(a, b, axis)
+        if gap.value <= limit or (axis.swapped, gap.index[1]) in same
+    ]
     near = near or [min(gaps(a, b, axis), key=lambda gap: gap.value)]
-    if axis.side is None or len(near) == 1:
-        return [_contact(a, b, axis, near[0], None)]
+    if len(near) == 1:
+        return [_contact(a, b, axis, near[0])]
     along = [_along(a, b, axis, gap) for gap in near]
     first, last = along.index(min(along)), along.index(max(along))
     low, high = axis.side.ends
-    ends = [(first, max(along[first], low)), (last, min(along[last], high))]
-    if ends[0][1] >= ends[1][1]:  # the ends of both sides meet: one point
-        ends = ends[:1]
-    return [_contact(a, b, axis, near[k], None if end == along[k] else end) for k, end in ends]
+    if max(along[first], low) >= min(along[last], high):  # the ends of both sides meet: one point
+        return [_contact(a, b, axis, near[first])]
+    return [
+        _at_end(a, b, axis, near[first], 0)
+        if along[first] < low
+        else _contact(a, b, axis, near[first]),
+        _at_end(a, b, axis, near[last], 1)
+        if along[last] > high
+        else _contact(a, b, axis, near[last]),
+    ]
 
 
 def followed(contact: Contact, a: Placed, b: Placed) -> Contact:
@@ -62,16 +79,18 @@ def followed(contact: Contact, a: Placed, b: Placed) -> Contact:
     axis = contact.axis
     p, q = (b, a) if axis.swapped else (a, b)
     i, j = contact.gap.index
-    (px, py), (qx, qy) = p.state.position, q.state.position
     w = q.corners[j]
     if axis.side is not None:
         now = axis._replace(direction=p.turned(axis.side.normal))
-        return _contact(a, b, now, contact.gap._replace(corner=w), None)
-    v = p.corners[i]
-    x, y = qx - px + w[0] - v[0], qy - py + w[1] - v[1]
-    distance = math.hypot(x, y)
-    now = axis._replace(direction=(x / distance, y / distance))
-    return _contact(a, b, now, contact.gap._replace(corner=w, corner_p=v), None)
+        gap = contact.gap._replace(corner=w)
+    else:
+        (px, py), (qx, qy) = p.state.position, q.state.position
+        v = p.corners[i]
+        x, y = qx - px + w[0] - v[0], qy - py + w[1] - v[1]
+        distance = math.hypot(x, y)
+        now = axis._replace(direction=(x / distance, y / distance))
+        gap = contact.gap._replace(corner=w, corner_p=v)
+    return _contact(a, b, now, gap)._replace(found=contact.found)
 
 
 def approach(contact: Contact, a: State, b: State) -> float:
@@ -140,22 +159,36 @@ def _along(a: Placed, b: Placed, axis: Axis, gap: Gap) -> float:
     return ux * (qy - py + gap.corner[1]) - uy * (qx - px + gap.corner[0])
 
 
-def _contact(a: Placed, b: Placed, axis: Axis, gap: Gap, end: float | None) -> Contact:
-    """Return the contact at a corner of Q, or at the end of the side of P."""
+def _contact(a: Placed, b: Placed, axis: Axis, gap: Gap) -> Contact:
+    """Return the contact at a corner of Q."""
     p, q = (b, a) if axis.swapped else (a, b)
     ux, uy = axis.direction
     (px, py), (qx, qy) = p.state.position, q.state.position
-    if end is not None and axis.side is not None:
-        offset = axis.side.offset
-        arm_p = (offset * ux - end * uy, offset * uy + end * ux)
-        arm_q = (arm_p[0] - (qx - px), arm_p[1] - (qy - py))
-    else:
-        arm_q = (gap.corner[0] - q.core.radius * ux, gap.corner[1] - q.core.radius * uy)
-        arm_p = (arm_q[0] + (qx - px), arm_q[1] + (qy - py))
+    arm_q = (gap.corner[0] - q.core.radius * ux, gap.corner[1] - q.core.radius * uy)
+    arm_p = (arm_q[0] + (qx - px), arm_q[1] + (qy - py))
     point = (qx + arm_q[0], qy + arm_q[1])
+    normal, arm_a, arm_b = (ux, uy), arm_p, arm_q
     if axis.swapped:
-        return Contact(a.core.index, b.core.index, (-ux, -uy), arm_q, arm_p, point, axis, gap)
-    return Contact(a.core.index, b.core.index, (ux, uy), arm_p, arm_q, point, axis, gap)
+        normal, arm_a, arm_b = (-ux, -uy), arm_q, arm_p
+    a_index, b_index = a.core.index, b.core.index
+    return Contact(
+        a_index, b_index, normal, arm_a, arm_b, point, axis, gap, (axis.swapped, gap.index[1])
+    )
+
+
+def _at_end(a: Placed, b: Placed, axis: Axis, gap: Gap, end: int) -> Contact:
+    """Return the contact where the side of P ends, before the corner of Q: P's corner on Q's side."""
+    p, q = (b, a) if axis.swapped else (a, b)
+    ux, uy = axis.direction
+    index = (p.core.sides.index(axis.side) + end) % len(p.corners)
+    side = min(q.core.sides, key=lambda each: _facing(q.turned(each.normal), (ux, uy)))
+    other = Axis(not axis.swapped, side, (-ux, -uy), axis.gap)
+    corner = gap._replace(corner=p.corners[index], index=(-1, index))
+    return _contact(a, b, other, corner)._replace(found=(axis.swapped, gap.index[1]))
+
+
+def _facing(normal: Vector, direction: Vector) -> float:
+    return normal[0] * direction[0] + normal[1] * direction[1]
 
 
 def _refuse_corner_on_corner(

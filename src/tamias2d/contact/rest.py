@@ -7,6 +7,7 @@ accelerations is unique. A contact can last only while its normal stays as it is
 path is not one that the models give.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 
 from tamias2d.contact.complementarity import complementarity
@@ -27,7 +28,9 @@ from tamias2d.contact.response import coupling
 from tamias2d.state import Acceleration, Hold, State
 
 _SMALL = 1e-10
-"""What counts as none, relative to the largest of its kind. Rounding leaves far less than this."""
+"""Of the accelerations: what may turn or slide a contact that counts as fixed."""
+_ROUNDING = 1e-13
+"""Of the accelerations: what opens a contact only by rounding."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
@@ -47,7 +50,8 @@ class Island:
         loads = [opening(contact, placed, free) for contact in contacts]
         matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
         pushes = complementarity(matrix, loads)
-        self._scale = max(abs(load) for load in loads)
+        accelerations = [math.hypot(*free[i][:2]) for i in self.bodies]
+        self._scale = max(*accelerations, *(abs(load) for load in loads))
         if len(self.bodies) > 1:
             pressed = [c for c, push in zip(contacts, pushes, strict=True) if push > 0]
             self.accelerations = closed_accelerations(cores, self.bodies, pressed, free)
@@ -56,7 +60,7 @@ class Island:
         self.lasting = [
             contact
             for contact, push in zip(contacts, pushes, strict=True)
-            if push > 0 or opening(contact, placed, self.accelerations) <= _SMALL * self._scale
+            if push > 0 or opening(contact, placed, self.accelerations) <= _ROUNDING * self._scale
         ]
 
     def stopped(self, states: Mapping[int, State]) -> dict[int, State]:

@@ -7,14 +7,15 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from tamias2d.contact.core import Core, place
-from tamias2d.contact.gap import resolution
-from tamias2d.contact.manifold import Contact, manifold
+from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.gap import axes, resolution
+from tamias2d.contact.manifold import Contact, followed, manifold
 from tamias2d.contact.path import Piece
 from tamias2d.contact.refusal import Refusal
 from tamias2d.contact.rest import Island
 from tamias2d.state import Acceleration, Hold, State
 
+_SLACK = 1e-9  # of the size: by how much an axis of a lasting contact may seem second to another
 _SAMPLES = 32  # of a path, between which a contact may not open and close again unseen
 
 
@@ -59,22 +60,38 @@ class Watch:
     def _lasts(self, path: Piece, time: float, hold: Hold) -> bool:
         states = {**self._supports, self._body: path.at(time)}
         placed = {i: place(self._cores[i], state) for i, state in states.items()}
-        pairs = dict.fromkeys((c.a, c.b) for c in self._contacts)
-        now: list[Contact] = []
-        for a, b in pairs:
-            kept = [c for c in self._contacts if (c.a, c.b) == (a, b)]
-            tolerance = resolution(placed[a], placed[b], time)
-            try:
-                now += manifold(placed[a], placed[b], tolerance, time, kept)
-            except Refusal:
-                return False
-        if [_what(c) for c in now] != [_what(c) for c in self._contacts]:
+        try:
+            now = self._followed(placed) if hold.bends else self._found(placed, time)
+        except Refusal:
+            return False
+        if [_what(contact) for contact in now] != [_what(contact) for contact in self._contacts]:
             return False
         island = Island(self._cores, placed, now, {self._body: self._free(time)})
-        same = len(island.lasting) == len(now)
-        return same and island.holds(states, time)[self._body].bends == hold.bends
+        if len(island.lasting) < len(now):
+            return False
+        return hold.bends or not island.holds(states, time)[self._body].bends
+
+    def _followed(self, placed: Mapping[int, Placed]) -> list[Contact]:
+        """Return the contacts whose axis still is the one of its pair."""
+        now = []
+        for contact in self._contacts:
+            a, b = placed[contact.a], placed[contact.b]
+            found = axes(a, b)
+            best = max(axis.gap for axis in found)
+            slack = _SLACK * min(a.core.size, b.core.size)
+            if any(axis[:2] == contact.axis[:2] and axis.gap >= best - slack for axis in found):
+                now.append(followed(contact, a, b))
+        return now
+
+    def _found(self, placed: Mapping[int, Placed], time: float) -> list[Contact]:
+        """Return the contacts of all pairs anew."""
+        now: list[Contact] = []
+        for i, j in dict.fromkeys((contact.a, contact.b) for contact in self._contacts):
+            kept = [contact for contact in self._contacts if (contact.a, contact.b) == (i, j)]
+            a, b = placed[i], placed[j]
+            now += manifold(a, b, resolution(a, b, time), time, kept)
+        return now
 
 
 def _what(contact: Contact) -> object:
-    axis = contact.axis
-    return contact.a, contact.b, axis.swapped, axis.side, contact.gap.index
+    return contact.a, contact.b, contact.axis[:2], contact.gap.index
