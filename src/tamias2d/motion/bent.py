@@ -1,0 +1,31 @@
+"""Motion along a lasting contact whose normal turns: integrated, whatever the method of the run.
+
+Serves: bodies whose supports turn. Hides: the integrator.
+"""
+
+from tamias2d.motion.loads import Loads, coordinates
+from tamias2d.motion.polynomial import Polynomial
+from tamias2d.motion.reference import Dop853
+from tamias2d.scene import Scene
+from tamias2d.state import Hold, State
+
+_TOLERANCE = 1e-13
+"""Relative; as far as float64 goes."""
+
+
+class Bent:
+    """Paths of single bodies that a hold bends, step by step."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._loads = Loads(scene)
+        self._integrators: dict[int, Dop853] = {}
+
+    def restart(self, body: int, start: float, state: State, end: float, hold: Hold) -> Polynomial:
+        """Return one step of the path of a body from `start` towards `end`, s."""
+        if body not in self._integrators:
+            shape = self._loads.bodies[body].shape
+            size = shape.bounding_radius if shape else 1.0
+            self._integrators[body] = Dop853(_TOLERANCE, (size, 1.0))
+        field = self._loads.field([body], [hold])
+        q, rate = coordinates([state])
+        return self._integrators[body].step(field, start, end, q, rate).piece(0)
