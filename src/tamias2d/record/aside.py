@@ -30,8 +30,8 @@ def aside(path: Path) -> Iterator[Path]:
     try:
         yield draft
         draft.replace(path)
-    except (OSError, RuntimeError) as fault:  # the rerun writer reports a full disk as the latter
-        why = str(fault).splitlines()[0] if str(fault) else type(fault).__name__
+    except OSError as fault:
+        why = fault.strerror or type(fault).__name__
         raise RecordingError(
             f"{path}: cannot be written: {why}. Check the disk's space and the permissions."
         ) from fault

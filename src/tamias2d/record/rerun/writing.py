@@ -40,18 +40,21 @@ def write(run: Run, path: Path) -> None:
     timeline = layout.TIME if np.all(np.diff(clock) > 0) else layout.STEP
     rr.set_strict_mode(True)  # else a bad shape is only a warning, and the data are gone
     view = drawing.view_of(run)
+    stream = rr.RecordingStream("tamias2d", recording_id=run.digest()[:32])
+    if stream.get_application_id() is None:
+        raise RecordingError(f"{path}: rerun records nothing: the environment says RERUN=off.")
+    encoded = stream.binary_stream()
+    stream.send_blueprint(layout.blueprint(run, view, timeline=timeline), make_active=False)
+    stream.send_recording_name(run.scene.name or "tamias2d")
+    _texts(stream, run)
+    stream.flush()  # the header is first in the file: of a cut one it is left
+    _world(stream, run, view)
+    for start in range(0, len(run.times), BLOCK):
+        _block(stream, run, clock, slice(start, start + BLOCK))
+    _impacts(stream, run, view)
+    # Written by us: rerun's own writer can wait for ever for a disk that is full.
     with aside(path) as draft:
-        stream = rr.RecordingStream("tamias2d", recording_id=run.digest()[:32])
-        stream.save(draft, default_blueprint=layout.blueprint(run, view, timeline=timeline))
-        stream.send_recording_name(run.scene.name or "tamias2d")
-        _texts(stream, run)
-        stream.flush()  # the header is first in the file: of a cut one it is left
-        _world(stream, run, view)
-        for start in range(0, len(run.times), BLOCK):
-            _block(stream, run, clock, slice(start, start + BLOCK))
-        _impacts(stream, run, view)
-        stream.flush()  # raises on a full disk, which disconnect does not
-        stream.disconnect()
+        draft.write_bytes(encoded.read() or b"")
 
 
 def _nanoseconds(times: NDArray[np.float64], path: Path) -> NDArray[np.int64]:
