@@ -34,7 +34,7 @@ _PREFIXES = [
 _ID = re.compile(r"(?<![\w`-])(?:GS|TM|GD|DD|IM|NFR|LC|UC|TC|O[A-Z]|[APRE])\d+[a-z]?(?![\w`])")
 
 
-_KEY = re.compile(r"\(([a-z]+\d{4}[a-z]?)\)")
+_KEY = re.compile(r"\(([a-z]+\d{4}[a-z]?)\)|^([a-z]+\d{4}[a-z]?)$")
 
 
 class ItemRole(SphinxRole):
@@ -64,7 +64,8 @@ def linked(text: str, woven: Woven) -> str:
         return f"{{srs}}`{match.group()}`" if known else match.group()
 
     def cited(match: re.Match[str]) -> str:
-        return f"{{cite}}`{match[1]}`" if match[1] in woven.books else match.group()
+        key = match[1] or match[2]
+        return f"{{cite}}`{key}`" if key in woven.books else match.group()
 
     return _KEY.sub(cited, _ID.sub(link, " ".join(text.split())))
 

@@ -74,7 +74,9 @@ def guide(package: Path) -> str:
     """A table of services and secrets for each part of the package."""
     parts: dict[str, list[list[str]]] = {}
     for module in modules(package):
-        says = [module.summary, *module.service_and_secret]
+        says = [
+            text[:1].upper() + text[1:] for text in (module.summary, *module.service_and_secret)
+        ]
         link = f"{{module}}`{module.name}`"
         parts.setdefault(module.part, []).append([link, *map(as_markdown, says)])
     return "\n".join(
