@@ -6,14 +6,14 @@ verdicts are rolled up.
 """
 
 import difflib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import Any
 
 from tamias2d.errors import InputError
 from tamias2d.verify import results
-from tamias2d.verify.items import Item, items, label_order, links, scene_hash
+from tamias2d.verify.items import Item, fingerprint, items, label_order, links
 from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
 
 STALE = "stale"
@@ -116,9 +116,13 @@ class Graph:
     """The items with their links in both directions, and the last results."""
 
     def __init__(
-        self, specification: Mapping[str, Item], outcomes: Mapping[str, list[Outcome]]
+        self,
+        specification: Mapping[str, Item],
+        outcomes: Mapping[str, list[Outcome]],
+        fingerprint: Callable[[Item], str] = fingerprint,
     ) -> None:
         self.items = specification
+        self.fingerprint = fingerprint
         self.outcomes = outcomes
         self.forward = {id: links(item) for id, item in specification.items()}
         self._verdicts: dict[str, str] = {}
@@ -200,8 +204,7 @@ class Graph:
 
     def _of_case(self, item: Item) -> str:
         outcomes = self.outcomes.get(item["id"], [])
-        now = (item["hash"], scene_hash(item))
-        if any((outcome.hash, outcome.scene) != now for outcome in outcomes):
+        if any(outcome.hash != self.fingerprint(item) for outcome in outcomes):
             return STALE
         return worst(outcome.verdict for outcome in outcomes)
 

@@ -1,6 +1,7 @@
 """The items of the specification, as the generator wrote them down.
 
-Service: items by id. Secret: the file they are in.
+Service: items by id. Secret: the file they are in, and
+what a verdict rests on.
 """
 
 import hashlib
@@ -33,10 +34,21 @@ def label_order(case: str) -> tuple[bool, str, int, str]:
     return letters != "TC", letters, int(number), part
 
 
-def scene_hash(item: Item) -> str:
-    """Return eight hex digits of the catalogue's scene that a case names; nothing without one."""
-    scene = item["data"].get("scene")
+def fingerprint(case: Item) -> str:
+    """Return twelve hex digits that change with whatever a verdict on a case rests on.
+
+    That is what the case says, its scene, the requirements as they are worded, and all that the
+    items rest on which it uses.
+    """
+    known, named = items(), case["links"]
+    wording = [known[id]["data"] for id in named.get("verifies", ())]
+    used = [known[id]["hash"] for id in named.get("uses", ())]
+    text = json.dumps([case["data"], _scene(case), wording, used], sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:12]
+
+
+def _scene(case: Item) -> str:
+    """Return the text of the catalogue's scene that a case names; nothing without one."""
+    scene = case["data"].get("scene")
     file = files("tamias2d.scene.catalogue") / f"{scene}.yaml"
-    if not isinstance(scene, str) or not file.is_file():
-        return ""
-    return hashlib.sha256(file.read_bytes()).hexdigest()[:8]
+    return file.read_text(encoding="utf-8") if isinstance(scene, str) and file.is_file() else ""
