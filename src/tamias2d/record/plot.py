@@ -56,13 +56,13 @@ def _figure(path: Path) -> Any:
     try:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
+        from matplotlib.layout_engine import ConstrainedLayoutEngine
     except ImportError as fault:
         raise RecordingError(
             f"{path}: a plot needs matplotlib, which is not installed ({fault}). "
             "Install it by `pip install tamias2d[plot]`."
         ) from fault
-    figure = Figure(figsize=(10, 5.6), layout="constrained")
-    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
+    figure = Figure(figsize=(10, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.1, h_pad=0.1))
     FigureCanvasAgg(figure)
     return figure
 
