@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.contact import Hit, Located, Refusal
+from tamias2d.contact import Hit, Located, Refusal, refuse_contact
 from tamias2d.errors import InputError
 from tamias2d.generated import definitions
 from tamias2d.motion import ClosedForm, Legacy2018, Method, Reference
@@ -134,6 +134,7 @@ def _samples(times: Iterable[float], duration: float) -> Array:
 
 def _legacy(plan: _Plan) -> Run:
     times, history = legacy_history(plan.scene, plan.duration, plan.time_step or plan.duration)
+    refuse_contact(plan.scene, times, history)
     return _finished(plan._replace(times=times), history, _impacts([]), ())
 
 

@@ -7,12 +7,14 @@ what happens at one instant is decided.
 
 from tamias2d.contact.instant import Hit
 from tamias2d.contact.located import Located
+from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
     LastingContactError,
     OverlapError,
     Refusal,
     SimultaneousImpactsError,
     UndecidedContactError,
+    UnlocatedContactError,
 )
 
 __all__ = [
@@ -23,4 +25,6 @@ __all__ = [
     "Refusal",
     "SimultaneousImpactsError",
     "UndecidedContactError",
+    "UnlocatedContactError",
+    "refuse_contact",
 ]

@@ -94,8 +94,8 @@ class Pair:
         found = axes(a, b)
         same = [each for each in found if each[:2] == owner[:2]]
         axis = same[0] if same else max(found, key=lambda each: each.gap)
-        indices = {contact.gap.index for contact in self._kept}
-        near = [gap for gap in gaps(a, b, axis) if gap.index not in indices]
+        indices = {contact.gap.which for contact in self._kept}
+        near = [gap for gap in gaps(a, b, axis) if gap.which not in indices]
         if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
             return None
         return self._step_along(axis, near, a, b, time, end) if near else math.inf

@@ -46,7 +46,7 @@ class Gap(NamedTuple):
     """The corner of Q, from its centre, m."""
     corner_p: Vector
     """The corner of P, from its centre, m; (0, 0) for a side."""
-    index: tuple[int, int]
+    which: tuple[int, int]
     """Which corners of P and Q these are; -1 for a side."""
 
 

@@ -8,14 +8,15 @@ import math
 from collections.abc import Callable, Iterable
 
 from tamias2d.contact.advance import Pair
-from tamias2d.contact.core import Core, place
+from tamias2d.contact.core import Core
 from tamias2d.contact.forecast import Forecasts
-from tamias2d.contact.gap import EPSILON, axes, resolution
+from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.instant import Hit, Instant, PairOf, Surroundings
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.near import Swept
+from tamias2d.contact.overlap import refuse_overlap
 from tamias2d.contact.path import Motion, Piece
-from tamias2d.contact.refusal import OverlapError, UndecidedContactError, named
+from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.contact.watch import Watch
 from tamias2d.scene import Scene
 from tamias2d.state import Hold, State
@@ -58,7 +59,7 @@ class Located:
             State(b.position, b.orientation, b.velocity, b.angular_velocity)
             for b in self._scene.bodies
         ]
-        self._refuse_overlap(states)
+        refuse_overlap(self._cores, states)
         while self.time < duration:
             end = self._segment(states)
             while self._events and self._events[0][0] <= end:
@@ -196,16 +197,3 @@ class Located:
             meeting = Pair(self._cores[i], self._cores[j], self.tracks[i][-1], self.tracks[j][-1])
             step = math.sqrt(8 * instant.touches[pair].tolerance / max(bend, _GENTLE))
             self._resume[pair] = meeting.seen_apart(instant.time, step)
-
-    def _refuse_overlap(self, states: list[State]) -> None:
-        placed = [place(core, state) for core, state in zip(self._cores, states, strict=True)]
-        for a in placed:
-            for b in placed[a.core.index + 1 :]:
-                if not (a.core.solid and b.core.solid and (a.core.dynamic or b.core.dynamic)):
-                    continue
-                gap = max(axis.gap for axis in axes(a, b))
-                if gap < -resolution(a, b, 0.0):
-                    raise OverlapError(
-                        f"{named(a.core.name, b.core.name)}: they overlap by {-gap:.6g} m at the "
-                        "start: bodies must not (R4). Move them apart."
-                    )

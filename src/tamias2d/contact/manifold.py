@@ -48,13 +48,13 @@ def manifold(
     if axis.side is None:
         return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
     same = [contact.found for contact in kept] + [
-        (contact.axis.swapped, contact.gap.index[1]) for contact in kept
+        (contact.axis.swapped, contact.gap.which[1]) for contact in kept
     ]
     limit = (0.0 if kept else axis.gap) + tolerance
     near = [
         gap
         for gap in gaps(a, b, axis)
-        if gap.value <= limit or (axis.swapped, gap.index[1]) in same
+        if gap.value <= limit or (axis.swapped, gap.which[1]) in same
     ]
     near = near or [min(gaps(a, b, axis), key=lambda gap: gap.value)]
     if len(near) == 1:
@@ -78,7 +78,7 @@ def followed(contact: Contact, a: Placed, b: Placed) -> Contact:
     """Return a contact of the same corners and sides, where the bodies are now."""
     axis = contact.axis
     p, q = (b, a) if axis.swapped else (a, b)
-    i, j = contact.gap.index
+    i, j = contact.gap.which
     w = q.corners[j]
     if axis.side is not None:
         now = axis._replace(direction=p.turned(axis.side.normal))
@@ -172,19 +172,19 @@ def _contact(a: Placed, b: Placed, axis: Axis, gap: Gap) -> Contact:
         normal, arm_a, arm_b = (-ux, -uy), arm_q, arm_p
     a_index, b_index = a.core.index, b.core.index
     return Contact(
-        a_index, b_index, normal, arm_a, arm_b, point, axis, gap, (axis.swapped, gap.index[1])
+        a_index, b_index, normal, arm_a, arm_b, point, axis, gap, (axis.swapped, gap.which[1])
     )
 
 
 def _at_end(a: Placed, b: Placed, axis: Axis, gap: Gap, end: int) -> Contact:
-    """Return the contact where the side of P ends, before the corner of Q: P's corner on Q's side."""
+    """Return the contact of P's corner with Q's side, where the side of P ends before Q's."""
     p, q = (b, a) if axis.swapped else (a, b)
     ux, uy = axis.direction
     index = (p.core.sides.index(axis.side) + end) % len(p.corners)
     side = min(q.core.sides, key=lambda each: _facing(q.turned(each.normal), (ux, uy)))
     other = Axis(not axis.swapped, side, (-ux, -uy), axis.gap)
-    corner = gap._replace(corner=p.corners[index], index=(-1, index))
-    return _contact(a, b, other, corner)._replace(found=(axis.swapped, gap.index[1]))
+    corner = gap._replace(corner=p.corners[index], which=(-1, index))
+    return _contact(a, b, other, corner)._replace(found=(axis.swapped, gap.which[1]))
 
 
 def _facing(normal: Vector, direction: Vector) -> float:

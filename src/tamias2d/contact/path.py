@@ -6,7 +6,7 @@ Serves: this package. Hides: who makes the paths.
 from collections.abc import Sequence
 from typing import Any, Protocol
 
-from tamias2d.state import Acceleration, Hold, State, Vector
+from tamias2d.state import Acceleration, Array, Hold, State, Vector
 
 
 class Bounds(Protocol):
@@ -43,6 +43,9 @@ class Piece(Protocol):
 
     def bounds(self, first: float, last: float) -> Any:
         """Return the `Bounds` from the time `first` to the time `last`, s."""
+
+    def sample(self, times: Array) -> Array:
+        """Return (k, 6): position, orientation, velocity, angular velocity at times (k,), s."""
 
 
 class Motion(Protocol):

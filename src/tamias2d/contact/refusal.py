@@ -39,6 +39,12 @@ class UndecidedContactError(Refusal):
     code = "undecided-contact"
 
 
+class UnlocatedContactError(Refusal):
+    """Bodies meet under a method that knows no contacts."""
+
+    code = "unlocated-contact"
+
+
 class OverlapError(SceneError):
     """Bodies overlap at the start of a run."""
 

@@ -94,4 +94,4 @@ class Watch:
 
 
 def _what(contact: Contact) -> object:
-    return contact.a, contact.b, contact.axis[:2], contact.gap.index
+    return contact.a, contact.b, contact.axis[:2], contact.gap.which

@@ -38,6 +38,6 @@ def grid(duration: float, time_step: float) -> Array:
     count = max(round(duration / time_step), 1)
     if abs(count * time_step - duration) > 1e-9 * time_step:  # more than rounding
         count = int(np.ceil(duration / time_step))
-    times: Array = np.arange(count + 1) * float(time_step)
+    times: Array = np.arange(count + 1, dtype=np.float64) * np.float64(time_step)
     times[-1] = duration
     return times
