@@ -27,6 +27,8 @@ INSTANT = 1.1
 """s; just after the discs have met the floor."""
 WIDTH = 1320
 """Pixels of the viewer's picture."""
+PATIENCE = 60.0
+"""s that the viewer may take to load a recording."""
 SETTLED = 1.0
 """s that the viewer is given to draw everything."""
 
@@ -59,8 +61,13 @@ def headless_viewer() -> Iterator[Any]:
 
 
 def look(client: Any, recording: Path) -> None:
-    """Open a recording, and wait until it is loaded."""
+    """Open a recording, and wait until it is loaded; raise `TimeoutError` if it never is."""
     client.open(str(recording.absolute()))
+    until = time.monotonic() + PATIENCE
+    while not client.get_state().views:
+        if time.monotonic() > until:
+            raise TimeoutError(f"{recording}: the viewer does not show it.")
+        time.sleep(0.1)
     time.sleep(SETTLED)
 
 

@@ -53,6 +53,20 @@ def test_a_cut_file_is_one_message(saved: dict[str, bytes], tmp_path: Path, suff
         assert "cut, damaged or of another kind" in refusal(path)
 
 
+def test_a_damaged_file_is_not_read_in_our_process(
+    saved: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """There rerun's reader aborts at some damages, and the whole process with it."""
+    from tamias2d.record.rerun import reading
+
+    opened: list[str] = []
+    monkeypatch.setattr(reading, "RrdReader", opened.append)
+    path = tmp_path / "cut.rrd"
+    path.write_bytes(saved[".rrd"][:9000])
+    refusal(path)
+    assert not opened
+
+
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_flipped_bits_are_an_answer_or_a_message(
     saved: dict[str, bytes], tmp_path: Path, suffix: str
@@ -156,6 +170,8 @@ def test_arrays_that_do_not_fit(
         ),
         ('"samples": 31', '"samples": 32', "times: found float64 (31,): must be float64 (32,)"),
         ('"samples": 31', '"samples": "31"', "header cannot be read"),
+        ('"duration": 0.5', '"duration": "0.5"', "header cannot be read"),
+        ('"notes": ["', '"notes": [1, "', "header cannot be read"),
         ("shape: disc", "shape: disk", "the scene in it: "),
         ('"speck", "lamp"', '"fleck", "lamp"', "the scene in it has bodies"),
         ('"duration": 0.5', '"duration": -0.5', "its inputs are refused"),

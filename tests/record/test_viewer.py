@@ -49,7 +49,10 @@ def world(client: Any, instant: float) -> np.ndarray[Any, Any]:
 
     show(client, instant)
     (view,) = [view for view in client.get_state().views if view.view_class == "2D"]
-    return np.asarray(Image.open(io.BytesIO(client.take_screenshot(view.view_id))).convert("RGB"))
+    before = b""
+    while (picture := client.take_screenshot(view.view_id)) != before:  # until nothing moves
+        before = picture
+    return np.asarray(Image.open(io.BytesIO(picture)).convert("RGB"))
 
 
 def found(picture: np.ndarray[Any, Any], index: int) -> tuple[np.ndarray[Any, Any], ...]:

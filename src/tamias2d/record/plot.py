@@ -123,7 +123,7 @@ def _heights(axes: Any, run: Run) -> None:
 
 def _energy(axes: Any, run: Run) -> None:
     kinetic = kinetic_energy(run, slice(None))
-    series = {"kinetic": kinetic, "potential": run.energy - kinetic, "together": run.energy}
+    series = {"energy": run.energy, "kinetic": kinetic, "potential": run.energy - kinetic}
     for (name, values), colour in zip(series.items(), drawing.PALETTE, strict=False):
         axes.plot(run.times, values, label=name, color=_unit(colour), linewidth=1.2)
     axes.set(xlabel="time, s", ylabel="energy, J")
