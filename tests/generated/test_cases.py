@@ -32,7 +32,7 @@ def test_tc13_agreement_with_independent_programs() -> None:
 
 
 def test_tc14_stress_scene_of_2018() -> None:
-    """TC14, srs/verification/nonfunctional.md:70; verifies NFR1."""
+    """TC14, srs/verification/nonfunctional.md:72; verifies NFR1."""
     passes("TC14")
 
 
