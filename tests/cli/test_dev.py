@@ -127,4 +127,4 @@ def test_a_failing_check_fails_and_all_are_listed(house: House) -> None:
         (house.bin / tool).symlink_to(shutil.which(tool) or tool)
     code, calls, _ = house.dev("test")
     assert code == 1
-    assert calls[-1] == "bin/python -m tamias2d trace"
+    assert "bin/python -m tamias2d trace" in calls
