@@ -16,6 +16,7 @@ from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.gap import Axis, Gap, axes, gaps, resolution
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.path import Bounds, Piece
+from tamias2d.contact.refusal import UndecidedContactError, named
 
 
 class Pair:
@@ -37,21 +38,22 @@ class Pair:
     def meets(self, start: float, end: float) -> float | None:
         """Return the first time in s from `start` to `end` at which they touch and do not part."""
         time = start
-        while True:
+        while time < end:
             step = self._safe_step(time, end)
             if step is None:
                 return time
-            after = time + step
-            if after >= end:
-                return None
-            if after == time:
+            if time + step == time:
                 return time
-            time = after
+            time += step
+        return None
 
     def seen_apart(self, start: float, step: float) -> float:
         """Return a time in s soon after `start` at which a parting pair is apart and opens.
 
         `step` is the first guess of how long that takes; it is doubled until float64 can tell.
+
+        Raises:
+            UndecidedContactError: they come to overlap instead.
         """
         end = min(path.end for path in self._paths)
         while (time := start + step) < end:
@@ -62,9 +64,13 @@ class Pair:
             if nearest.value > tolerance and nearest.rate > 0:
                 return time
             if nearest.value < -4 * tolerance:
-                break
+                raise UndecidedContactError(
+                    f"{named(a.core.name, b.core.name)} at {start!r} s: float64 cannot tell "
+                    "whether they part or press (R7). End the run before, or change the scene a little.",
+                    time=start,
+                )
             step *= 2
-        return min(time, end)
+        return end
 
     def _safe_step(self, time: float, end: float) -> float | None:
         """Return how long no contact can come about, s, or None if one is there."""

@@ -110,6 +110,11 @@ def resolution(a: Placed, b: Placed, time: float) -> float:
     return EPSILON * (16 * length + 4 * speed * time)
 
 
+def slight_opening(a: Placed, b: Placed, time: float, until: float) -> float:
+    """Return the acceleration in m/s^2 by which a pair opens too little to be seen `until` then."""
+    return 2 * resolution(a, b, time) / (until - time) ** 2
+
+
 def _of_sides(p: Placed, q: Placed, *, swapped: bool) -> list[Axis]:
     (px, py), (qx, qy) = p.state.position, q.state.position
     dx, dy = qx - px, qy - py

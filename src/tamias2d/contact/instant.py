@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.gap import EPSILON, axes, resolution
+from tamias2d.contact.gap import EPSILON, axes, resolution, slight_opening
 from tamias2d.contact.hold import opening
 from tamias2d.contact.manifold import Contact, approach, manifold
 from tamias2d.contact.refusal import SimultaneousImpactsError, named
@@ -39,6 +39,8 @@ class Surroundings(NamedTuple):
     held: Mapping[PairOf, Sequence[Contact]]
     """The contacts that have lasted until now."""
     restitution: Callable[[int, int], float]
+    until: float
+    """When the run ends, s."""
 
 
 class Hit(NamedTuple):
@@ -207,8 +209,18 @@ class Instant:
                 joined = group[1] + joined
             groups.append((bodies, joined))
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
+        slight = [
+            slight_opening(placed[contact.a], placed[contact.b], self.time, self._world.until)
+            for contact in contacts
+        ]
         return [
-            Island(cores, placed, joined, {i: self._world.free(i) for i in sorted(bodies)})
+            Island(
+                cores,
+                placed,
+                joined,
+                {i: self._world.free(i) for i in sorted(bodies)},
+                min(slight),
+            )
             for bodies, joined in groups
         ]
 

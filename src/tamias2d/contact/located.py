@@ -8,9 +8,9 @@ import math
 from collections.abc import Callable, Iterable
 
 from tamias2d.contact.advance import Pair
-from tamias2d.contact.core import Core
+from tamias2d.contact.core import Core, place
 from tamias2d.contact.forecast import Forecasts
-from tamias2d.contact.gap import EPSILON
+from tamias2d.contact.gap import EPSILON, slight_opening
 from tamias2d.contact.instant import Hit, Instant, PairOf, Surroundings
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.near import Swept
@@ -35,6 +35,7 @@ class Located:
         solid = [core for core in self._cores if core.solid]
         self.can_meet = len(solid) > 1 and any(core.dynamic for core in solid)
         self.time = 0.0
+        self._until = 0.0
         self.tracks: list[list[Piece]] = [[] for _ in self._cores]
         """The pieces that each body has gone through, in order."""
         self.notes: tuple[str, ...] = ()
@@ -60,6 +61,7 @@ class Located:
             for b in self._scene.bodies
         ]
         refuse_overlap(self._cores, states)
+        self._until = duration
         while self.time < duration:
             end = self._segment(states)
             while self._events and self._events[0][0] <= end:
@@ -148,6 +150,7 @@ class Located:
             lambda body: self._motion.free(body, time),
             self._held,
             self._scene.restitution,
+            self._until,
         )
         instant = Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
         self._hits += [(time, hit) for hit in instant.hits]
@@ -183,8 +186,18 @@ class Located:
         contacts = [c for pair, held in self._held.items() if body in pair for c in held]
         supports = {i: self._state(i) for c in contacts for i in (c.a, c.b) if i != body}
         if hold and not any(self._cores[i].dynamic for i in supports):
+            placed = place(self._cores[body], self._state(body))
+            slight = min(
+                slight_opening(placed, place(self._cores[i], state), self.time, self._until)
+                for i, state in supports.items()
+            )
             watch = Watch(
-                self._cores, body, contacts, supports, lambda time: self._motion.free(body, time)
+                self._cores,
+                body,
+                contacts,
+                supports,
+                lambda time: self._motion.free(body, time),
+                slight,
             )
             time = watch.ends(path, hold)
             if time is not None:

@@ -43,7 +43,9 @@ class Island:
         placed: Mapping[int, Placed],
         contacts: Sequence[Contact],
         free: Mapping[int, Acceleration],
+        slight: float,
     ) -> None:
+        """Take contacts without normal velocity; an opening by less than `slight` is not seen."""
         self._cores = cores
         self._placed = placed
         self.bodies = sorted({i for c in contacts for i in (c.a, c.b) if cores[i].dynamic})
@@ -51,16 +53,19 @@ class Island:
         matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
         pushes = complementarity(matrix, loads)
         accelerations = [math.hypot(*free[i][:2]) for i in self.bodies]
-        self._scale = max(*accelerations, *(abs(load) for load in loads))
+        scale = max(*accelerations, *(abs(load) for load in loads))
+        self._small = _SMALL * scale + slight
+        self._pressed = [c for c, push in zip(contacts, pushes, strict=True) if push > 0]
         if len(self.bodies) > 1:
-            pressed = [c for c, push in zip(contacts, pushes, strict=True) if push > 0]
-            self.accelerations = closed_accelerations(cores, self.bodies, pressed, free)
+            self.accelerations = closed_accelerations(cores, self.bodies, self._pressed, free)
         else:
             self.accelerations = self._pushed(contacts, pushes, free)
+        unseen = max(_ROUNDING * scale, slight)
         self.lasting = [
             contact
             for contact, push in zip(contacts, pushes, strict=True)
-            if push > 0 or opening(contact, placed, self.accelerations) <= _ROUNDING * self._scale
+            if push > 0
+            or opening(contact, placed, self.accelerations) <= unseen
         ]
 
     def stopped(self, states: Mapping[int, State]) -> dict[int, State]:
@@ -118,7 +123,8 @@ class Island:
     def _moves_on(self, states: Mapping[int, State]) -> str:
         """Return the names of a pair whose normal does not stay, or nothing."""
         for contact in self.lasting:
-            if self._turns(contact, states) or self._slides(contact, states):
+            slides = contact in self._pressed and self._slides(contact, states)
+            if self._turns(contact, states) or slides:
                 return named(self._cores[contact.a].name, self._cores[contact.b].name)
         return ""
 
@@ -126,10 +132,9 @@ class Island:
         for i in (contact.a, contact.b):
             core = self._cores[i]
             if core.dynamic and len(core.corners) > 1:
-                small = _SMALL * self._scale
                 spin, turn = states[i].angular_velocity, self.accelerations[i][2]
                 size = core.bounding_radius
-                if spin**2 * size > small or abs(turn) * size > small:
+                if max(spin**2, abs(turn)) * size > self._small:
                     return True
         return False
 
@@ -143,8 +148,8 @@ class Island:
         ux, uy = contact.axis.direction
         rate = slip(contact, states[contact.a], states[contact.b])
         size = min(self._cores[i].size for i in (p, q) if self._cores[i].dynamic)
-        small = _SMALL * self._scale
-        return rate**2 > small * size or abs(ux * (by - ay) - uy * (bx - ax)) > small
+        change = abs(ux * (by - ay) - uy * (bx - ax))
+        return max(rate**2 / size, change) > self._small
 
     def _flat(self) -> bool:
         """Whether some pair touches with two contacts."""

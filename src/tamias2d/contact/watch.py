@@ -29,12 +29,14 @@ class Watch:
         contacts: Sequence[Contact],
         supports: Mapping[int, State],
         free: Callable[[float], Acceleration],
+        slight: float,
     ) -> None:
         self._cores = cores
         self._body = body
         self._contacts = contacts
         self._supports = supports
         self._free = free
+        self._slight = slight
 
     def ends(self, path: Piece, hold: Hold) -> float | None:
         """Return the first time in s at which the contacts do not go on as they are, or None."""
@@ -66,7 +68,7 @@ class Watch:
             return False
         if [_what(contact) for contact in now] != [_what(contact) for contact in self._contacts]:
             return False
-        island = Island(self._cores, placed, now, {self._body: self._free(time)})
+        island = Island(self._cores, placed, now, {self._body: self._free(time)}, self._slight)
         if len(island.lasting) < len(now):
             return False
         return hold.bends or not island.holds(states, time)[self._body].bends
