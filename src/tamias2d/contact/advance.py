@@ -66,7 +66,8 @@ class Pair:
             if nearest.value < -4 * tolerance:
                 raise UndecidedContactError(
                     f"{named(a.core.name, b.core.name)} at {start!r} s: float64 cannot tell "
-                    "whether they part or press (R7). End the run before, or change the scene a little.",
+                    "whether they part or press (R7). End the run before, or change the "
+                    "scene a little.",
                     time=start,
                 )
             step *= 2
