@@ -85,7 +85,7 @@ def test_a_file_is_not_taken_for_the_case_of_its_name(call: Call, tmp_path: Path
 def test_run_keeps_a_recording_that_checks(call: Call, tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"with blank{suffix}"
     text = call("run", "tc3", "--record", path).stdout
-    assert f'Look at it: tamias2d replay "{path}"' in text
+    assert f"Look at it: tamias2d replay '{path}'" in text
     checked = call("replay", path, "--check")
     assert checked.exit_code == 0
     assert "identical" in checked.stdout
@@ -114,6 +114,7 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
     ("words", "says"),
     [
         (["run", "tc33"], "SCENE: 'tc33': must be a name of the catalogue or a file (R1). Did you"),
+        (["run", "."], "SCENE: '.': must be"),
         (["run", "no/such.yaml"], "SCENE: 'no/such.yaml': must be"),
         (["run", "tc3", "--duration", "4 kg"], "--duration: '4 kg': must be a time"),
         (["run", "tc3", "--duration", "soon"], "--duration: 'soon': must be a time"),

@@ -3,6 +3,7 @@
 Serves: the command `run`. Hides: the form of its answer, for people and as JSON.
 """
 
+import shlex
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -129,7 +130,7 @@ def _print(run: Run, name: str, errors: list[KnownError]) -> None:
 def _print_files(files: _Files) -> None:
     if files.record:
         say(f"\nRecording: {files.record}")
-        say(f'Look at it: {command()} replay "{files.record}"')
+        say("Look at it: " + shlex.join([command(), "replay", str(files.record)]))
     if files.plot:
         say(f"\nPlot: {files.plot}")
 
