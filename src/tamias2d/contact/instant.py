@@ -15,13 +15,14 @@ from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.gap import EPSILON, axes, resolution, slight_opening
 from tamias2d.contact.hold import opening
 from tamias2d.contact.manifold import Contact, approach, manifold
-from tamias2d.contact.refusal import SimultaneousImpactsError, named
+from tamias2d.contact.refusal import SimultaneousImpactsError, UndecidedContactError, named
 from tamias2d.contact.response import coupling, impulses, pushed
 from tamias2d.contact.rest import Island
 from tamias2d.state import Acceleration, Hold, State
 
 PairOf = tuple[int, int]
 
+_TRIES = 10_000  # impulses of one pair at one instant; their speeds fall as a geometric series
 _HELD_NOISE = 1e-9
 """Of the speeds: what normal velocity a lasting contact may have gathered."""
 
@@ -128,21 +129,36 @@ class Instant:
     def _part(self) -> None:
         meeting = [touch for touch in self.touches.values() if self._approaches(touch)]
         self._refuse_coupled(meeting)
-        cores, states = self._world.cores, self.states
         for touch in meeting:
-            a, b = touch.pair
-            restitution = self._world.restitution(a, b)
-            found = impulses(cores, touch.contacts, states[a], states[b], restitution)
-            hits = [
-                Hit(contact, impulse, self._rate(contact))
-                for contact, impulse in zip(touch.contacts, found, strict=True)
-                if impulse > 0
-            ]
-            for hit in hits:
-                states[a], states[b] = pushed(cores, hit.contact, hit.impulse, states[a], states[b])
-            self.hits += hits
-            self.changed.update(i for i in touch.pair if cores[i].dynamic)
+            tries = 0
+            while self._approaches(touch):
+                self._part_pair(touch)
+                if (tries := tries + 1) > _TRIES:
+                    raise UndecidedContactError(
+                        f"{self._names(touch)} at {self.time!r} s: their corners meet in turn "
+                        "without end (IM3). End the run before, or change the scene a little.",
+                        time=self.time,
+                    )
+            self.changed.update(i for i in touch.pair if self._world.cores[i].dynamic)
         self._refuse_driven(meeting)
+
+    def _part_pair(self, touch: Touch) -> None:
+        """Let the contacts that do not part yet answer together.
+
+        One that parts stays out of it: at most it is driven together, and then answers in turn.
+        """
+        cores, states, (a, b) = self._world.cores, self.states, touch.pair
+        meeting = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
+        restitution = self._world.restitution(a, b)
+        found = impulses(cores, meeting, states[a], states[b], restitution)
+        hits = [
+            Hit(contact, impulse, self._rate(contact))
+            for contact, impulse in zip(meeting, found, strict=True)
+            if impulse > 0
+        ]
+        for hit in hits:
+            states[a], states[b] = pushed(cores, hit.contact, hit.impulse, states[a], states[b])
+        self.hits += hits
 
     def _refuse_coupled(self, meeting: Sequence[Touch]) -> None:
         for k, first in enumerate(meeting):
@@ -166,13 +182,15 @@ class Instant:
                 self._refuse(by, touch, "drive together")
 
     def _refuse(self, first: Touch, second: Touch, what: str) -> None:
-        cores = self._world.cores
-        one, other = (named(*(cores[i].name for i in touch.pair)) for touch in (first, second))
+        one, other = self._names(first), self._names(second)
         raise SimultaneousImpactsError(
             f"{one} {what} {other} at {self.time!r} s: impacts at one instant act on each other, "
             "and rigid bodies leave open what follows (IM3). Put a small gap between them.",
             time=self.time,
         )
+
+    def _names(self, touch: Touch) -> str:
+        return named(*(self._world.cores[i].name for i in touch.pair))
 
     def _stay(self) -> None:
         """Let what neither approaches nor parts stay, and what bounces too low to be seen."""

@@ -64,8 +64,7 @@ class Island:
         self.lasting = [
             contact
             for contact, push in zip(contacts, pushes, strict=True)
-            if push > 0
-            or opening(contact, placed, self.accelerations) <= unseen
+            if push > 0 or opening(contact, placed, self.accelerations) <= unseen
         ]
 
     def stopped(self, states: Mapping[int, State]) -> dict[int, State]:
