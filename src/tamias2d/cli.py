@@ -22,6 +22,7 @@ class _Commands(TyperGroup):
     """Turns each fault of a user into one line on standard error."""
 
     def invoke(self, ctx: Any) -> Any:
+        """Run the command that was asked for; no fault of a user ends in a traceback."""
         try:
             return super().invoke(ctx)
         except TamiasError as fault:
