@@ -14,6 +14,7 @@ from tamias2d.errors import InputError
 from tamias2d.generated import definitions
 from tamias2d.motion import ClosedForm, Legacy2018, Method, Reference
 from tamias2d.motion.legacy import legacy_history
+from tamias2d.motion.reference import NoStepError
 from tamias2d.motion.stepped import grid
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
@@ -74,7 +75,7 @@ def simulate(
         return _finished(plan, motion.history(plan.times), _impacts([]), ())
     try:
         _go(located, plan.duration, progress)
-    except Refusal as refusal:
+    except (Refusal, NoStepError) as refusal:
         refusal.run = _collected(plan, located)
         raise
     except KeyboardInterrupt:
@@ -121,14 +122,14 @@ def _samples(times: Iterable[float], duration: float) -> Array:
     steps = [
         number(value, "time", "the run", remedy, at=("times", k)) for k, value in enumerate(values)
     ]
+    if not steps:
+        raise InputError(f"times of the run: found none: must be one or more (R5). {remedy}")
     for k, (before, after) in enumerate(zip(steps, [*steps[1:], duration], strict=True)):
         if after < before:
             raise InputError(
                 f"times[{k}] {before!r} s of the run: {after!r} s follows: must be sorted, and "
                 f"within the duration of {duration!r} s (R5). {remedy}"
             )
-    if not steps:
-        raise InputError(f"times of the run: found none: must be one or more (R5). {remedy}")
     return np.array(steps)
 
 

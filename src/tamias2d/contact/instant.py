@@ -260,15 +260,15 @@ class Instant:
                 bend = opening(contact, placed, by)
                 rate = self._rate(contact)
                 if bend < 0:
-                    self._forecast(touch, rate, 2 * rate / -bend)
+                    self._forecast(touch, rate, bend)
                     if rate**2 <= -2 * bend * touch.tolerance:
                         found.append(contact)
         return found
 
-    def _forecast(self, touch: Touch, rate: float, flight: float) -> None:
+    def _forecast(self, touch: Touch, rate: float, bend: float) -> None:
         restitution = self._world.restitution(*touch.pair)
         if restitution < 1:
-            rest_at = self.time + flight / (1 - restitution)
+            rest_at = self.time + float(rest.time_to_rest(rate, bend, restitution))
             if rest_at > touch.rest_at:
                 touch.rest_at = rest_at
                 touch.rest_noise = touch.tolerance / rate / (1 - restitution)

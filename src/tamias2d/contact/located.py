@@ -22,7 +22,6 @@ from tamias2d.scene import Scene
 from tamias2d.state import Hold, State
 
 _TRIES = 32  # new paths for a body within a few units of the last place of time
-_GENTLE = 1e-3  # m/s^2: with less than this, the search for the parting starts as if it were this
 
 
 class Located:
@@ -208,5 +207,6 @@ class Located:
         for pair, bend in instant.opening.items():
             i, j = pair
             meeting = Pair(self._cores[i], self._cores[j], self.tracks[i][-1], self.tracks[j][-1])
-            step = math.sqrt(8 * instant.touches[pair].tolerance / max(bend, _GENTLE))
+            longest = 2.0**-20 * (self._until - instant.time)
+            step = min(math.sqrt(8 * instant.touches[pair].tolerance / bend), longest)
             self._resume[pair] = meeting.seen_apart(instant.time, step)

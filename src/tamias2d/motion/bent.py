@@ -3,6 +3,8 @@
 Serves: bodies whose supports turn. Hides: the integrator.
 """
 
+import math
+
 from tamias2d.motion.loads import Loads, coordinates
 from tamias2d.motion.polynomial import Polynomial
 from tamias2d.motion.reference import Dop853
@@ -23,9 +25,15 @@ class Bent:
     def restart(self, body: int, start: float, state: State, end: float, hold: Hold) -> Polynomial:
         """Return one step of the path of a body from `start` towards `end`, s."""
         if body not in self._integrators:
-            shape = self._loads.bodies[body].shape
-            size = shape.bounding_radius if shape else 1.0
-            self._integrators[body] = Dop853(_TOLERANCE, (size, 1.0))
+            self._integrators[body] = Dop853(_TOLERANCE, self._scale(body, start, state))
         field = self._loads.field([body], [hold])
         q, rate = coordinates([state])
         return self._integrators[body].step(field, start, end, q, rate).piece(0)
+
+    def _scale(self, body: int, time: float, state: State) -> tuple[float, float]:
+        """Return the body's size, m, and the time in which it moves by as much, s."""
+        shape = self._loads.bodies[body].shape
+        size = shape.bounding_radius if shape else 1.0
+        pull = math.hypot(*self._loads.acceleration(body, time)[:2])
+        speed = math.hypot(*state.velocity) + abs(state.angular_velocity) * size
+        return size, size / (speed + math.sqrt(pull * size))

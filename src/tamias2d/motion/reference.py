@@ -17,9 +17,10 @@ _NODES = -np.cos(np.pi * np.arange(10) / 9)  # in x from -1 to 1, where the acce
 
 
 class NoStepError(SimulationError):
-    """The reference cannot step on."""
+    """The reference cannot step on; `run` is the history up to there."""
 
     code = "no-step"
+    run: object = None
 
 
 class Dop853:
