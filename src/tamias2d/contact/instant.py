@@ -18,6 +18,7 @@ from tamias2d.contact.manifold import Contact, approach, manifold
 from tamias2d.contact.refusal import SimultaneousImpactsError, UndecidedContactError, named
 from tamias2d.contact.response import coupling, impulses, pushed
 from tamias2d.contact.rest import Island
+from tamias2d.generated import rest
 from tamias2d.state import Acceleration, Hold, State
 
 PairOf = tuple[int, int]
