@@ -1,6 +1,6 @@
-"""Every block of the tutorial is executed, and prints what the page says.
+"""Every block of the tutorial is executed, and prints what the page says; so is the README's.
 
-Blocks share one Python session and one directory. `...` stands for any text.
+The blocks of a page share one Python session and one directory. `...` stands for any text.
 """
 
 import doctest
@@ -9,12 +9,13 @@ import re
 import shlex
 import subprocess
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-PAGE = Path(__file__).parents[2] / "docs/tutorial.md"
+ROOT = Path(__file__).parents[2]
 _BLOCK = re.compile(
     r"^```(?:\{code-block\} )?(?P<kind>\w+)\n(?::caption: (?P<file>\S+)\n)?(?P<text>.*?)^```$",
     re.M | re.S,
@@ -22,35 +23,52 @@ _BLOCK = re.compile(
 _FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
-def test_every_block_does_what_it_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@dataclass(frozen=True)
+class Block:
+    """A block of code and its place."""
+
+    text: str
+    file: str
+    page: str
+    line: int
+
+
+@pytest.mark.parametrize("page", ["docs/tutorial.md", "docs/index.md", "README.md"])
+def test_every_block_does_what_it_says(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path / "home"))
     session: dict[str, Any] = {}
-    blocks = list(_BLOCK.finditer(PAGE.read_text(encoding="utf-8")))
-    assert {block["kind"] for block in blocks} == set(_RUN)
-    for block in blocks:
-        place = PAGE.read_text(encoding="utf-8").count("\n", 0, block.start("text"))
-        _RUN[block["kind"]](block["text"], block["file"], place, session)
+    content = (ROOT / page).read_text(encoding="utf-8")
+    found = list(_BLOCK.finditer(content))
+    assert found
+    for match in found:
+        line = content.count("\n", 0, match.start("text"))
+        block = Block(match["text"], match["file"], page, line)
+        if match["kind"] in _RUN:
+            _RUN[match["kind"]](block, session)
 
 
-def _python(text: str, _file: str, _line: int, session: dict[str, Any]) -> None:
-    exec(compile(text, str(PAGE), "exec"), session)
+def _python(block: Block, session: dict[str, Any]) -> None:
+    exec(compile(block.text, block.page, "exec"), session)
 
 
-def _session(text: str, _file: str, line: int, session: dict[str, Any]) -> None:
-    test = doctest.DocTestParser().get_doctest(text, session, PAGE.name, str(PAGE), line)
+def _session(block: Block, session: dict[str, Any]) -> None:
+    parser = doctest.DocTestParser()
+    test = parser.get_doctest(block.text, session, block.page, block.page, block.line)
     report: list[str] = []
     doctest.DocTestRunner(optionflags=_FLAGS).run(test, out=report.append, clear_globs=False)
     session.update(test.globs)
     assert not report, "".join(report)
 
 
-def _file(text: str, file: str, _line: int, _session: dict[str, Any]) -> None:
-    Path(file).write_text(text, encoding="utf-8")
+def _file(block: Block, _session: dict[str, Any]) -> None:
+    Path(block.file).write_text(block.text, encoding="utf-8")
 
 
-def _console(text: str, _file: str, line: int, _session: dict[str, Any]) -> None:
-    for command, wanted in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", text, re.M):
+def _console(block: Block, _session: dict[str, Any]) -> None:
+    for command, wanted in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", block.text, re.M):
         program, *arguments = shlex.split(command)
         assert program == "tamias2d"
         run = subprocess.run(
@@ -60,7 +78,7 @@ def _console(text: str, _file: str, line: int, _session: dict[str, Any]) -> None
         )  # fmt: skip
         printed = run.stdout + run.stderr
         fits = doctest.OutputChecker().check_output(wanted, printed, _FLAGS)
-        assert fits, f"{PAGE.name}:{line}: {command}\n{printed}"
+        assert fits, f"{block.page}:{block.line}: {command}\n{printed}"
 
 
 _RUN = {"python": _python, "pycon": _session, "yaml": _file, "console": _console}

@@ -1,4 +1,7 @@
-"""Which pairs are worth a look: the boxes that paths sweep (IM4 in its broad use)."""
+"""Which pairs are worth a look: the boxes that paths sweep (IM4 in its broad use).
+
+Serves: the located way. Hides: the boxes and how they are compared.
+"""
 
 import math
 from collections.abc import Sequence

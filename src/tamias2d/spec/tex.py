@@ -4,6 +4,7 @@ Serves: docs and diagnostics. Hides: brackets by precedence and the symbols' let
 """
 
 import re
+from decimal import Decimal, localcontext
 from fractions import Fraction
 
 from tamias2d.spec.expression import (
@@ -150,14 +151,20 @@ class _Printer:
         above = ",".join(index.tex for index in reference.indices if index.place == "super")
         if not (below or above):
             return letter
-        base = f"{{{letter}}}" if "_" in letter or "^" in letter else letter
+        stem, _, power = letter.partition("^")
+        if below and power and not above:  # the power stays outermost: m_A^{-1}
+            return f"{stem}_{{{below}}}^{power}"
+        clash = (below and "_" in letter) or (above and power)
+        base = f"{{{letter}}}" if clash else letter
         return base + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
 
     def number(self, value: Fraction) -> str:
-        if value.denominator == 1:
-            return str(value.numerator)
-        text = _number(value)
-        return text if text[0] != "(" else rf"\tfrac{{{value.numerator}}}{{{value.denominator}}}"
+        with localcontext(prec=60):
+            text = str(Decimal(value.numerator) / Decimal(value.denominator))
+        if Fraction(text) != value:
+            return rf"\tfrac{{{value.numerator}}}{{{value.denominator}}}"
+        digits, _, power = text.partition("E")
+        return rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
 
     def binary(self, node: Binary) -> str:
         if node.operator == "/":
