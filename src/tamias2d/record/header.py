@@ -53,6 +53,8 @@ class Header:
     notes: tuple[str, ...]
     digest: str
     versions: dict[str, str]
+    certificate: dict[str, Any] | None = None
+    """As JSON; recordings made before there were certificates have none."""
     format: int = FORMAT
 
     def dumps(self) -> str:
@@ -73,6 +75,7 @@ def header_of(run: Run) -> Header:
         notes=tuple(run.notes),
         digest=run.digest(),
         versions=versions(),
+        certificate=None if run.certificate is None else run.certificate.as_json(),
     )
 
 
@@ -86,6 +89,7 @@ def loads(text: str, *, where: str) -> Header:
                 f"Open it with tamias2d {values['versions']['tamias2d']}."
             )
         lists = {name: tuple(values[name]) for name in ("bodies", "notes")}
+        values.setdefault("certificate", None)
         return Header(**{f.name: values[f.name] for f in fields(Header)} | lists)
     except (ValueError, KeyError, TypeError) as fault:
         raise RecordingError(
