@@ -7,6 +7,7 @@ from typing import Any
 
 from tamias2d.errors import InputError, TamiasError
 from tamias2d.verify import (
+    certified,
     conserves,
     exact,
     impacts,
@@ -31,6 +32,7 @@ COMPARISONS: dict[str, Comparison] = {
     "impacts": impacts.compare,
     "conserves": conserves.compare,
     "schemes": schemes.compare,
+    "certified": certified.compare,
     "published": published.compare,
     "reference": reference.compare,
     "values": values.compare,
