@@ -10,6 +10,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:  # the same names as below, for readers, editors and type checkers
+    from tamias2d.certificate import Certificate as Certificate
     from tamias2d.cost import Cost as Cost
     from tamias2d.errors import (
         InputError as InputError,
@@ -48,10 +49,13 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         scene_text as scene_text,
     )
     from tamias2d.simulate import simulate as simulate
+    from tamias2d.study.certify import certify as certify
+    from tamias2d.study.recommend import ToleranceError as ToleranceError, recommend as recommend
     from tamias2d.trace import trace as trace
     from tamias2d.verify import verify as verify
 
 _HOMES = {
+    "certificate": "Certificate",
     "cost": "Cost",
     "errors": "InputError RecordingError SceneError SimulationError SpecError TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
@@ -60,6 +64,8 @@ _HOMES = {
     "run": "Impacts Run",
     "scene": "Body Box Disc HalfPlane Polygon Scene catalogue load needs scene_text",
     "simulate": "simulate",
+    "study.certify": "certify",
+    "study.recommend": "ToleranceError recommend",
     "trace": "trace",
     "verify": "verify",
 }

@@ -45,8 +45,8 @@ class Certificate:
         horizon = self.predictability_horizon
         until = "" if horizon is None else f"; predictable for {horizon:.3g} s"
         if self.bound is None:
-            return f"certificate: none: {self.how}{until}"
-        return f"certificate: error <= {self.bound:.1e} ({self.kind}): {self.how}{until}"
+            return f"Certificate: none: {self.how}{until}"
+        return f"Certificate: error <= {self.bound:.1e} ({self.kind}): {self.how}{until}"
 
     def meets(self, tolerance: float) -> bool:
         """Whether it bounds the error of positions, by no more than a tolerance."""

@@ -86,6 +86,13 @@ def run(
     time_step: Annotated[
         str | None, typer.Option(metavar="TIME", help="Of a stepped method: '1 ms' or 0.001.")
     ] = None,
+    tolerance: Annotated[
+        str | None,
+        typer.Option(metavar="ERROR", help="Such as 1e-6: the cheapest method and step within it."),
+    ] = None,
+    certify: Annotated[
+        bool, typer.Option("--certify", help="Bound the error, which takes a few runs more.")
+    ] = False,
     record: Annotated[
         Path | None, typer.Option(metavar="PATH", help="Save the run: .rrd to look at, or .npz.")
     ] = None,
@@ -102,10 +109,29 @@ def run(
         duration=duration,
         method=method,
         time_step=time_step,
+        tolerance=tolerance,
+        certified=certify,
         record=record,
         plot=plot,
         as_json=as_json,
     )
+
+
+@app.command()
+def recommend(
+    scene: _Scene,
+    tolerance: Annotated[
+        str, typer.Option(metavar="ERROR", help="Of places, relative to the way of the farthest.")
+    ],
+    duration: Annotated[
+        str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
+    ] = None,
+    as_json: _Json = False,
+) -> None:
+    """Say which method and step meet a tolerance at the least cost, and why others lost."""
+    from tamias2d.commands.recommend import recommend_way
+
+    recommend_way(scene, tolerance=tolerance, duration=duration, as_json=as_json)
 
 
 @app.command()

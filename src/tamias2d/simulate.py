@@ -52,6 +52,7 @@ def simulate(
     method: Method | None = None,
     time_step: float | None = None,
     times: Iterable[float] | None = None,
+    tolerance: float | None = None,
     progress: bool = False,
 ) -> Run:
     """Simulate a scene for a duration in s, and return its history.
@@ -62,14 +63,20 @@ def simulate(
     within the run; without them it is 60 a second, or every step (`time_step`, s) of a stepped
     method. `progress` shows a bar on standard error.
 
+    With a `tolerance` method and step are those that meet it at the least cost, found by pilot
+    runs, and the run has a certificate (`recommend` says what is bounded).
+
     Raises:
         InputError: an argument breaks a rule.
         SceneError: bodies overlap at the start, or a pair that meets has no restitution.
         SimulationError: the answer is not unique, or not within the models; the message says
             when, and the error's `run` is the history up to there.
+        ToleranceError: no method meets the tolerance; it says what can be met.
         Interrupted: the user stopped it; likewise with its `run`.
     """
     plan = _plan(scene, duration, method, time_step, times)
+    if tolerance is not None:
+        return _within(plan, tolerance, chosen=method, progress=progress)
     if isinstance(plan.method, Legacy2018):
         return _legacy(plan)
     motion = plan.method.motion(scene, plan.duration, plan.time_step or plan.duration)
@@ -85,6 +92,23 @@ def simulate(
     except KeyboardInterrupt:
         raise Interrupted(_collected(plan, motion, located)) from None
     return _collected(plan, motion, located)
+
+
+def _within(plan: _Plan, tolerance: float, *, chosen: Method | None, progress: bool) -> Run:
+    if chosen is not None:
+        raise InputError(
+            f"tolerance {tolerance!r}: found method {chosen} beside it: the method follows from "
+            "the tolerance (R5). Give one of the two."
+        )
+    from tamias2d.study.tolerance import within
+
+    return within(
+        plan.scene,
+        duration=plan.duration,
+        tolerance=tolerance,
+        times=plan.times,
+        progress=progress,
+    )
 
 
 def _unhindered(plan: _Plan, motion: Motion) -> History:

@@ -24,6 +24,7 @@ _NAMES = {
     "final": "final state",
     "moments": "states on the way",
     "schemes": "orders of the schemes",
+    "certified": "bounds of certificates",
     "published": "tables of 2018",
     "conserves": "laws of conservation",
     "reference": "scipy's solution",

@@ -63,3 +63,28 @@ def seconds(text: str | None, *, option: str, symbol: str) -> float | None:
     if not SYMBOLS[symbol].admits(value):
         raise InputError(f"{option}: {text!r}: {SYMBOLS[symbol].rule}. Give such a time.")
     return value
+
+
+def share(text: str | None, *, option: str) -> float | None:
+    """A relative error from '1e-6' or '0.1'; None stays None; InputError if it is no number."""
+    if text is None:
+        return None
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(
+            f"{option}: {text!r}: must be a number such as 1e-6 (R5). Write it so."
+        ) from None
+
+
+def span_of(scene: Scene, name: str, text: str | None) -> float:
+    """The duration in s that was typed, or else the scene's own; InputError if there is none."""
+    duration = seconds(text, option="--duration", symbol="duration")
+    if duration is None:
+        duration = scene.duration
+    if duration is None:
+        raise InputError(
+            f"--duration: found none: must be stated here or in the scene '{name}' (R2). "
+            "Give it, for example --duration '4 s'."
+        )
+    return duration

@@ -10,11 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from tamias2d.commands.exact import KnownError, known_errors
-from tamias2d.commands.names import find_method, find_scene, seconds
+from tamias2d.commands.names import find_method, find_scene, seconds, share, span_of
 from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
-from tamias2d.errors import InputError, SimulationError, TamiasError
+from tamias2d.errors import SimulationError, TamiasError
 from tamias2d.run import Run
-from tamias2d.scene import Scene
 from tamias2d.simulate import Interrupted, simulate
 
 _SHOWN = 5  # impacts
@@ -42,6 +41,8 @@ def run_scene(
     duration: str | None,
     method: str | None,
     time_step: str | None,
+    tolerance: str | None,
+    certified: bool,
     record: Path | None,
     plot: Path | None,
     as_json: bool,
@@ -52,14 +53,19 @@ def run_scene(
     try:
         run = simulate(
             scene,
-            duration=_duration(scene, name, duration),
+            duration=span_of(scene, name, duration),
             method=None if method is None else find_method(method),
             time_step=seconds(time_step, option="--time-step", symbol="time_step"),
+            tolerance=share(tolerance, option="--tolerance"),
             progress=sys.stderr.isatty(),
         )
     except (SimulationError, Interrupted) as stop:
         _keep(getattr(stop, "run", None), files)
         raise
+    if certified and run.certificate is None:
+        from tamias2d.study.certify import certify
+
+        run = certify(run)
     errors = known_errors(run, name)
     if as_json:
         files.write(run)
@@ -68,18 +74,6 @@ def run_scene(
     _print(run, name, errors)
     files.write(run)
     _print_files(files)
-
-
-def _duration(scene: Scene, name: str, text: str | None) -> float:
-    duration = seconds(text, option="--duration", symbol="duration")
-    if duration is None:
-        duration = scene.duration
-    if duration is None:
-        raise InputError(
-            f"--duration: found none: must be stated here or in the scene '{name}' (R2). "
-            "Give it, for example --duration '4 s'."
-        )
-    return duration
 
 
 def _keep(run: Run | None, files: _Files) -> None:
@@ -116,6 +110,9 @@ def _print(run: Run, name: str, errors: list[KnownError]) -> None:
     )
     _print_impacts(run)
     _print_errors(errors)
+    if run.certificate is not None:
+        say(f"\n{run.certificate}")
+        say(f"Measured: {run.certificate.measure}.")
 
 
 def _print_files(files: _Files) -> None:
@@ -171,6 +168,7 @@ def _as_json(run: Run, name: str, errors: list[KnownError], files: _Files) -> di
         },
         "impacts": _impacts(run),
         "errors": [e.as_json() for e in errors],
+        "certificate": None if run.certificate is None else run.certificate.as_json(),
         "digest": run.digest(),
         "recording": None if files.record is None else str(files.record),
         "plot": None if files.plot is None else str(files.plot),

@@ -15,6 +15,7 @@ from tamias2d.motion.polynomial import Chain, Stretch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.motion.watched import Watched
 from tamias2d.scene import Scene
+from tamias2d.scene.acting import felt_velocity
 from tamias2d.state import Acceleration, Array, History, Hold, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
@@ -46,6 +47,7 @@ class IntegratedMotion:
         self.tally = Tally()
         self._loads = Loads(scene)
         self._bent = Bent(scene, self.tally)
+        self._felt_velocity = felt_velocity(scene)
         self._fields: dict[tuple[int, ...], Watched] = {}
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
 
@@ -155,7 +157,8 @@ class IntegratedMotion:
         held = tuple(holds[i] for i in bodies)
         known = self._fields.get(tuple(bodies))
         if known is None or known.holds != held:
-            known = Watched(self._loads.field(bodies, held), bodies, held, self.tally)
+            field = self._loads.field(bodies, held)
+            known = Watched(field, bodies, held, self.tally, felt_velocity=self._felt_velocity)
             self._fields[tuple(bodies)] = known
         return known
 

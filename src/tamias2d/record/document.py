@@ -25,12 +25,21 @@ def about(run: Run) -> str:
         f"**{run.method}**, {run.duration:g} s{step}, {len(run.times)} samples, "
         f"{len(run.impacts)} impacts. Gravity ({scene.gravity[0]:g}, {scene.gravity[1]:g}) m/s².",
         "\n".join(f"- {note}" for note in run.notes),
+        _certificate(run),
         _bodies(run),
         "The exact float64 state of each body is in its component `tamias2d.State`. "
         "`tamias2d replay --check` computes this recording again.",
         ", ".join(f"{name} {version}" for name, version in headers.versions().items()),
     ]
     return "\n\n".join(line for line in lines if line)
+
+
+def _certificate(run: Run) -> str:
+    if run.certificate is None:
+        return "No certificate: `tamias2d run --tolerance` or `--certify` gives one."
+    claims = [f"- claims {text}" for text in run.certificate.claims]
+    claims += [f"- does not claim {text}" for text in run.certificate.does_not_claim]
+    return "\n".join([f"{run.certificate}", f"Measured: {run.certificate.measure}.", "", *claims])
 
 
 def _bodies(run: Run) -> str:

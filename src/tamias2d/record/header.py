@@ -70,6 +70,8 @@ class Header:
     notes: tuple[str, ...]
     digest: str
     versions: dict[str, str]
+    certificate: dict[str, Any] | None = None
+    """As JSON; recordings made before there were certificates have none."""
     format: int = FORMAT
 
     def dumps(self) -> str:
@@ -90,6 +92,7 @@ def header_of(run: Run) -> Header:
         notes=tuple(run.notes),
         digest=run.digest(),
         versions=versions(),
+        certificate=None if run.certificate is None else run.certificate.as_json(),
     )
 
 
@@ -118,6 +121,7 @@ def _header(values: dict[str, Any]) -> Header:
     if not all(isinstance(word, str) for word in words) or values["samples"] < 1:
         raise ValueError
     lists = {name: tuple(values[name]) for name in ("bodies", "notes")}
+    values.setdefault("certificate", None)
     return Header(**{field.name: values[field.name] for field in fields(Header)} | lists)
 
 

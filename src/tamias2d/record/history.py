@@ -7,10 +7,12 @@ The file holds plain arrays (never pickles, which could run code) and the header
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tamias2d.certificate import Certificate, from_json
 from tamias2d.errors import RecordingError, TamiasError
 from tamias2d.record import header as headers
 from tamias2d.record.aside import aside
@@ -69,6 +71,7 @@ def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where:
         duration=header.duration,
         time_step=header.time_step,
         notes=header.notes,
+        certificate=_certificate(header, where),
         impacts=Impacts(**{name: arrays[f"impacts.{name}"] for name in OF_IMPACTS}),
         **stored,
     )
@@ -91,6 +94,15 @@ def _check_array(name: str, found: NDArray[Any] | None, shape: tuple[int, ...], 
             f"{where}: {name}: found {what}: must be {np.dtype(kind)} {shape} by its header. "
             "Record the run again."
         )
+
+
+def _certificate(header: headers.Header, where: str) -> Certificate | None:
+    if header.certificate is None:
+        return None
+    try:
+        return from_json(json.dumps(header.certificate))
+    except RecordingError as fault:
+        raise RecordingError(f"{where}: {fault}") from fault
 
 
 def _scene(header: headers.Header, where: str) -> Scene:

@@ -33,6 +33,7 @@ COMPARISONS = {
         shows=_MAPPING,
         constants=_MAPPING,
     ),
+    "certified": _comparison("tolerances", tolerances=_LIST),
     "published": _comparison(
         "time_step",
         "steps",

@@ -138,24 +138,38 @@ def _step_doubling(run: Run, _: Array | None) -> _Bound:
     """Bound the error from grids of twice and four times the step.
 
     Where the order that they show is not that of the scheme, the bound comes from a grid of half
-    the step, and no order is relied on.
+    the step, and from the slower of both orders; from none where nothing converges yet.
     """
     step = run.time_step or run.duration
-    half, full = (_companion(run, time_step=min(k * step, run.duration)) for k in (4, 2))
-    coarse, fine = _difference(half, full), _difference(full, run)
-    order = _order(coarse, fine)
     nominal = float(run.method.facts.order) if run.method.facts else 1.0
+    coarse, fine = _coarser(run, step)
+    order = _order(coarse, fine)
     if order is not None and abs(order - nominal) <= _ORDER:
         value = _TRUSTED * fine / (2**order - 1) + rounding(run)
         how = f"steps of {step:.4g} s, of twice and of four times that; observed order {order:.2f}"
         return _Bound("step doubling", value, how, order)
     finer = _difference(run, _companion(run, time_step=step / 2))
-    if not finer < fine:
-        raise _NoBoundError("halving the step brings the results no nearer to each other")
-    seen = math.log2(fine / finer) if finer else nominal
+    seen = _order(fine, finer)
+    if seen is None:
+        value = _DISTRUSTED * finer + rounding(run)
+        how = f"steps of {step:.4g} s and of half that; no order to be seen"
+        if fine < math.inf and finer > rounding(run):
+            raise _NoBoundError("halving the step brings the results no nearer to each other")
+        return _Bound("step doubling", value, how)
     value = _TRUSTED * finer / (1 - 2.0 ** -min(seen, nominal)) + rounding(run)
     how = f"steps of {step:.4g} s, of twice and of half that; observed order {seen:.2f}"
     return _Bound("step doubling", value, how, seen)
+
+
+def _coarser(run: Run, step: float) -> tuple[float, float]:
+    """Return how far steps of four times and twice are apart, and twice and the run's own, m."""
+    try:
+        twice = _companion(run, time_step=min(2 * step, run.duration))
+        fine = _difference(twice, run)
+        four = _companion(run, time_step=min(4 * step, run.duration))
+    except _NoBoundError:  # unstable, most often
+        return math.inf, math.inf
+    return _difference(four, twice), fine
 
 
 def _order(coarse: float, fine: float) -> float | None:

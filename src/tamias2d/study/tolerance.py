@@ -1,19 +1,20 @@
 """Runs within a tolerance: planned, run, certified, and taken again where that fell short."""
 
 import math
-from collections.abc import Iterable
 from dataclasses import replace
 
 from tamias2d.certificate import Certificate
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.simulate import simulate
+from tamias2d.state import Array
 from tamias2d.study.certify import certify
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import recommend, refusal
 
 _TRIES = 3
 _TIGHTEST = 1e-14
+_MOST = 30.0  # times too large a bound is believed to be, or no bound at all
 
 
 def within(
@@ -21,15 +22,14 @@ def within(
     *,
     duration: float,
     tolerance: float,
-    times: Iterable[float] | None = None,
+    times: Array,
     progress: bool = False,
 ) -> Run:
-    """Return the cheapest run whose certificate meets a tolerance.
+    """Return the cheapest run whose certificate meets a tolerance, at sample times (k,), s.
 
     Raises as `simulate` and `recommend` do.
     """
     plan = recommend(scene, duration=duration, tolerance=tolerance)
-    samples = None if times is None else list(times)
     reached = math.inf
     for estimate in plan.estimates:
         for attempt in range(_TRIES):
@@ -41,7 +41,7 @@ def within(
                     duration=duration,
                     method=estimate.method,
                     time_step=estimate.time_step,
-                    times=samples,
+                    times=times,
                     progress=progress,
                 )
             )
@@ -70,7 +70,7 @@ def _reached(certificate: Certificate | None) -> float:
 
 def _finer(estimate: Estimate, excess: float) -> Estimate | None:
     """Return the estimate with a step that makes up for a bound `excess` times too large."""
-    excess = 1.2 * min(excess, 100.0)
+    excess = 1.2 * min(excess, _MOST)
     method = estimate.method
     if estimate.time_step is not None:
         order = float(method.facts.order) if method.facts else 1.0

@@ -10,6 +10,7 @@ from typing import Any
 
 from tamias2d.errors import InputError, TamiasError
 from tamias2d.verify import (
+    certified,
     conserves,
     exact,
     impacts,
@@ -34,6 +35,7 @@ COMPARISONS: dict[str, Comparison] = {
     "impacts": impacts.compare,
     "conserves": conserves.compare,
     "schemes": schemes.compare,
+    "certified": certified.compare,
     "published": published.compare,
     "reference": reference.compare,
     "values": values.compare,

@@ -16,10 +16,12 @@ from tamias2d.generated import schemes
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.methods import (
     ExplicitEuler,
+    ExponentialDrag,
     Method,
     RungeKutta4,
     SemiImplicitEuler,
     VelocityVerlet,
+    Yoshida4,
 )
 from tamias2d.motion.piece import Motion
 from tamias2d.motion.stepped import Grid
@@ -38,6 +40,8 @@ METHODS: dict[str, Method] = {
     "semi_implicit_euler": SemiImplicitEuler(),
     "velocity_verlet": VelocityVerlet(),
     "runge_kutta_4": RungeKutta4(),
+    "yoshida_4": Yoshida4(),
+    "exponential_verlet": ExponentialDrag(),
 }
 
 

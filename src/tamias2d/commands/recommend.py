@@ -1,0 +1,65 @@
+"""`tamias2d recommend`: which method and step meet a tolerance, and why the others lost.
+
+Serves: the command `recommend`. Hides: the form of its answer, for people and as JSON.
+"""
+
+import math
+from typing import Any
+
+from tamias2d.commands.names import find_scene, share, span_of
+from tamias2d.commands.output import command, print_json, print_table, say
+from tamias2d.study.pilot import Estimate
+from tamias2d.study.recommend import Plan, recommend
+
+
+def recommend_way(name: str, *, tolerance: str, duration: str | None, as_json: bool) -> None:
+    """Print the plan for a scene of the catalogue or in a file."""
+    scene = find_scene(name)
+    asked = share(tolerance, option="--tolerance")
+    plan = recommend(scene, duration=span_of(scene, name, duration), tolerance=asked or 0.0)
+    if as_json:
+        print_json(_as_json(name, plan))
+        return
+    say(f"{name}, within {plan.tolerance:g}: {_way(plan.choice)}")
+    print_table(
+        ("method", "step, s", "force evaluations", "observed order", "why"),
+        (
+            (
+                str(one.method),
+                "-" if one.time_step is None else f"{one.time_step:.4g}",
+                f"{one.force_evaluations:.0f}" if math.isfinite(one.force_evaluations) else "-",
+                "-" if one.observed_order is None else f"{one.observed_order:.2f}",
+                one.why,
+            )
+            for one in plan.estimates
+        ),
+    )
+    say(f"Finding this took {plan.pilot} force evaluations of pilot runs.")
+    say(f"Run it: {command()} run {name} --tolerance {plan.tolerance:g}")
+
+
+def _way(one: Estimate) -> str:
+    return f"{one.method}" + (f", steps of {one.time_step:.4g} s" if one.time_step else "")
+
+
+def _as_json(name: str, plan: Plan) -> dict[str, Any]:
+    return {
+        "scene": name,
+        "tolerance": plan.tolerance,
+        "pilot_force_evaluations": plan.pilot,
+        "estimates": [
+            {
+                "method": str(one.method),
+                "time_step": one.time_step,
+                "force_evaluations": _finite(one.force_evaluations),
+                "error": _finite(one.error),
+                "observed_order": one.observed_order,
+                "why": one.why,
+            }
+            for one in plan.estimates
+        ],
+    }
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
