@@ -28,22 +28,35 @@ def test_range_of_time_step() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
+def test_range_of_time_to_rest() -> None:
+    """srs/symbols.md:28: >= 0."""
+    symbol = SYMBOLS["time_to_rest"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
 def test_range_of_duration() -> None:
-    """srs/symbols.md:28: > 0."""
+    """srs/symbols.md:33: > 0."""
     symbol = SYMBOLS["duration"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_mass() -> None:
-    """srs/symbols.md:42: > 0."""
+    """srs/symbols.md:47: > 0."""
     symbol = SYMBOLS["mass"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_inverse_mass() -> None:
-    """srs/symbols.md:49: >= 0."""
+    """srs/symbols.md:54: >= 0."""
     symbol = SYMBOLS["inverse_mass"]
     assert all(
         symbol.admits(value)
@@ -56,14 +69,14 @@ def test_range_of_inverse_mass() -> None:
 
 
 def test_range_of_inertia() -> None:
-    """srs/symbols.md:54: > 0."""
+    """srs/symbols.md:59: > 0."""
     symbol = SYMBOLS["inertia"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_inverse_inertia() -> None:
-    """srs/symbols.md:61: >= 0."""
+    """srs/symbols.md:66: >= 0."""
     symbol = SYMBOLS["inverse_inertia"]
     assert all(
         symbol.admits(value)
@@ -76,7 +89,7 @@ def test_range_of_inverse_inertia() -> None:
 
 
 def test_range_of_restitution() -> None:
-    """srs/symbols.md:66: [0, 1]."""
+    """srs/symbols.md:71: [0, 1]."""
     symbol = SYMBOLS["restitution"]
     assert all(
         symbol.admits(value)
@@ -91,7 +104,7 @@ def test_range_of_restitution() -> None:
 
 
 def test_range_of_pair_restitution() -> None:
-    """srs/symbols.md:75: [0, 1]."""
+    """srs/symbols.md:80: [0, 1]."""
     symbol = SYMBOLS["pair_restitution"]
     assert all(
         symbol.admits(value)
@@ -106,14 +119,14 @@ def test_range_of_pair_restitution() -> None:
 
 
 def test_range_of_inverse_effective_mass() -> None:
-    """srs/symbols.md:210: > 0."""
+    """srs/symbols.md:215: > 0."""
     symbol = SYMBOLS["inverse_effective_mass"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_impulse() -> None:
-    """srs/symbols.md:221: >= 0."""
+    """srs/symbols.md:226: >= 0."""
     symbol = SYMBOLS["impulse"]
     assert all(
         symbol.admits(value)
@@ -126,7 +139,7 @@ def test_range_of_impulse() -> None:
 
 
 def test_range_of_contact_force() -> None:
-    """srs/symbols.md:231: >= 0."""
+    """srs/symbols.md:236: >= 0."""
     symbol = SYMBOLS["contact_force"]
     assert all(
         symbol.admits(value)
@@ -139,7 +152,7 @@ def test_range_of_contact_force() -> None:
 
 
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:254: >= 0."""
+    """srs/symbols.md:259: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -152,28 +165,28 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:272: > 0."""
+    """srs/symbols.md:277: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:277: > 0."""
+    """srs/symbols.md:282: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:282: > 0."""
+    """srs/symbols.md:287: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:301: > 0."""
+    """srs/symbols.md:306: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

@@ -24,6 +24,15 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=23,
     ),
+    "time_to_rest": Symbol(
+        "time_to_rest",
+        "s",
+        "time from an impact until the bounces that follow have ended",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="t_{\\mathrm{rest}}",
+        file="srs/symbols.md",
+        line=28,
+    ),
     "duration": Symbol(
         "duration",
         "s",
@@ -31,7 +40,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="T",
         file="srs/symbols.md",
-        line=28,
+        line=33,
     ),
     "mass": Symbol(
         "mass",
@@ -42,7 +51,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="56.2 kg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=42,
+        line=47,
     ),
     "inverse_mass": Symbol(
         "inverse_mass",
@@ -51,7 +60,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="m^{-1}",
         file="srs/symbols.md",
-        line=49,
+        line=54,
     ),
     "inertia": Symbol(
         "inertia",
@@ -62,7 +71,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="74.5 kg*m^2",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=54,
+        line=59,
     ),
     "inverse_inertia": Symbol(
         "inverse_inertia",
@@ -71,7 +80,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="I^{-1}",
         file="srs/symbols.md",
-        line=61,
+        line=66,
     ),
     "restitution": Symbol(
         "restitution",
@@ -82,7 +91,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.8",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=66,
+        line=71,
     ),
     "pair_restitution": Symbol(
         "pair_restitution",
@@ -91,7 +100,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="C_R",
         file="srs/symbols.md",
-        line=75,
+        line=80,
     ),
     "position": Symbol(
         "position",
@@ -102,7 +111,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0.412 m, 0.502 m]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=89,
+        line=94,
     ),
     "displacement": Symbol(
         "displacement",
@@ -111,7 +120,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=96,
+        line=101,
     ),
     "velocity": Symbol(
         "velocity",
@@ -122,7 +131,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[2.51 m/s, 0 m/s]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=101,
+        line=106,
     ),
     "acceleration": Symbol(
         "acceleration",
@@ -131,7 +140,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=108,
+        line=113,
     ),
     "orientation": Symbol(
         "orientation",
@@ -141,7 +150,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="90 deg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=113,
+        line=118,
     ),
     "angular_displacement": Symbol(
         "angular_displacement",
@@ -149,7 +158,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of orientation since the start",
         tex="\\theta",
         file="srs/symbols.md",
-        line=121,
+        line=126,
     ),
     "angular_velocity": Symbol(
         "angular_velocity",
@@ -159,7 +168,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="2.1 rad/s",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=125,
+        line=130,
     ),
     "angular_acceleration": Symbol(
         "angular_acceleration",
@@ -167,7 +176,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the angular velocity",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=131,
+        line=136,
     ),
     "point_velocity": Symbol(
         "point_velocity",
@@ -176,7 +185,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}^P",
         file="srs/symbols.md",
-        line=135,
+        line=140,
     ),
     "force": Symbol(
         "force",
@@ -187,7 +196,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[98.1 N, 0 N]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=148,
+        line=153,
     ),
     "torque": Symbol(
         "torque",
@@ -197,7 +206,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="200 N*m",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=155,
+        line=160,
     ),
     "gravity": Symbol(
         "gravity",
@@ -208,7 +217,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0 m/s^2, -9.81 m/s^2]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=161,
+        line=166,
     ),
     "gravitational_constant": Symbol(
         "gravitational_constant",
@@ -217,7 +226,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
-        line=168,
+        line=173,
     ),
     "normal": Symbol(
         "normal",
@@ -226,7 +235,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=182,
+        line=187,
     ),
     "direction": Symbol(
         "direction",
@@ -234,7 +243,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=187,
+        line=192,
     ),
     "arm": Symbol(
         "arm",
@@ -243,7 +252,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=191,
+        line=196,
     ),
     "separation": Symbol(
         "separation",
@@ -251,7 +260,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=196,
+        line=201,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -259,7 +268,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=200,
+        line=205,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -267,7 +276,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=206,
+        line=211,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -276,7 +285,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=210,
+        line=215,
     ),
     "coupling": Symbol(
         "coupling",
@@ -284,7 +293,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=215,
+        line=220,
     ),
     "impulse": Symbol(
         "impulse",
@@ -293,7 +302,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=221,
+        line=226,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -302,7 +311,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=226,
+        line=231,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -311,7 +320,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=231,
+        line=236,
     ),
     "overlap": Symbol(
         "overlap",
@@ -319,7 +328,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=236,
+        line=241,
     ),
     "momentum": Symbol(
         "momentum",
@@ -328,7 +337,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=245,
+        line=250,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -336,7 +345,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=250,
+        line=255,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -345,7 +354,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=254,
+        line=259,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -353,7 +362,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=259,
+        line=264,
     ),
     "energy": Symbol(
         "energy",
@@ -361,7 +370,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=263,
+        line=268,
     ),
     "radius": Symbol(
         "radius",
@@ -370,7 +379,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=272,
+        line=277,
     ),
     "width": Symbol(
         "width",
@@ -379,7 +388,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=277,
+        line=282,
     ),
     "height": Symbol(
         "height",
@@ -388,7 +397,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=282,
+        line=287,
     ),
     "vertex": Symbol(
         "vertex",
@@ -397,7 +406,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=287,
+        line=292,
     ),
     "center": Symbol(
         "center",
@@ -406,7 +415,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=292,
+        line=297,
     ),
     "offset": Symbol(
         "offset",
@@ -414,7 +423,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=297,
+        line=302,
     ),
     "area": Symbol(
         "area",
@@ -423,7 +432,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=301,
+        line=306,
     ),
     "centroid": Symbol(
         "centroid",
@@ -432,6 +441,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=306,
+        line=311,
     ),
 }
