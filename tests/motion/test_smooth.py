@@ -113,7 +113,7 @@ def test_between_steps_the_order_is_kept(method):
 
 def test_reference_is_taken_where_loads_vary():
     history = t2.simulate(shaken(), duration=20.0)
-    assert "vary with time" in history.notes[0]
+    assert "varies with time" in history.notes[0]
     assert shaken_error(history) < 2e-11
 
 

@@ -138,6 +138,16 @@ def table(scene: Scene, duration: float) -> list[str]:
     return [f"{'needs' if e.needed else 'omits'} {e.what}: {e.reason}" for e in entries]
 
 
+NOTHING_ELSE_ACTS = [
+    "omits attraction between bodies (IM5): the scene states no attraction",
+    "omits linear drag (IM6): no body has a linear drag",
+    "omits quadratic drag (IM6): no body has a quadratic drag",
+    "omits springs and dampers (IM7): the scene has no spring",
+    "omits force fields (IM8): the scene has no field",
+]
+APART = "omits integration of bodies together: nothing but contact acts between bodies"
+
+
 def test_an_empty_scene_needs_nothing() -> None:
     assert table(Scene(gravity=(0, -1)), 2.0) == [
         "omits position, velocity: 0 of 0 bodies can move",
@@ -145,6 +155,7 @@ def test_an_empty_scene_needs_nothing() -> None:
         "omits gravity (GD2): no body moves",
         "omits applied force: no force is applied to any body",
         "omits applied torque: no torque is applied to any body",
+        *NOTHING_ELSE_ACTS,
         "omits translation (IM1): 0 of 0 bodies can move",
         "omits rotation (IM2): no body has a torque or a spin, and none can be hit",
         "omits detection (IM4): no body has a shape",
@@ -152,6 +163,7 @@ def test_an_empty_scene_needs_nothing() -> None:
         "omits resting contact (GD3): no two bounds meet within 2 s",
         "omits closed form: no body moves",
         "omits integration of the equations of motion: no body moves",
+        APART,
         "omits location of impacts: no two bounds meet within 2 s",
     ]
 
@@ -161,19 +173,22 @@ def test_one_disc_alone_pushed_and_twisted() -> None:
     scene.add_body(
         Disc(radius=1), mass=1, position=(0, 0), force=(1, 0), torque="time*1[N*m/s]", name="a"
     )
+    varies = "under a force or torque that varies with time or state"
     assert table(scene, 0.5) == [
         "needs position, velocity: 1 of 1 bodies can move",
         "needs orientation, angular velocity: 'a' is spun or twisted from the start",
         "omits gravity (GD2): the scene has no gravity",
         "needs applied force: 'a' is pushed",
         "needs applied torque: 'a' is twisted",
+        *NOTHING_ELSE_ACTS,
         "needs translation (IM1): 1 of 1 bodies can move",
         "needs rotation (IM2): 'a' is spun or twisted from the start",
         "omits detection (IM4): 1 body has a shape: there is no pair",
         "omits impact (IM3): no two bounds meet within 0.5 s",
         "omits resting contact (GD3): no two bounds meet within 0.5 s",
-        "omits closed form: 'a' is under a force or torque of time",
-        "needs integration of the equations of motion: 'a' is driven",
+        f"omits closed form: 'a' is {varies}",
+        f"needs integration of the equations of motion: 'a' is {varies}",
+        APART,
         "omits location of impacts: no two bounds meet within 0.5 s",
     ]
 
@@ -188,7 +203,7 @@ def test_three_bodies_that_meet() -> None:
     assert needs(scene, 3.0).pairs == ((0, 1), (0, 2))
     turned = "'a' and 2 more are turned when hit beside the centre of mass"
     assert found[1] == f"needs orientation, angular velocity: {turned}"
-    assert found[6:] == [
+    assert found[11:] == [
         f"needs rotation (IM2): {turned}",
         "needs detection (IM4): 3 bodies have shapes",
         f"needs impact (IM3): {met}",
@@ -196,6 +211,7 @@ def test_three_bodies_that_meet() -> None:
         "or a force",
         "needs closed form: every force and torque is constant",
         "omits integration of the equations of motion: every force and torque is constant",
+        APART,
         f"needs location of impacts: {met}",
     ]
 
