@@ -271,6 +271,11 @@ def test_oc1_inputs_outside_their_ranges() -> None:
     passes("OC1")
 
 
+def test_oc2_forces_that_cannot_be_meant() -> None:
+    """OC2, srs/verification/refusals.md:120; verifies R4, R9."""
+    passes("OC2")
+
+
 def test_tc8_rotation_about_the_own_axis() -> None:
     """TC8, srs/verification/rotation.md:11; verifies R1, R2, R4, R6."""
     passes("TC8")
