@@ -126,8 +126,13 @@ def test_oa12b_momenta_under_coarse_steps() -> None:
     passes("OA12b")
 
 
+def test_oa12c_three_bodies_that_attract_each_other() -> None:
+    """OA12c, srs/verification/forces.md:984; verifies R9, NFR2."""
+    passes("OA12c")
+
+
 def test_oa14_motion_made_to_measure_with_all_terms() -> None:
-    """OA14, srs/verification/forces.md:996; verifies R2, R5, R6, R9, R10."""
+    """OA14, srs/verification/forces.md:1032; verifies R2, R5, R6, R9, R10."""
     passes("OA14")
 
 
