@@ -296,6 +296,11 @@ def test_os1_showcase() -> None:
     passes("OS1")
 
 
+def test_oa9h_unstable_steps() -> None:
+    """OA9h, srs/verification/stability.md:9; verifies R5."""
+    passes("OA9h")
+
+
 def test_tc1_translation_without_force() -> None:
     """TC1, srs/verification/translation.md:20; verifies R1, R2, R4, R5."""
     passes("TC1")
