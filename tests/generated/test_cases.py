@@ -126,8 +126,13 @@ def test_oa12b_momenta_under_coarse_steps() -> None:
     passes("OA12b")
 
 
+def test_oa12c_three_bodies_that_attract_each_other() -> None:
+    """OA12c, srs/verification/forces.md:984; verifies R9, NFR2."""
+    passes("OA12c")
+
+
 def test_oa14_motion_made_to_measure_with_all_terms() -> None:
-    """OA14, srs/verification/forces.md:996; verifies R2, R5, R6, R9, R10."""
+    """OA14, srs/verification/forces.md:1032; verifies R2, R5, R6, R9, R10."""
     passes("OA14")
 
 
@@ -271,6 +276,11 @@ def test_oc1_inputs_outside_their_ranges() -> None:
     passes("OC1")
 
 
+def test_oc2_forces_that_cannot_be_meant() -> None:
+    """OC2, srs/verification/refusals.md:120; verifies R4, R9."""
+    passes("OC2")
+
+
 def test_tc8_rotation_about_the_own_axis() -> None:
     """TC8, srs/verification/rotation.md:11; verifies R1, R2, R4, R6."""
     passes("TC8")
@@ -284,6 +294,11 @@ def test_tc9_angular_velocity_under_constant_torque() -> None:
 def test_os1_showcase() -> None:
     """OS1, srs/verification/showcase.md:19; verifies R1, R2, R3, R5, R6, R7, R8."""
     passes("OS1")
+
+
+def test_oa9h_unstable_steps() -> None:
+    """OA9h, srs/verification/stability.md:9; verifies R5."""
+    passes("OA9h")
 
 
 def test_tc1_translation_without_force() -> None:

@@ -20,25 +20,25 @@ def test_yoshida_4_has_order_4() -> None:
 
 
 def test_dormand_prince_5_has_order_5() -> None:
-    """srs/schemes/embedded.md:16."""
+    """srs/schemes/embedded.md:17."""
     found = observed_order(schemes.dormand_prince_5, span=10.0, steps=32)
     assert found == pytest.approx(5, abs=0.1)
 
 
 def test_dop853_has_order_8() -> None:
-    """srs/schemes/embedded.md:59."""
+    """srs/schemes/embedded.md:60."""
     found = observed_order(schemes.dop853, span=30.0, steps=20)
     assert found == pytest.approx(8, abs=0.1)
 
 
 def test_explicit_euler_has_order_1() -> None:
-    """srs/schemes/euler.md:22."""
+    """srs/schemes/euler.md:29."""
     found = observed_order(schemes.explicit_euler)
     assert found == pytest.approx(1, abs=0.1)
 
 
 def test_semi_implicit_euler_has_order_1() -> None:
-    """srs/schemes/euler.md:48."""
+    """srs/schemes/euler.md:55."""
     found = observed_order(schemes.semi_implicit_euler)
     assert found == pytest.approx(1, abs=0.1)
 

@@ -29,7 +29,7 @@ def swinging(stiffness: float = 100.0, **more: float) -> t2.Scene:
 def test_oscillation_limit(method: Method, limit: float) -> None:
     critical = limit / 10
     t2.simulate(swinging(), duration=60.0, method=method, time_step=0.999 * critical)
-    with pytest.raises(t2.StabilityError, match=f"it is stable up to {critical:.3g}") as caught:
+    with pytest.raises(t2.StabilityError, match="it is stable up to") as caught:
         t2.simulate(swinging(), duration=60.0, method=method, time_step=1.01 * critical)
     assert caught.value.critical_step == pytest.approx(critical, rel=1e-3)
     assert caught.value.code == "unstable-step"

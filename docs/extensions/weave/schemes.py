@@ -24,6 +24,16 @@ def parts(item: Item) -> Iterator[str]:
     yield display(_TABLEAUS[data["family"]](data))
     if constant := data.get("error_constant"):
         yield f"*Error constant:* {' '.join(constant.split())}.\n"
+    if stable := data.get("stability"):
+        swings = (
+            rf"$h < {stable['oscillation']}/\omega$"
+            if stable["oscillation"] != "0"
+            else "at no step"
+        )
+        yield (
+            f"*Stable* on a free oscillation {swings}, "
+            f"on a free decay $h < {stable['decay']}/\\gamma$; found likewise.\n"
+        )
 
 
 def _butcher(data: dict) -> str:

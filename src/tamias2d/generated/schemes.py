@@ -80,7 +80,7 @@ def dormand_prince_5(
     Seven slopes, the last of which is the first of the next step; the weights of order four,
     subtracted from those of order five, give the error.
 
-    Source: srs/schemes/embedded.md:16; dormand1980, hairer1993.
+    Source: srs/schemes/embedded.md:17; dormand1980, hairer1993.
     """
     rate_1 = acceleration(time, position, velocity)
     velocity_2 = velocity + time_step / 5 * rate_1
@@ -211,7 +211,7 @@ def dop853(
     Twelve slopes for a step of order eight; an error of order five that one of order three
     corrects.
 
-    Source: srs/schemes/embedded.md:59; hairer1993.
+    Source: srs/schemes/embedded.md:60; hairer1993.
     """
     rate_1 = acceleration(time, position, velocity)
     velocity_2 = velocity + time_step * (0.05260015195876773 * rate_1)
@@ -660,7 +660,7 @@ def explicit_euler(
 
     Position and velocity both move along the slopes of the step's beginning.
 
-    Source: srs/schemes/euler.md:22; hairer1993.
+    Source: srs/schemes/euler.md:29; hairer1993.
     """
     rate_1 = acceleration(time, position, velocity)
     position_end = position + time_step * velocity
@@ -675,7 +675,7 @@ def semi_implicit_euler(
 
     The velocity takes a full kick, then the position drifts with the velocity that results.
 
-    Source: srs/schemes/euler.md:48; hairer2006.
+    Source: srs/schemes/euler.md:55; hairer2006.
     """
     velocity = velocity + time_step * acceleration(time, position, velocity)
     position = position + time_step * velocity

@@ -93,7 +93,7 @@ def check(
             critical = 0.0  # the growth is still there, and only too small to see
         total = math.exp(min(math.log(growth) * duration / time_step, 700.0))
         names = ", ".join(f"'{scene.bodies[i].name}'" for i in linear.bodies[:3])
-        stable = f"up to {critical:.4g} s" if critical else "at no step"
+        stable = f"up to {_rounded_down(critical):.4g} s" if critical else "at no step"
         said = (
             f"{what} at time_step {time_step:g} s: errors of {names} grow by the factor "
             f"{growth:.4g} in each step, {total:.3g} in the run: it is stable {stable}"
@@ -130,6 +130,12 @@ def _critical(excess: Callable[[float], float], time_step: float) -> float:
         middle = (low + high) / 2
         low, high = (low, middle) if excess(middle) > 1 + _EXCESS else (middle, high)
     return low
+
+
+def _rounded_down(value: float) -> float:
+    """Return a positive number with four digits, none of them rounded up."""
+    unit = 10.0 ** (math.floor(math.log10(value)) - 3)
+    return math.floor(value / unit) * unit
 
 
 def linearised(scene: Scene, duration: float, scale: float) -> list[Linear]:

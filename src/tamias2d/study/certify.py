@@ -14,10 +14,11 @@ from tamias2d.simulate import simulate
 from tamias2d.state import Array
 from tamias2d.study.error import MEASURE, apart, radii, scale
 from tamias2d.study.invariants import energy_drift
-from tamias2d.study.twin import LOST, MOVED, growth, horizon
+from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
 
 _EPSILON = 2.0**-52
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
+_TWINS = 3.0  # times as far away as twins one rounding apart the exact answer may be
 _TRUSTED, _DISTRUSTED = 1.25, 3.0  # times what two grids say (Roache's grid convergence index)
 _ORDER = 0.3  # within which the observed order is that of the scheme
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
@@ -51,7 +52,7 @@ def certify(run: Run) -> Run:
             raise _NoBoundError(
                 f"a change of {MOVED:g} of the scale grows to {LOST:.0%} of it within the run"
             )
-        certificate = _of_positions(run, _way(run.method)(run, grown), grown)
+        certificate = _of_positions(run, _way(run.method)(run, grown))
     except _NoBoundError as reason:
         certificate = _of_energy(run, str(reason), lost_at)
     return replace(run, certificate=certificate)
@@ -67,18 +68,15 @@ def _way(method: Method) -> Callable[[Run, Array | None], _Bound]:
     return _embedded
 
 
-def _of_positions(run: Run, found: _Bound, grown: Array | None) -> Certificate:
+def _of_positions(run: Run, found: _Bound) -> Certificate:
     length = scale(run)
-    twin = "" if grown is None else f"a small change grows to {grown.max():.3g} times its size"
     until = f"at all {len(run.times)} samples up to {run.times[-1]:g} s"
     return Certificate(
         kind=found.kind,
         measure=f"{MEASURE}, relative to the {length:.6g} m that the farthest one goes",
         bound=found.value / length,
         how=found.how,
-        claims=tuple(
-            text for text in (f"the exact solution of the scene's equations, {until}", twin) if text
-        ),
+        claims=(f"how far it is from the exact solution of the scene's equations, {until}",),
         does_not_claim=not_claimed(None),
         observed_order=found.order,
         predictability_horizon=None,
@@ -104,24 +102,22 @@ def _of_energy(run: Run, reason: str, lost_at: float | None) -> Certificate:
 
 
 def _exact(run: Run, grown: Array | None) -> _Bound:
-    """Bound what rounding does, from the sizes of the terms, and how the twin says that it grows.
+    """Bound what rounding does, from the sizes of the terms and, with impacts, from twins.
 
     An impact is located within the rounding of its gap, which moves its instant by that over the
-    normal velocity. The twin meets as much earlier or later, so that its growth has this in it.
+    normal velocity, and all that follows. Twins that start one rounding away show that.
     """
-    count = len(run.impacts)
-    if count and grown is None:
+    value = _ROUNDINGS * rounding(run)
+    if not len(run.impacts):
+        return _Bound("exact", value, "closed form, bounded from the rounding of its terms")
+    strayed = rounded_apart(run)
+    if strayed is None or grown is None:
         raise _NoBoundError("a scene that differs by rounding ends in a refusal")
-    largest = 1.0 if grown is None else max(float(grown.max()), 1.0)
-    passed = math.sqrt(1 + count)
-    value = rounding(run) * _ROUNDINGS * passed * (largest if count else 1.0)
-    how = "closed form, bounded from its rounding"
-    if count:
-        how = (
-            f"closed form and {count} located impacts, bounded from their rounding, which the "
-            f"impacts make {largest:.3g} times larger"
-        )
-    return _Bound("exact", value, how)
+    how = (
+        f"closed form and {len(run.impacts)} located impacts, bounded from twins that start one "
+        f"rounding away; a small change grows to {float(grown.max()):.3g} times its size"
+    )
+    return _Bound("exact", value + _TWINS * strayed, how)
 
 
 def rounding(run: Run) -> float:

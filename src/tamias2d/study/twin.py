@@ -19,7 +19,24 @@ from tamias2d.state import Array
 from tamias2d.study.error import apart, scale
 
 MOVED = 1e-12
+_ROUNDING = 2.0**-52
 LOST = 1e-2  # of the scale: a twin that far away says nothing any more
+
+
+def rounded_apart(run: Run) -> float | None:
+    """Return how far twins end up that start one rounding away, m: what rounding does to a run.
+
+    Unlike what is scaled from a larger change, it has in it the rounding of each impact. None if a
+    twin could not go all the way.
+    """
+    try:
+        twins = [
+            _history(_twin(run, _ROUNDING, phase), run, {"method": run.method})
+            for phase in (1.0, 2.0)
+        ]
+    except (SimulationError, SceneError):
+        return None
+    return max(float(apart(twin, run).max()) for twin in twins)
 
 
 def growth(run: Run) -> Array | None:
@@ -28,7 +45,7 @@ def growth(run: Run) -> Array | None:
     None if the twin could not go all the way. The motion is that of the run where it is exact, and
     else that of a scheme on as many steps as the run took, for both.
     """
-    twin = _twin(run)
+    twin = _twin(run, MOVED, 1.0)
     method: dict[str, object] = {"method": ClosedForm()}
     if not isinstance(run.method, ClosedForm):
         steps = max(run.cost.steps if run.cost else 0, 64)
@@ -54,7 +71,7 @@ def _history(scene: Scene, run: Run, method: dict[str, object]) -> Run:
     return simulate(scene, duration=run.duration, times=run.times, **method)  # type: ignore[arg-type]
 
 
-def _twin(run: Run) -> Scene:
+def _twin(run: Run, moved: float, phase: float) -> Scene:
     parts = (
         run.position[..., 0],
         run.position[..., 1],
@@ -64,15 +81,18 @@ def _twin(run: Run) -> Scene:
         run.angular_velocity,
     )
     size = [np.abs(part).max(axis=0) * (np.ptp(part, axis=0) > 0) for part in parts]
-    bodies = enumerate(run.scene.bodies)
-    return restarted(run.scene, [_moved(body, i, [float(s[i]) for s in size]) for i, body in bodies])
+    bodies = [
+        _moved(body, [moved * float(part[i]) for part in size], phase + 14.4 * i)
+        for i, body in enumerate(run.scene.bodies)
+    ]
+    return restarted(run.scene, bodies)
 
 
-def _moved(body: Body, i: int, size: list[float]) -> Body:
-    """Return a body moved by given sizes, to sides that differ from body to body."""
+def _moved(body: Body, by: list[float], phase: float) -> Body:
+    """Return a body moved by given sizes, to sides that differ with the phase."""
     start = (*body.position, body.orientation, *body.velocity, body.angular_velocity)
     x, y, turn, u, v, spin = (
-        value + MOVED * math.copysign(size[k], math.cos(1 + 2.4 * (6 * i + k)))
-        for k, value in enumerate(start)
+        value + math.copysign(size, math.cos(phase + 2.4 * k))
+        for k, (value, size) in enumerate(zip(start, by, strict=True))
     )
     return replace(body, position=(x, y), orientation=turn, velocity=(u, v), angular_velocity=spin)

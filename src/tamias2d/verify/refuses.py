@@ -10,23 +10,28 @@ from typing import Any
 from tamias2d.errors import TamiasError
 from tamias2d.simulate import simulate
 from tamias2d.verify.case import Case, scene_of
+from tamias2d.verify.formula import measure
 from tamias2d.verify.outcome import Outcome
+from tamias2d.verify.schemes import METHODS
 
 
 def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
     """Each scene must raise an error of this library that says what it is about."""
     for label, entry in given["scenes"].items():
-        message = _refusal(entry["scene"])
+        message = _refusal(entry)
         good = message is not None and entry["says"] in message
         note = "" if good else message or "was accepted"
         yield case.outcome(given, f"refused: {label}", 0.0 if good else math.inf, note)
 
 
-def _refusal(data: Mapping[str, Any]) -> str | None:
+def _refusal(entry: Mapping[str, Any]) -> str | None:
+    """Return what a scene is refused with, where it is run with the scheme that is asked for."""
+    method = METHODS[entry["scheme"]] if "scheme" in entry else None
+    step = measure(entry["time_step"], "time_step") if method else None
     try:
-        scene = scene_of(data)
+        scene = scene_of(entry["scene"])
         if scene.duration is not None:
-            simulate(scene, duration=scene.duration)
+            simulate(scene, duration=scene.duration, method=method, time_step=step)
     except TamiasError as error:
         return str(error)
     return None

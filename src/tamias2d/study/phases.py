@@ -1,0 +1,50 @@
+"""An ensemble of one scene: the same motion, started at instants spread over its first flight.
+
+How a step falls about an impact is chance; one run says little. A later start shifts heights and
+velocities of all bodies together, so that they neither overlap nor meet in another order.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from tamias2d.errors import InputError
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.scene.acting import timed_loads
+from tamias2d.scene.restart import restarted
+from tamias2d.simulate import simulate
+from tamias2d.state import State
+
+LEAST = 32  # phases that the measure of a scene with impacts rests on
+_GOLDEN = (5**0.5 - 1) / 2
+
+
+def phases(scene: Scene, duration: float, count: int, *, first_impact: float) -> list[Scene]:
+    """Return scenes that start at 0 s and at up to half of the time of the first impact, s.
+
+    There is only the scene itself where it starts with an impact, or where loads follow the clock.
+    """
+    if count < 1:
+        raise InputError(
+            f"phases {count}: must be 1 or more. Give {LEAST} for scenes with impacts."
+        )
+    if count == 1 or timed_loads(scene) or not first_impact > 0:
+        return [scene]
+    shares = np.sort((np.arange(1, count) * _GOLDEN) % 1)
+    starts = np.concatenate(([0.0], shares * min(first_impact, duration) / 2))
+    run = simulate(scene, duration=duration, times=starts)
+    return [scene, *(started(run, k) for k in range(1, count))]
+
+
+def started(run: Run, k: int) -> Scene:
+    """Return the scene of a run, started in the state of its sample k."""
+    bodies = []
+    for i, body in enumerate(run.scene.bodies):
+        x, y = run.position[k, i].tolist()
+        u, v = run.velocity[k, i].tolist()
+        state = State(
+            (x, y), float(run.orientation[k, i]), (u, v), float(run.angular_velocity[k, i])
+        )
+        bodies.append(replace(body, **state._asdict()) if body.dynamic else body)
+    return restarted(run.scene, bodies)

@@ -1,0 +1,186 @@
+"""A picture of a study: error against cost, in seconds and in force evaluations.
+
+Each method is a line, the front is marked, other engines are grey, and what failed or is off by
+more than everything is a cross on the rim. The one place that draws by matplotlib here.
+"""
+
+import io
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tamias2d.errors import InputError, RecordingError
+from tamias2d.storage import write_aside
+from tamias2d.study.work_precision import Point, Study
+
+_COLOURS = {
+    "ClosedForm": "#111111",
+    "ExplicitEuler": "#d62728",
+    "SemiImplicitEuler": "#e67828",
+    "VelocityVerlet": "#bcaa22",
+    "ExponentialDrag": "#8c564b",
+    "RungeKutta4": "#3c8cdc",
+    "Yoshida4": "#46aa64",
+    "DormandPrince5": "#966ed2",
+    "Dop853": "#c85082",
+    "Reference": "#28a5af",
+}
+_GREY = "#999999"
+_MARKS = {"ClosedForm": "D", "Pymunk": "s"}
+Cost = Callable[[Point], float | None]
+
+
+def plot(study: Study, path: str | Path, *, tolerance: float | None) -> None:
+    """Draw a study; the kind of picture follows from the suffix: `.png`, `.svg`, `.pdf`.
+
+    Raises:
+        InputError: no kind of picture has this suffix.
+        RecordingError: matplotlib is not installed.
+        OSError: the file cannot be written.
+    """
+    path = Path(path)
+    figure = _figure(path)
+    kinds = figure.canvas.get_supported_filetypes()
+    if path.suffix[1:] not in kinds:
+        raise InputError(
+            f"{path}: suffix {path.suffix!r}: a picture is one of {', '.join(sorted(kinds))}. "
+            "Give it such a name, .png for one."
+        )
+    left, right = figure.subplots(1, 2, sharex=True)
+    _draw(left, study, _seconds, study.fastest, "seconds, shortest of the runs")
+    _draw(right, study, _evaluations, study.leanest, "force evaluations, with 1 for none")
+    _rim(right, study, _evaluations)
+    for axes in (left, right):
+        _limits(axes, study, tolerance)
+    _rim(left, study, _seconds)
+    _texts(figure, left, study)
+    drawn = io.BytesIO()
+    figure.savefig(drawn, format=path.suffix[1:], dpi=120)
+    write_aside(path, drawn.getvalue())
+
+
+def _figure(path: Path) -> Any:
+    try:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+    except ImportError as fault:
+        raise RecordingError(
+            f"{path}: a plot needs matplotlib, which is not installed ({fault}). "
+            "Install it by `pip install tamias2d[plot]`."
+        ) from fault
+    figure = Figure(figsize=(12, 6), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def _seconds(point: Point) -> float | None:
+    return point.seconds.minimum if point.seconds else None
+
+
+def _evaluations(point: Point) -> float | None:
+    return max(point.cost.force_evaluations, 1) if point.cost else None
+
+
+def _draw(axes: Any, study: Study, cost: Cost, front: list[int], label: str) -> None:
+    for method in dict.fromkeys(point.method for point in study.points):
+        own = [point for point in study.points if point.method == method and _placed(point, cost)]
+        peer = any(point.peer for point in own)
+        axes.plot(
+            [_error(point, study) for point in own],
+            [cost(point) for point in own],
+            marker=_MARKS.get(method, "o"),
+            markersize=4.5,
+            linewidth=1.1,
+            color=_COLOURS.get(method, _GREY),
+            zorder=1 if peer else 2,
+            label=method,
+        )
+        if study.phases > 1 and own:
+            _spread(axes, own, study, cost, _COLOURS.get(method, _GREY))
+    chosen = [point for k in front if _placed(point := study.points[k], cost)]
+    axes.plot(
+        [_error(point, study) for point in chosen],
+        [cost(point) for point in chosen],
+        drawstyle="steps-pre",
+        marker="o",
+        markersize=10,
+        markerfacecolor="none",
+        color="black",
+        linewidth=0.8,
+        linestyle=":",
+        zorder=3,
+        label="front: nothing is both cheaper and better",
+    )
+    axes.set(xscale="log", yscale="log", ylabel=f"cost: {label}")
+    axes.grid(visible=True, which="major", alpha=0.25)
+
+
+def _spread(axes: Any, own: list[Point], study: Study, cost: Cost, colour: str) -> None:
+    """Draw from the median to the worst of the phases."""
+    for point in own:
+        worst = point.worst.size if point.worst else math.inf
+        if math.isfinite(worst):
+            ends = [_error(point, study), max(worst, study.floor)]
+            axes.plot(ends, [cost(point)] * 2, color=colour, linewidth=2.5, alpha=0.25, zorder=1)
+
+
+def _placed(point: Point, cost: Cost) -> bool:
+    return point.valid and cost(point) is not None
+
+
+def _error(point: Point, study: Study) -> float:
+    size = point.error.size if point.error else math.inf
+    return max(size, study.floor)
+
+
+def _limits(axes: Any, study: Study, tolerance: float | None) -> None:
+    axes.set_xlim(study.floor / 3, 3.0)
+    axes.axvspan(study.floor / 3, study.floor, color=_GREY, alpha=0.15, linewidth=0)
+    if tolerance is not None:
+        axes.axvline(tolerance, color="black", linewidth=1.2, linestyle="--")
+        axes.annotate(
+            f" tolerance {tolerance:g}",
+            (tolerance, 1.0),
+            xycoords=("data", "axes fraction"),
+            va="top",
+            rotation=90,
+            fontsize="small",
+        )
+
+
+def _rim(axes: Any, study: Study, cost: Cost) -> None:
+    """Put what has no error, or none that says anything, on the right rim."""
+    low, high = axes.get_ylim()
+    lost = [point for point in study.points if not point.valid]
+    unknown = iter(np.geomspace(low, high, len(lost) + 2)[1:-1])
+    for point in lost:
+        where = next(unknown)
+        value = cost(point)
+        height = where if value is None or not low <= value <= high else value
+        axes.plot(
+            2.2,
+            height,
+            marker="x",
+            markersize=7,
+            markeredgewidth=1.6,
+            color=_GREY if point.peer else _COLOURS.get(point.method, _GREY),
+            clip_on=False,
+            zorder=4,
+        )
+    axes.set_ylim(low, high)
+
+
+def _texts(figure: Any, axes: Any, study: Study) -> None:
+    over = f"median of {study.phases} phases, bars to the worst" if study.phases > 1 else "one run"
+    measure = "positions, times and states of impacts" if study.impacts else "positions"
+    figure.suptitle(f"{study.scene}, {study.duration:g} s: what accuracy costs", fontsize="x-large")
+    figure.supxlabel(
+        f"relative error of {measure} ({over}; against {study.truth}; grey below "
+        f"{study.floor:.0e}: not known; crosses: failed, or wrong by more than all)",
+        fontsize="medium",
+    )
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside right upper", frameon=False, fontsize="small")

@@ -1,0 +1,59 @@
+"""What a run is compared with: the closed form if the scene has one, else a far tighter run."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tamias2d.motion import ClosedForm, Dop853, Method, Reference
+from tamias2d.scene import Scene
+from tamias2d.scene.exact import closed_forms
+from tamias2d.simulate import simulate
+from tamias2d.state import Array
+from tamias2d.study.hybrid import errors
+from tamias2d.study.sampled import Sampled, sampled
+
+SAMPLES = 1000
+_TIGHTEST = 1e-13
+_ROUNDING = 2.0**-52
+
+
+@dataclass(frozen=True)
+class Truth:
+    """The best that is known of a scene."""
+
+    history: Sampled
+    how: str
+
+
+def common_times(duration: float) -> Array:
+    """Return the times at which all runs of a scene are compared, s."""
+    return np.linspace(0.0, duration, SAMPLES + 1)
+
+
+def truth_of(scene: Scene, duration: float) -> Truth:
+    """Return the truth of a scene over a duration in s.
+
+    Raises:
+        SceneError, SimulationError: as `simulate`.
+    """
+    moving = sum(body.dynamic for body in scene.bodies)
+    if len(closed_forms(scene)) == moving:
+        return Truth(_history(scene, duration, ClosedForm()), "closed form")
+    reference = Reference(_TIGHTEST)
+    return Truth(_history(scene, duration, reference), f"{reference}")
+
+
+def floor_of(truth: Truth) -> float:
+    """Return how far an independent way is from the truth: no error below it means anything."""
+    run = truth.history.run
+    other = _history(run.scene, run.duration, Dop853(_TIGHTEST))
+    return max(errors(other, truth.history).size, _ROUNDING)
+
+
+def _history(scene: Scene, duration: float, method: Method) -> Sampled:
+    first = simulate(scene, duration=duration, method=method, times=[duration])
+    return sampled(
+        lambda wanted: simulate(scene, duration=duration, method=method, times=wanted),
+        common_times(duration),
+        first.impacts,
+    )

@@ -1,0 +1,82 @@
+"""The ways of running a scene that a study compares: methods, each on a ladder of settings."""
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from tamias2d.motion import (
+    ClosedForm,
+    Dop853,
+    DormandPrince5,
+    ExplicitEuler,
+    ExponentialDrag,
+    Method,
+    Reference,
+    RungeKutta4,
+    SemiImplicitEuler,
+    VelocityVerlet,
+    Yoshida4,
+)
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.scene.exact import closed_forms
+from tamias2d.simulate import simulate
+from tamias2d.study import peers
+
+Go: TypeAlias = Callable[[Scene, float, Iterable[float]], Run]
+"""From a scene, a duration in s and times of samples, s, to a run."""
+
+STEPPED: tuple[Method, ...] = (
+    ExplicitEuler(),
+    SemiImplicitEuler(),
+    VelocityVerlet(),
+    RungeKutta4(),
+    Yoshida4(),
+)
+TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
+
+
+@dataclass(frozen=True)
+class Way:
+    """One method with its setting."""
+
+    name: str
+    setting: str
+    go: Go
+    steps: int | None = None
+    """How many are asked for; None where the method chooses them."""
+    peer: bool = False
+    """Whether it is another engine, for comparison only."""
+
+
+def ways(scene: Scene, *, rungs: Iterable[int]) -> Iterator[Way]:
+    """Yield what can be tried on a scene; ladders of steps have the given `rungs`."""
+    counts = list(rungs)
+    moving = [body for body in scene.bodies if body.dynamic]
+    if len(closed_forms(scene)) == len(moving):
+        yield Way("ClosedForm", "", _own(ClosedForm(), None))
+    dragged = (ExponentialDrag(),) if any(body.linear_drag for body in moving) else ()
+    for method in (*STEPPED, *dragged):
+        for count in counts:
+            yield Way(type(method).__name__, f"{count} steps", _own(method, count), count)
+    for adaptive in (DormandPrince5(1.0e-3), Dop853(1.0e-3), Reference(1.0e-3)):
+        for rtol in TOLERANCES:
+            method = replace(adaptive, rtol=rtol)
+            yield Way(type(method).__name__, f"rtol {rtol:g}", _own(method, None))
+    for count in counts:
+        yield Way("Pymunk", f"{count} steps", _peer(count), count, peer=True)
+
+
+def _own(method: Method, steps: int | None) -> Go:
+    def go(scene: Scene, duration: float, times: Iterable[float]) -> Run:
+        step = None if steps is None else duration / steps
+        return simulate(scene, duration=duration, method=method, time_step=step, times=times)
+
+    return go
+
+
+def _peer(steps: int) -> Go:
+    def go(scene: Scene, duration: float, times: Iterable[float]) -> Run:
+        return peers.simulate(scene, duration=duration, steps=steps, times=times)
+
+    return go

@@ -1,0 +1,223 @@
+"""Work and precision: the methods on their ladders, the error of each point, and what it cost.
+
+A way that fails or refuses is a point too, with its reason. Where there are impacts, the errors are
+medians over an ensemble of phases, with the worst beside them.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+from tamias2d.cost import Cost
+from tamias2d.errors import TamiasError
+from tamias2d.scene import Scene
+from tamias2d.simulate import Interrupted
+from tamias2d.study.front import front
+from tamias2d.study.hybrid import NAMES, Errors, errors
+from tamias2d.study.phases import LEAST, phases
+from tamias2d.study.sampled import sampled
+from tamias2d.study.truth import Truth, common_times, floor_of, truth_of
+from tamias2d.study.ways import Way, ways
+
+_FIRST = 16  # steps
+_RUNGS, _RUNGS_OF_IMPACTS = 9, 7  # each of twice the steps of the one before
+_REPEATS = 5
+_LONG = 0.5  # s: what the timing of a point may take, but for its first run
+_ROUNDING = 1e-12  # relative: where errors get there, a finer setting can only cost more
+_LOST = 1.0  # relative: an error beyond it says only that the run is wrong
+
+
+@dataclass(frozen=True)
+class Seconds:
+    """What the clock says of one run, after one that is not counted. It differs each time."""
+
+    median: float
+    minimum: float
+    repeats: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Point:
+    """One method with one setting on a scene."""
+
+    method: str
+    setting: str
+    peer: bool
+    """Whether it is another engine: shown, but not on the front."""
+    error: Errors | None
+    """The median of each measure over the phases; None if the way failed."""
+    worst: Errors | None
+    """The largest of each measure over the phases."""
+    cost: Cost | None
+    seconds: Seconds | None
+    failure: str | None
+    """Why there is no error."""
+
+    @property
+    def valid(self) -> bool:
+        """Whether it has an error that says something."""
+        return self.error is not None and self.error.size <= _LOST
+
+
+@dataclass(frozen=True)
+class Study:
+    """All points of a scene, as far as they were computed."""
+
+    scene: str
+    duration: float
+    truth: str
+    """What errors are against."""
+    floor: float
+    """No error below it means anything."""
+    phases: int
+    impacts: int
+    points: tuple[Point, ...]
+    complete: bool
+    """Whether nobody stopped it."""
+
+    @property
+    def fastest(self) -> list[int]:
+        """The points on the front of seconds and error, from cheap to dear."""
+        return self._front(lambda point: point.seconds.minimum if point.seconds else math.inf)
+
+    @property
+    def leanest(self) -> list[int]:
+        """The points on the front of force evaluations and error: the same on every machine."""
+        return self._front(
+            lambda point: float(point.cost.force_evaluations) if point.cost else math.inf
+        )
+
+    def _front(self, cost: Callable[[Point], float]) -> list[int]:
+        own = [k for k, point in enumerate(self.points) if point.valid and not point.peer]
+        pairs = [(cost(self.points[k]), max(_size(self.points[k]), self.floor)) for k in own]
+        return [own[k] for k in front(pairs)]
+
+
+Told = Callable[[int, int, str], None]
+"""Hears how many points there are, how many are done, and which comes next."""
+
+
+def study(
+    scene: Scene,
+    *,
+    duration: float,
+    phases_asked: int = LEAST,
+    told: Told = lambda of, done, what: None,  # noqa: ARG005
+    timed: bool = True,
+) -> Study:
+    """Compare all ways of running a scene over a duration in s.
+
+    Ctrl-C ends it early; what is there by then is returned.
+
+    Raises:
+        InputError: the number of phases is not 1 or more.
+        SceneError, SimulationError: nothing is known to compare with, and why.
+    """
+    first = truth_of(scene, duration)
+    impacts = first.history.run.impacts
+    floor = floor_of(first)
+    count = phases_asked if len(impacts) else 1
+    start = float(impacts.time[0]) if len(impacts) else 0.0
+    scenes = phases(scene, duration, count, first_impact=start)
+    truths = [first]
+    points: list[Point] = []
+    complete = True
+    try:
+        truths += [truth_of(other, duration) for other in scenes[1:]]
+        for point in _points(scenes, truths, floor, told, timed):
+            points.append(point)
+    except KeyboardInterrupt:
+        complete = False
+    return Study(
+        scene=scene.name,
+        duration=duration,
+        truth=first.how,
+        floor=floor,
+        phases=len(scenes),
+        impacts=len(impacts),
+        points=tuple(points),
+        complete=complete,
+    )
+
+
+def _points(
+    scenes: Sequence[Scene], truths: Sequence[Truth], floor: float, told: Told, timed: bool
+) -> Iterator[Point]:
+    rungs = _RUNGS_OF_IMPACTS if len(truths[0].history.run.impacts) else _RUNGS
+    tried = list(ways(scenes[0], rungs=[_FIRST * 2**k for k in range(rungs)]))
+    exact = set()
+    for done, way in enumerate(tried):
+        if way.name in exact:
+            continue
+        told(len(tried), done, f"{way.name} {way.setting}".strip())
+        point = point_of(way, scenes, truths, timed=timed)
+        if point.worst and point.worst.size <= max(10 * floor, _ROUNDING):
+            exact.add(way.name)
+        yield point
+
+
+def point_of(
+    way: Way, scenes: Sequence[Scene], truths: Sequence[Truth], *, timed: bool
+) -> Point:
+    """Run one way on all phases of a scene, and time it on the first."""
+    duration = truths[0].history.run.duration
+    plain = {"method": way.name, "setting": way.setting, "peer": way.peer}
+    try:
+        with np.errstate(all="ignore"):  # what leaves float64 is a failure with its reason
+            found = [
+                _errors(way, scene, truth)
+                for scene, truth in zip(scenes, truths, strict=True)
+            ]
+            cost, seconds = _timed(way, scenes[0], duration, timed)
+    except Interrupted:
+        raise KeyboardInterrupt from None
+    except (TamiasError, ArithmeticError) as fault:
+        return Point(**plain, error=None, worst=None, cost=None, seconds=None, failure=str(fault))
+    return Point(
+        **plain,
+        error=_over(found, median),
+        worst=_over(found, max),
+        cost=cost,
+        seconds=seconds,
+        failure=None,
+    )
+
+
+def _errors(way: Way, scene: Scene, truth: Truth) -> Errors:
+    duration = truth.history.run.duration
+    first = way.go(scene, duration, [duration])
+    run = sampled(
+        lambda times: way.go(scene, duration, times), common_times(duration), first.impacts
+    )
+    return errors(run, truth.history)
+
+
+def _timed(
+    way: Way, scene: Scene, duration: float, timed: bool
+) -> tuple[Cost | None, Seconds | None]:
+    """Time runs that are sampled at their end only; the errors have warmed them up."""
+    if not timed:
+        return way.go(scene, duration, [duration]).cost, None
+    times: list[float] = []
+    while len(times) < _REPEATS and sum(times) < _LONG:
+        began = perf_counter()
+        run = way.go(scene, duration, [duration])
+        times.append(perf_counter() - began)
+    return run.cost, Seconds(median(times), min(times), len(times))
+
+
+def _over(found: Sequence[Errors], what: Callable[[list[float]], float]) -> Errors:
+    """Return each measure over the phases; None where it applies in none."""
+    values = {}
+    for name in NAMES:
+        known = [value for one in found if (value := getattr(one, name)) is not None]
+        values[name] = what(known) if known else None
+    return Errors(**values)  # type: ignore[arg-type]
+
+
+def _size(point: Point) -> float:
+    return point.error.size if point.error else math.inf
