@@ -46,7 +46,7 @@ def test_bad_arguments_are_one_clear_line(arguments, message):
 def test_closed_form_refuses_loads_that_vary():
     scene = t2.Scene(gravity=(0, 0))
     scene.add_body(None, mass=1, position=(0, 0), force=("1[N]*time/(1[s])", 0), name="kite")
-    with pytest.raises(InputError, match="'kite' is under a force .* varies with time"):
+    with pytest.raises(InputError, match=r"'kite' is under a force .* varies with time"):
         t2.simulate(scene, duration=1, method=t2.ClosedForm())
 
 
