@@ -157,7 +157,11 @@ class _Printer:
         if value.denominator == 1:
             return str(value.numerator)
         text = _number(value)
-        return text if text[0] != "(" else rf"\tfrac{{{value.numerator}}}{{{value.denominator}}}"
+        if text[0] == "(":
+            return rf"\tfrac{{{value.numerator}}}{{{value.denominator}}}"
+        digits, _, power = text.partition("e")
+        factor = "" if digits == "1" else rf"{digits} \cdot "
+        return rf"{factor}10^{{{int(power)}}}" if power else text
 
     def binary(self, node: Binary) -> str:
         if node.operator == "/":
