@@ -42,13 +42,13 @@ class Stretch:
             value = value * x + c
         return value, slope / half
 
-    def piece(self, body: int) -> "Polynomial":
+    def piece(self, body: int) -> Piece:
         """Return the path of one of the bodies."""
         return Polynomial(
             self.start,
             self.end,
-            _state(self.first[0][body], self.first[1][body]),
-            _state(self.last[0][body], self.last[1][body]),
+            state_of(self.first[0][body], self.first[1][body]),
+            state_of(self.last[0][body], self.last[1][body]),
             self.coefficients[:, body].tolist(),
         )
 
@@ -189,7 +189,8 @@ def sampled(piece: Piece, times: Array) -> Array:
     return np.array(rows).reshape(-1, 6)
 
 
-def _state(q: Array, rate: Array) -> State:
+def state_of(q: Array, rate: Array) -> State:
+    """Return the state of one body from its coordinates and rates (3,)."""
     x, y, orientation = q.tolist()
     u, v, angular_velocity = rate.tolist()
     return State((x, y), orientation, (u, v), angular_velocity)
