@@ -33,7 +33,10 @@ class Block:
     line: int
 
 
-@pytest.mark.parametrize("page", ["docs/tutorial.md", "docs/index.md", "README.md"])
+PAGES = ("docs/tutorial.md", "docs/own_force.md", "docs/index.md", "README.md")
+
+
+@pytest.mark.parametrize("page", PAGES)
 def test_every_block_does_what_it_says(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -82,3 +82,24 @@ def test_the_stiffest_of_coupled_bodies_decides() -> None:
         t2.simulate(scene, duration=1.0, method=t2.VelocityVerlet(), time_step=0.12)
     assert caught.value.critical_step == pytest.approx(2 / highest, rel=0.05)
     t2.simulate(scene, duration=1.0, method=t2.VelocityVerlet(), time_step=0.09)
+
+
+def test_drag_is_exact_within_a_long_step_too() -> None:
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    scene.add_body(
+        t2.Disc(radius=0.1),
+        mass=2.0,
+        position=(0.0, 50.0),
+        velocity=(10.0, 0.0),
+        linear_drag=6.0,
+        restitution=0.5,
+        name="leaf",
+    )
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0))
+    times = [0.1, 1.0, 7.0, 13.0, 17.0]
+    exact = t2.simulate(scene, duration=17.0, times=times)
+    run = t2.simulate(
+        scene, duration=17.0, times=times, method=t2.ExponentialDrag(), time_step=12.0
+    )
+    assert run.position == pytest.approx(exact.position, rel=1e-12, abs=1e-12)
+    assert run.impacts.time == pytest.approx(exact.impacts.time, rel=1e-12)

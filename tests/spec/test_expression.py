@@ -11,7 +11,8 @@ from tamias2d.spec.derivative import differentiate
 from tamias2d.spec.evaluate import evaluate
 from tamias2d.spec.expression import ARITY, Node, names, parse
 from tamias2d.spec.messages import Code, SpecFault
-from tamias2d.spec.tex import plain
+from tamias2d.spec.symbols import table_from
+from tamias2d.spec.tex import plain, tex
 
 HOSTILE = [
     "__import__('os').system('true')",
@@ -187,6 +188,14 @@ def test_phi_functions_are_the_integrals_of_the_exponential(z: float) -> None:
 def test_a_measure_is_in_si_units() -> None:
     assert evaluate(parse("90[deg]"), {}) == pytest.approx(math.pi / 2, rel=1e-15)
     assert evaluate(parse("3[km]/1.5[min]"), {}) == pytest.approx(3000 / 90, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [("0.5", "0.5"), ("1e-150", "10^{-150}"), ("2.5e-8", r"2.5 \cdot 10^{-8}"), ("12", "12")],
+)
+def test_small_numbers_are_powers_of_ten_in_tex(text: str, wanted: str) -> None:
+    assert tex(parse(text), table_from({})) == wanted
 
 
 def test_offsets_point_at_the_place() -> None:

@@ -6,8 +6,7 @@ Serves: bodies whose supports turn. Hides: the integrator.
 import math
 
 from tamias2d.motion.loads import Loads, coordinates
-from tamias2d.motion.piece import Tally
-from tamias2d.motion.polynomial import Polynomial
+from tamias2d.motion.piece import Piece, Tally
 from tamias2d.motion.reference import ScipyDop853
 from tamias2d.motion.watched import Watched
 from tamias2d.scene import Scene
@@ -26,7 +25,7 @@ class Bent:
         self._loads = Loads(scene)
         self._integrators: dict[int, ScipyDop853] = {}
 
-    def restart(self, body: int, start: float, state: State, end: float, hold: Hold) -> Polynomial:
+    def restart(self, body: int, start: float, state: State, end: float, hold: Hold) -> Piece:
         """Return one step of the path of a body from `start` towards `end`, s."""
         if body not in self._integrators:
             self._integrators[body] = ScipyDop853(_TOLERANCE, self._scale(body, start, state))

@@ -1,15 +1,23 @@
-"""Steps that solve linear drag and constant loads exactly, and are kicked by all else."""
+"""Steps that solve linear drag and constant loads exactly, and are kicked by all else.
 
+Between the ends of a step the path is the exact one, plus a polynomial for what the kicks change.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from tamias2d.generated import drag, rotation, schemes, translation
-from tamias2d.motion.loads import Loads
+from tamias2d.motion.dragged import Dragged
+from tamias2d.motion.loads import Loads, state_of
+from tamias2d.motion.piece import Bounds, Piece
+from tamias2d.motion.polynomial import Stretch, hermite, sampled
 from tamias2d.motion.stepped import Grid
 from tamias2d.motion.watched import Watched
 from tamias2d.scene import Scene
-from tamias2d.state import Array, State
+from tamias2d.state import Acceleration, Array, State
 
 _ANY = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
 """Holds that do not bend a path do not ask for the state."""
@@ -42,6 +50,62 @@ class _Exact(NamedTuple):
         return np.stack((*place, turned), axis=-1), np.stack((*later, turning), axis=-1)
 
 
+class _Sum:
+    """A path as the sum of the exact one and of what the kicks change."""
+
+    def __init__(self, exact: Piece, change: Piece, first: State, last: State) -> None:
+        self.start, self.end = exact.start, exact.end
+        self._parts = (exact, change)
+        self._first, self._last = first, last
+
+    def at(self, time: float) -> State:
+        """Return the state at a time in s, to the bit at both ends."""
+        if time == self.start:
+            return self._first
+        if time == self.end:
+            return self._last
+        (p, turn, v, spin), (dp, more, dv, faster) = (part.at(time) for part in self._parts)
+        position, velocity = (p[0] + dp[0], p[1] + dp[1]), (v[0] + dv[0], v[1] + dv[1])
+        return State(position, turn + more, velocity, spin + faster)
+
+    def acceleration(self, time: float) -> Acceleration:
+        """Return the acceleration at a time in s."""
+        (x, y, turn), (dx, dy, more) = (part.acceleration(time) for part in self._parts)
+        return x + dx, y + dy, turn + more
+
+    def bounds(self, first: float, last: float) -> Bounds:
+        """Return what holds from `first` to `last`, s."""
+        exact, change = (part.bounds(first, last) for part in self._parts)
+        (x, y), (dx, dy) = exact.acceleration, change.acceleration
+        rest = (a + b for a, b in zip(exact[1:], change[1:], strict=True))
+        return Bounds((x + dx, y + dy), *rest)
+
+    def sample(self, times: Array) -> Array:
+        """Return (k, 6) at times (k,), s."""
+        return sampled(self, times)
+
+
+@dataclass(frozen=True)
+class _Kicked(Stretch):
+    """A step of n bodies; the coefficients are those of what the kicks change."""
+
+    exact: _Exact
+    paths: Sequence[Dragged]
+
+    def at(self, time: float) -> tuple[Array, Array]:
+        """Return coordinates and rates (n, 3) at a time in s, to the bit at both ends."""
+        if time in (self.start, self.end):
+            return super().at(time)
+        q, rate = self.exact.moved(time - self.start, *self.first)
+        more, faster = super().at(time)
+        return q + more, rate + faster
+
+    def piece(self, body: int) -> Piece:
+        """Return the path of one of the bodies."""
+        first, last = (state_of(q[body], rate[body]) for q, rate in (self.first, self.last))
+        return _Sum(self.paths[body], super().piece(body), first, last)
+
+
 class ExponentialGrid(Grid):
     """Exponential steps on a grid."""
 
@@ -51,13 +115,38 @@ class ExponentialGrid(Grid):
         self._loads = Loads(scene)
         self._last: tuple[Watched, _Exact] | None = None
 
+    def step(
+        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
+    ) -> Stretch:
+        """Step to the next time of the grid; from between two of them by a shorter step."""
+        end = self._end(start, limit)
+        exact = self._exact(field)
+        kick = field(start, position, velocity) - exact.acceleration(velocity)
+        q, rate = self.advance(field, start, end - start, position, velocity)
+        moved, faster = exact.moved(end - start, position, velocity)
+        last_kick = field(end, q, rate) - exact.acceleration(faster)
+        none = np.zeros_like(position)
+        change = hermite(start, end, (none, none, kick), (q - moved, rate - faster, last_kick))
+        paths = [
+            Dragged(
+                self._scene.bodies[i],
+                start,
+                end,
+                state_of(position[row], velocity[row]),
+                self._loads.steady(i),
+                field.holds[row],
+            )
+            for row, i in enumerate(field.bodies)
+        ]
+        return _Kicked(
+            start, end, (position, velocity), (q, rate), change.coefficients, exact, paths
+        )
+
     def advance(
         self, field: Watched, start: float, time_step: float, position: Array, velocity: Array
     ) -> tuple[Array, Array]:
         """Return coordinates and rates (n, 3) after one step from `start`, s."""
-        if self._last is None or self._last[0] is not field:
-            self._last = (field, self._exact(field))
-        exact = self._last[1]
+        exact = self._exact(field)
         return schemes.exponential_verlet(
             start,
             time_step,
@@ -68,6 +157,11 @@ class ExponentialGrid(Grid):
         )
 
     def _exact(self, field: Watched) -> _Exact:
+        if self._last is None or self._last[0] is not field:
+            self._last = (field, self._solved(field))
+        return self._last[1]
+
+    def _solved(self, field: Watched) -> _Exact:
         bodies = [self._scene.bodies[i] for i in field.bodies]
         steady = [
             hold(self._loads.steady(i), _ANY) if hold else self._loads.steady(i)

@@ -45,7 +45,7 @@ class Stretch:
             value = value * x + c
         return value, slope / half
 
-    def piece(self, body: int) -> "Polynomial":
+    def piece(self, body: int) -> Piece:
         """Return the path of one of the bodies."""
         return Polynomial(
             self.start,

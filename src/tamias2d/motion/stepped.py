@@ -30,10 +30,13 @@ class Grid:
         self, field: Watched, start: float, limit: float, position: Array, velocity: Array
     ) -> Stretch:
         """Step to the next time of the grid; from between two of them by a shorter step."""
-        end = min(limit, float(self.times[np.searchsorted(self.times, start, side="right")]))
+        end = self._end(start, limit)
         first = (position, velocity, field(start, position, velocity))
         q, rate = self.advance(field, start, end - start, position, velocity)
         return hermite(start, end, first, (q, rate, field(end, q, rate)))
+
+    def _end(self, start: float, limit: float) -> float:
+        return min(limit, float(self.times[np.searchsorted(self.times, start, side="right")]))
 
     def advance(
         self, field: Watched, start: float, time_step: float, position: Array, velocity: Array

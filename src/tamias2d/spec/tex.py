@@ -4,7 +4,6 @@ Serves: docs and diagnostics. Hides: brackets by precedence and the symbols' let
 """
 
 import re
-from decimal import Decimal, localcontext
 from fractions import Fraction
 
 from tamias2d.spec.expression import (
@@ -159,12 +158,14 @@ class _Printer:
         return base + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
 
     def number(self, value: Fraction) -> str:
-        with localcontext(prec=60):
-            text = str(Decimal(value.numerator) / Decimal(value.denominator))
-        if Fraction(text) != value:
+        if value.denominator == 1:
+            return str(value.numerator)
+        text = _number(value)
+        if text[0] == "(":
             return rf"\tfrac{{{value.numerator}}}{{{value.denominator}}}"
-        digits, _, power = text.partition("E")
-        return rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
+        digits, _, power = text.partition("e")
+        factor = "" if digits == "1" else rf"{digits} \cdot "
+        return rf"{factor}10^{{{int(power)}}}" if power else text
 
     def binary(self, node: Binary) -> str:
         if node.operator == "/":

@@ -19,7 +19,7 @@ from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
 _EPSILON = 2.0**-52
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
 _TWINS = 3.0  # times as far away as twins one rounding apart the exact answer may be
-_TRUSTED, _DISTRUSTED = 1.25, 3.0  # times what two grids say (Roache's grid convergence index)
+_TRUSTED, _GRIDS, _DISTRUSTED = 1.25, 1.4, 3.0  # times what companions say (after Roache's index)
 _ORDER = 0.3  # within which the observed order is that of the scheme
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
 _TIGHTEST = 1e-14
@@ -141,7 +141,7 @@ def _step_doubling(run: Run, _: Array | None) -> _Bound:
     coarse, fine = _coarser(run, step)
     order = _order(coarse, fine)
     if order is not None and abs(order - nominal) <= _ORDER:
-        value = _TRUSTED * fine / (2**order - 1) + rounding(run)
+        value = _GRIDS * fine / (2 ** min(order, nominal) - 1) + rounding(run)
         how = f"steps of {step:.4g} s, of twice and of four times that; observed order {order:.2f}"
         return _Bound("step doubling", value, how, order)
     finer = _difference(run, _companion(run, time_step=step / 2))
@@ -152,7 +152,7 @@ def _step_doubling(run: Run, _: Array | None) -> _Bound:
         if fine < math.inf and finer > rounding(run):
             raise _NoBoundError("halving the step brings the results no nearer to each other")
         return _Bound("step doubling", value, how)
-    value = _TRUSTED * finer / (1 - 2.0 ** -min(seen, nominal)) + rounding(run)
+    value = _GRIDS * finer / (1 - 2.0 ** -min(seen, nominal)) + rounding(run)
     how = f"steps of {step:.4g} s, of twice and of half that; observed order {seen:.2f}"
     return _Bound("step doubling", value, how, seen)
 

@@ -27,7 +27,7 @@ _TRIALS = 5
 _NEAR = 0.25  # of the error that is aimed at is near enough
 _FEWEST = 8  # steps of a pilot
 _FARTHER = 16.0  # times the steps of a pilot that its order is trusted for
-_LOOSEST, _TIGHTEST = 1e-2, 1e-14
+_LOOSEST, _TIGHTEST = 0.1, 1e-14
 
 
 @dataclass(frozen=True)

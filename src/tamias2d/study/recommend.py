@@ -114,7 +114,7 @@ def refusal(tolerance: float, reachable: float) -> ToleranceError:
 def _weighed(scene: Scene, pilot: Pilot) -> list[Estimate]:
     """Return the estimates of all methods, the cheapest first; those who lost say why."""
     found = [pilot.adaptive(kind) for kind in (Dop853, DormandPrince5)]
-    for method in _schemes(scene):
+    for method in schemes_for(scene):
         best = min(estimate.force_evaluations for estimate in found)
         found.append(pilot.stepped(method, best))
     found.sort(key=lambda estimate: estimate.force_evaluations)
@@ -127,7 +127,8 @@ def _lost(one: Estimate, best: float) -> str:
     return f"costs {one.force_evaluations / best:.3g} times as much"
 
 
-def _schemes(scene: Scene) -> list[Method]:
+def schemes_for(scene: Scene) -> list[Method]:
+    """Return the stepped methods that suit the forces of a scene."""
     schemes: list[Method] = [RungeKutta4(), Yoshida4(), VelocityVerlet(), SemiImplicitEuler()]
     if any(body.linear_drag for body in scene.bodies):
         schemes.insert(0, ExponentialDrag())

@@ -1,4 +1,7 @@
-"""Compare what certificates claim with exact answers."""
+"""Compare what certificates claim with exact answers.
+
+Serves: cases that ask for tolerances. Hides: how an error is related to the size of a motion.
+"""
 
 from collections.abc import Iterator, Mapping
 from typing import Any

@@ -1,0 +1,198 @@
+"""Whether certificates can be believed, and whether the choice for a tolerance is cheap.
+
+Every scene of the catalogue and every held-out one is simulated for tolerances from 1e-2 to 1e-10.
+The true error comes from solutions in 40 digits (`exact`) or, where forces have no closed form,
+from scipy at 1e-13, whose own doubt is what our order 8 at 1e-14 says otherwise. Effectivity is the
+bound over the true error; where that is below rounding (of the largest terms of a place) or below
+the doubt, over these.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, replace
+from statistics import median
+from typing import Any
+
+from tamias2d.errors import SceneError, SimulationError
+from tamias2d.motion import Dop853, DormandPrince5, Method, Reference
+from tamias2d.run import Run
+from tamias2d.scene import Scene, catalogue
+from tamias2d.simulate import simulate
+from tamias2d.state import Array
+from tamias2d.study.certify import certify, rounding
+from tamias2d.study.error import history_error, scale
+from tamias2d.study.recommend import ToleranceError, recommend, schemes_for, solved
+from tools.measurements import held_out
+from tools.measurements.exact import NotCoveredError, exact_history
+
+TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
+_RUNGS = 2**0.5  # of a ladder of steps
+_COARSEST = 4
+
+
+@dataclass(frozen=True)
+class Pair:
+    """What came of one scene and one tolerance."""
+
+    scene: str
+    tolerance: float
+    kind: str
+    bound: float | None
+    error: float | None
+    doubt: float
+    """Of the true answer, or rounding if that is larger."""
+    covered: bool | None
+    effectivity: float | None
+    first_try: bool
+    method: str
+    cost: int | None
+    regret: float | None
+
+
+@dataclass(frozen=True)
+class _Truth:
+    run: Run
+    doubt: float
+
+
+def measure() -> dict[str, Any]:
+    """Return the shares and medians over the catalogue, those over held-out scenes, and all pairs."""
+    known = [(name, catalogue.load(name)) for name in catalogue.names()]
+    new = [(scene.name, scene) for scene in held_out.scenes()]
+    parts = [[pair for name, scene in part for pair in _pairs(name, scene)] for part in (known, new)]
+    rows = [asdict(pair) for part in parts for pair in part]
+    return {**summary(parts[0]), "held_out": summary(parts[1]), "rows": rows}
+
+
+def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """Return heads and rows for people: the catalogue, and what was held out."""
+    heads = tuple(key for key in found if key not in ("held_out", "rows"))
+    rows = [
+        (name, *(f"{part[key]:.4g}" for key in heads))
+        for name, part in (("catalogue", found), ("held out", found["held_out"]))
+    ]
+    return ("scenes", *heads), rows
+
+
+def summary(pairs: list[Pair]) -> dict[str, Any]:
+    """Return how many claims were true, how tight, and how cheap the choices were."""
+    claims = [pair for pair in pairs if pair.covered is not None]
+    numeric = [p.effectivity for p in claims if p.kind != "exact" and p.effectivity is not None]
+    regrets = [pair.regret for pair in pairs if pair.regret is not None]
+    return {
+        "coverage": sum(bool(pair.covered) for pair in claims) / len(claims),
+        "effectivity_median": median(p.effectivity for p in claims if p.effectivity is not None),
+        "effectivity_median_not_exact": median(numeric),
+        "met_first_try": sum(pair.first_try for pair in pairs) / len(pairs),
+        "regret_median": median(regrets),
+        "regret_largest": max(regrets),
+        "pairs": len(pairs),
+        "claims": len(claims),
+    }
+
+
+def _pairs(name: str, scene: Scene) -> Iterator[Pair]:
+    duration = scene.duration or 1.0
+    try:
+        start = simulate(scene, duration=duration)
+    except (SimulationError, SceneError):
+        return  # the scene has no unique answer
+    truth = _truth(start)
+    for tolerance in TOLERANCES:
+        yield _pair(name, scene, tolerance, truth)
+
+
+def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth) -> Pair:
+    duration = truth.run.duration
+    try:
+        plan = recommend(scene, duration=duration, tolerance=tolerance)
+        choice = plan.choice
+        first = certify(
+            simulate(
+                scene,
+                duration=duration,
+                method=choice.method,
+                time_step=choice.time_step,
+                times=truth.run.times,
+            )
+        )
+        met = first.certificate is not None and first.certificate.meets(tolerance)
+        run = first if met else simulate(scene, duration=duration, tolerance=tolerance)
+    except ToleranceError:
+        return Pair(
+            name, tolerance, "refused", None, None, truth.doubt, None, None, False, "", None, None
+        )
+    assert run.certificate is not None and run.certificate.bound is not None
+    assert run.cost is not None
+    error, bound = history_error(run, truth.run), run.certificate.bound
+    floor = max(truth.doubt, rounding(run) / scale(run))
+    return Pair(
+        name,
+        tolerance,
+        run.certificate.kind,
+        bound,
+        error,
+        floor,
+        error <= bound + truth.doubt,
+        bound / max(error, floor),
+        met and error <= tolerance + truth.doubt,
+        f"{run.method} {run.time_step or ''}",
+        run.cost.force_evaluations,
+        _regret(scene, run, tolerance, truth),
+    )
+
+
+def _truth(run: Run) -> _Truth:
+    if solved(run.scene):
+        try:
+            position, orientation = exact_history(run.scene, run.times)
+            return _Truth(replace(run, position=position, orientation=orientation), 0.0)
+        except NotCoveredError:
+            pass
+    tight = _go(run.scene, run.duration, Reference(1e-13), None, run.times)
+    other = _go(run.scene, run.duration, Dop853(1e-14), None, run.times)
+    return _Truth(tight, history_error(other, tight))
+
+
+def _regret(scene: Scene, run: Run, tolerance: float, truth: _Truth) -> float:
+    """Return the cost over that of the cheapest way that a sweep finds within the tolerance."""
+    assert run.cost is not None
+    if not run.cost.force_evaluations:
+        return 1.0
+    best = own = run.cost.force_evaluations
+    for kind in (DormandPrince5, Dop853):
+        for k in range(-26, -1):
+            best = min(best, _cost(scene, kind(10 ** (k / 2)), None, tolerance, truth, best))
+    for method in schemes_for(scene):
+        count = float(_COARSEST)
+        evaluations = method.facts.evaluations if method.facts else 1
+        while count * evaluations < best:
+            step = truth.run.duration / round(count)
+            best = min(best, _cost(scene, method, step, tolerance, truth, best))
+            count *= _RUNGS
+    return own / best
+
+
+def _cost(
+    scene: Scene,
+    method: Method,
+    step: float | None,
+    tolerance: float,
+    truth: _Truth,
+    most: float,
+) -> float:
+    times = truth.run.times
+    try:
+        run = _go(scene, truth.run.duration, method, step, times)
+    except (SimulationError, SceneError):
+        return math.inf
+    assert run.cost is not None
+    if run.cost.force_evaluations >= most:
+        return math.inf
+    return run.cost.force_evaluations if history_error(run, truth.run) <= tolerance else math.inf
+
+
+def _go(
+    scene: Scene, duration: float, method: Method, step: float | None, times: Array
+) -> Run:
+    return simulate(scene, duration=duration, method=method, time_step=step, times=times)
