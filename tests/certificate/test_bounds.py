@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 import tamias2d as t2
 from tamias2d.study.error import history_error
@@ -39,7 +39,7 @@ speeds = st.floats(1.0, 50.0, **FINITE)
 angles = st.floats(0.1, 3.0, **FINITE)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=12, deadline=None)
 @given(speeds, angles, st.floats(0.05, 3.0, **FINITE))
 def test_step_doubling_bounds_a_throw_with_drag(speed: float, angle: float, drag: float) -> None:
     scene = thrown(drag, speed, angle)
@@ -51,7 +51,8 @@ def test_step_doubling_bounds_a_throw_with_drag(speed: float, angle: float, drag
         assert error > bound / 100  # a hundredth of it would claim too much
 
 
-@settings(max_examples=15, deadline=None)
+@example(speed=34.0, angle=0.5, drag=0.0625, rtol=1e-3)  # few steps: a tighter rtol has the same
+@settings(max_examples=12, deadline=None)
 @given(speeds, angles, st.floats(0.05, 3.0, **FINITE), st.sampled_from([1e-3, 1e-6, 1e-9]))
 def test_embedded_bounds_a_throw_with_drag(
     speed: float, angle: float, drag: float, rtol: float
