@@ -1,4 +1,7 @@
-"""What a run cost, in numbers that are the same on every machine."""
+"""What a run cost, in numbers that are the same on every machine.
+
+Serves: runs, and whoever compares methods. Hides: nothing but how few numbers that takes.
+"""
 
 from dataclasses import dataclass
 

@@ -12,6 +12,7 @@ from typer.testing import CliRunner, Result
 
 from tamias2d import cli, motion
 from tamias2d.commands import run as run_command
+from tamias2d.commands.names import find_method
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import Interrupted, simulate
 from tamias2d.verify import case, exact
@@ -158,7 +159,7 @@ def test_a_damaged_scene_names_its_place(call: Call, tmp_path: Path) -> None:
 
 
 def test_methods_on_the_command_line_are_those_of_the_library() -> None:
-    kinds = {type(run_command._method(method)) for method in cli.Method}
+    kinds = {type(find_method(method)) for method in cli.Method}
     public = {kind for kind in vars(motion).values() if isinstance(kind, type)}
     assert kinds == {
         kind for kind in public if issubclass(kind, motion.Method) and kind is not motion.Method

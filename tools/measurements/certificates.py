@@ -98,11 +98,12 @@ def _pairs(name: str, scene: Scene) -> Iterator[Pair]:
     except (SimulationError, SceneError):
         return  # the scene has no unique answer
     truth = _truth(start)
+    sweep = _Sweep(scene, truth)
     for tolerance in TOLERANCES:
-        yield _pair(name, scene, tolerance, truth)
+        yield _pair(name, scene, tolerance, truth, sweep)
 
 
-def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth) -> Pair:
+def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: _Sweep) -> Pair:
     duration = truth.run.duration
     try:
         plan = recommend(scene, duration=duration, tolerance=tolerance)
@@ -138,7 +139,7 @@ def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth) -> Pair:
         met and error <= tolerance + truth.doubt,
         f"{run.method} {run.time_step or ''}",
         run.cost.force_evaluations,
-        _regret(scene, run, tolerance, truth),
+        sweep.regret(run.cost.force_evaluations, tolerance),
     )
 
 
@@ -154,42 +155,52 @@ def _truth(run: Run) -> _Truth:
     return _Truth(tight, history_error(other, tight))
 
 
-def _regret(scene: Scene, run: Run, tolerance: float, truth: _Truth) -> float:
-    """Return the cost over that of the cheapest way that a sweep finds within the tolerance."""
-    assert run.cost is not None
-    if not run.cost.force_evaluations:
-        return 1.0
-    best = own = run.cost.force_evaluations
-    for kind in (DormandPrince5, Dop853):
-        for k in range(-26, -1):
-            best = min(best, _cost(scene, kind(10 ** (k / 2)), None, tolerance, truth, best))
-    for method in schemes_for(scene):
-        count = float(_COARSEST)
-        evaluations = method.facts.evaluations if method.facts else 1
-        while count * evaluations < best:
-            step = truth.run.duration / round(count)
-            best = min(best, _cost(scene, method, step, tolerance, truth, best))
-            count *= _RUNGS
-    return own / best
+class _Sweep:
+    """Errors and costs of all ways on fine ladders of settings, each run once for a scene."""
 
+    def __init__(self, scene: Scene, truth: _Truth) -> None:
+        self._scene = scene
+        self._truth = truth
+        self._known: dict[tuple[Method, float | None], tuple[float, float]] = {}
 
-def _cost(
-    scene: Scene,
-    method: Method,
-    step: float | None,
-    tolerance: float,
-    truth: _Truth,
-    most: float,
-) -> float:
-    times = truth.run.times
-    try:
-        run = _go(scene, truth.run.duration, method, step, times)
-    except (SimulationError, SceneError):
-        return math.inf
-    assert run.cost is not None
-    if run.cost.force_evaluations >= most:
-        return math.inf
-    return run.cost.force_evaluations if history_error(run, truth.run) <= tolerance else math.inf
+    def regret(self, own: float, tolerance: float) -> float:
+        """Return a cost over the least one, which is never more than itself."""
+        if not own:
+            return 1.0
+        best = own
+        for ladder in self._ladders():
+            for method, step in ladder:
+                cost, error = self._point(method, step)
+                if cost >= best:
+                    break
+                if error <= tolerance:
+                    best = cost
+                    break
+        return own / best
+
+    def _ladders(self) -> Iterator[Iterator[tuple[Method, float | None]]]:
+        """Yield the settings of each method, from cheap to dear."""
+        for kind in (DormandPrince5, Dop853):
+            yield ((kind(10 ** (-k / 2)), None) for k in range(1, 28))
+        for method in schemes_for(self._scene):
+            yield (
+                (method, self._truth.run.duration / round(_COARSEST * _RUNGS**k))
+                for k in range(60)
+            )
+
+    def _point(self, method: Method, step: float | None) -> tuple[float, float]:
+        """Return cost and error; of what is refused, the step is too long: nothing, and no use."""
+        if (method, step) not in self._known:
+            run = self._truth.run
+            try:
+                found = _go(self._scene, run.duration, method, step, run.times)
+            except (SimulationError, SceneError):
+                self._known[method, step] = (0.0, math.inf)
+            else:
+                assert found.cost is not None
+                error = history_error(found, run)
+                self._known[method, step] = (found.cost.force_evaluations, error)
+        return self._known[method, step]
 
 
 def _go(

@@ -91,7 +91,12 @@ def _events(scene: Scene, times: Array) -> list[list[tuple[Any, Any]]]:
         _Moving(b, mp.matrix(b.position), mp.matrix(b.velocity), _pull(scene, b))
         for b in scene.bodies
     ]
-    pairs = _pairs(bodies)
+    solid = [k for k, one in enumerate(bodies) if one.body.shape is not None]
+    pairs = [
+        (i, j)
+        for i, j in combinations(solid, 2)
+        if bodies[i].body.dynamic or bodies[j].body.dynamic
+    ]
     now, rows = mp.mpf(0), []
     waiting = [mp.mpf(t) for t in times.tolist()]
     for i, j in pairs:
@@ -117,19 +122,8 @@ def _events(scene: Scene, times: Array) -> list[list[tuple[Any, Any]]]:
     return rows
 
 
-def _pairs(bodies: list[_Moving]) -> list[tuple[int, int]]:
-    """Return the pairs of bodies that are near enough to meet, ever."""
-    solid = [k for k, one in enumerate(bodies) if one.body.shape is not None]
-    return [
-        (i, j)
-        for i, j in combinations(solid, 2)
-        if (bodies[i].body.dynamic or bodies[j].body.dynamic)
-        and not _parallel(bodies[i], bodies[j])
-    ]
-
-
 def _parallel(one: _Moving, other: _Moving) -> bool:
-    """Whether two bodies, as wide as their bounding circles, never come nearer than they are."""
+    """Whether two bodies, as wide as their bounding circles, stay apart while nothing hits them."""
     shapes = [one.body.shape, other.body.shape]
     if any(isinstance(shape, HalfPlane) for shape in shapes):
         return False
@@ -190,6 +184,8 @@ def _gap(one: _Moving, other: _Moving) -> tuple[Any, Any, Any]:
 
 
 def _meet(one: _Moving, other: _Moving) -> Any:
+    if _parallel(one, other):
+        return _NEVER
     if isinstance(one.body.shape, Disc) and isinstance(other.body.shape, Disc):
         gap, rate, pull = other.p - one.p, other.v - one.v, other.a - one.a
         if _dot(pull, pull) != 0:

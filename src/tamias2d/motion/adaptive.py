@@ -1,5 +1,7 @@
 """Steps as long as a tolerance allows, by pairs that know their error.
 
+Serves: the adaptive methods. Hides: how the next step follows from the errors of the last ones.
+
 The error of a step is compared with what is allowed for each coordinate and rate, and the next
 step is as long as the error of this one and of the last suggests (Hairer, Norsett and Wanner,
 Solving Ordinary Differential Equations I, section II.4).

@@ -1,5 +1,7 @@
 """Steps that solve linear drag and constant loads exactly, and are kicked by all else.
 
+Serves: the method of that name. Hides: how the exact motion and the kicks share a path.
+
 Between the ends of a step the path is the exact one, plus a polynomial for what the kicks change.
 """
 

@@ -1,5 +1,7 @@
 """Whether a scheme at a time step grows what the motion itself does not, told before it runs.
 
+Serves: the stepped methods. Hides: how the fastest motion of a scene is found.
+
 The accelerations are made linear at the start of the run, by differences. One step of the scheme
 is then a matrix for each group of bodies that act on each other, and no eigenvalue of it may be
 larger than what the exact motion does in that time.

@@ -1,4 +1,7 @@
-"""Accelerations that are counted, and not computed twice for one time and state."""
+"""Accelerations that are counted, and not computed twice for one time and state.
+
+Serves: all integrators. Hides: which times are remembered.
+"""
 
 from collections.abc import Sequence
 

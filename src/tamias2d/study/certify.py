@@ -22,6 +22,7 @@ _TWINS = 3.0  # times as far away as twins one rounding apart the exact answer m
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.25, 1.4, 3.0  # times what companions say (after Roache's index)
 _ORDER = 0.3  # within which the observed order is that of the scheme
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
+_LEFT = 0.3  # of the error may be left in it
 _TIGHTEST = 1e-14
 
 
@@ -173,19 +174,37 @@ def _order(coarse: float, fine: float) -> float | None:
 
 
 def _embedded(run: Run, _: Array | None) -> _Bound:
-    """Bound the error from the same method at a tighter tolerance, or from an independent one."""
-    method = run.method
-    rtol: float = method.rtol  # type: ignore[attr-defined]
-    if isinstance(method, Reference) or rtol / _TIGHTER < _TIGHTEST:
-        other: Method = Dop853(1e-14) if isinstance(method, Reference) else Reference(1e-13)
-        kind: Kind = "reference"
-    else:
-        other, kind = replace(method, rtol=rtol / _TIGHTER), "embedded"  # type: ignore[type-var]
-    distance = _difference(run, _companion(run, method=other))
-    value = _TRUSTED * (1 + 1 / _TIGHTER) * distance + rounding(run)
-    if kind == "reference":
-        value += distance
-    return _Bound(kind, value, f"{method} against {other}")
+    """Bound the error from the same method at a tighter tolerance, or from an independent one.
+
+    A tighter tolerance must have made the steps so much shorter that what is left of the error, by
+    the order of the method, is a small part of it: over few steps it may change nothing.
+    """
+    rtol: float = run.method.rtol  # type: ignore[attr-defined]
+    if isinstance(run.method, Reference) or rtol / _TIGHTER < _TIGHTEST:
+        return _against(run, Dop853(1e-14) if isinstance(run.method, Reference) else Reference(1e-13))
+    left = 1.0
+    while left > _LEFT and rtol / _TIGHTER >= _TIGHTEST:
+        rtol /= _TIGHTER
+        companion = _companion(run, method=replace(run.method, rtol=rtol))  # type: ignore[type-var]
+        left = _left(run, companion)
+    if left > _LEFT:
+        return _against(run, Reference(1e-13))
+    value = _TRUSTED * _difference(run, companion) / (1 - left) + rounding(run)
+    return _Bound("embedded", value, f"{run.method} against {companion.method}")
+
+
+def _left(run: Run, companion: Run) -> float:
+    """Return how much of the error a companion has left, by the number of its steps."""
+    steps = [one.cost.steps if one.cost else 1 for one in (run, companion)]
+    order = float(run.method.facts.order) if run.method.facts else 1.0
+    return (steps[0] / steps[1]) ** order
+
+
+def _against(run: Run, method: Method) -> _Bound:
+    """Bound the error from a run as tight as float64 allows, by another program."""
+    distance = _difference(run, _companion(run, method=method))
+    value = 2 * _TRUSTED * distance + rounding(run)
+    return _Bound("reference", value, f"{run.method} against {method}")
 
 
 def _difference(one: Run, other: Run) -> float:

@@ -1,0 +1,120 @@
+"""Bounds hold against answers that are known otherwise, and would not if they were much smaller."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings, strategies as st
+
+import tamias2d as t2
+from tamias2d.study.error import history_error
+from tools.measurements.exact import exact_history
+
+G = 9.81
+
+
+def exact(run: t2.Run) -> t2.Run:
+    """The run with the places that 40 digits give."""
+    position, orientation = exact_history(run.scene, run.times)
+    return replace(run, position=position, orientation=orientation)
+
+
+def error_and_bound(run: t2.Run, true: t2.Run) -> tuple[float, float]:
+    certified = t2.certify(run).certificate
+    assert certified is not None
+    assert certified.bound is not None
+    return history_error(run, true), certified.bound
+
+
+def thrown(drag: float, speed: float, angle: float) -> t2.Scene:
+    scene = t2.Scene(gravity=(0.0, -G))
+    velocity = (speed * math.cos(angle), speed * math.sin(angle))
+    scene.add_body(None, mass=1.0, position=(0.0, 1.0), velocity=velocity, linear_drag=drag)
+    return scene
+
+
+FINITE = {"allow_nan": False, "allow_infinity": False}
+speeds = st.floats(1.0, 50.0, **FINITE)
+angles = st.floats(0.1, 3.0, **FINITE)
+
+
+@settings(max_examples=12, deadline=None)
+@given(speeds, angles, st.floats(0.05, 3.0, **FINITE))
+def test_step_doubling_bounds_a_throw_with_drag(speed: float, angle: float, drag: float) -> None:
+    scene = thrown(drag, speed, angle)
+    times = np.linspace(0.0, 2.0, 33)
+    for method in (t2.RungeKutta4(), t2.VelocityVerlet()):
+        run = t2.simulate(scene, duration=2.0, method=method, time_step=2 / 64, times=times)
+        error, bound = error_and_bound(run, exact(run))
+        assert error <= bound <= max(10 * error, 1e-13)
+        assert error > bound / 100  # a hundredth of it would claim too much
+
+
+@example(speed=34.0, angle=0.5, drag=0.0625, rtol=1e-3)  # few steps: a tighter rtol has the same
+@settings(max_examples=12, deadline=None)
+@given(speeds, angles, st.floats(0.05, 3.0, **FINITE), st.sampled_from([1e-3, 1e-6, 1e-9]))
+def test_embedded_bounds_a_throw_with_drag(
+    speed: float, angle: float, drag: float, rtol: float
+) -> None:
+    times = np.linspace(0.0, 2.0, 33)
+    scene = thrown(drag, speed, angle)
+    run = t2.simulate(scene, duration=2.0, method=t2.DormandPrince5(rtol=rtol), times=times)
+    error, bound = error_and_bound(run, exact(run))
+    assert error <= bound
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.floats(0.5, 3.0, **FINITE), st.floats(-2.0, 2.0, **FINITE), st.floats(0.5, 1.0, **FINITE))
+def test_exact_bounds_bounces(height: float, along: float, restitution: float) -> None:
+    scene = t2.Scene(gravity=(0.0, -G))
+    disc = t2.Disc(radius=0.1)
+    scene.add_body(
+        disc, mass=1.0, position=(0.0, height), velocity=(along, 0.0), restitution=restitution
+    )
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0))
+    run = t2.simulate(scene, duration=2.0)
+    error, bound = error_and_bound(run, exact(run))
+    assert error <= bound < 1e-10
+
+
+@pytest.mark.parametrize("name", ["billiard", "galperin-100", "bouncing-elastic", "oblique-discs"])
+def test_exact_bounds_scenes_of_the_catalogue(name: str) -> None:
+    scene = t2.catalogue.load(name)
+    run = t2.simulate(scene, duration=scene.duration or 1.0)
+    error, bound = error_and_bound(run, exact(run))
+    assert error <= bound
+    if error > 1e-14:
+        assert error > bound / 100
+
+
+def test_a_run_that_does_not_converge_has_no_bound() -> None:
+    scene = t2.catalogue.load("tc1")
+    run = t2.simulate(scene, duration=1.0, method=t2.Legacy2018(), time_step=0.1)
+    certificate = t2.certify(run).certificate
+    assert certificate is not None
+    assert not certificate.meets(1.0)
+    assert "inconsistent" in str(certificate)
+
+
+def test_past_the_horizon_only_invariants_are_claimed() -> None:
+    """Discs between round posts: each hit makes a small change some ten times larger."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(
+        t2.Disc(radius=0.1), mass=1.0, position=(0.0, 0.1), velocity=(3.0, 0.4), restitution=1.0
+    )
+    posts = [(x, y) for x in (-1.0, 0.0, 1.0) for y in (-1.0, 0.0, 1.0) if (x, y) != (0.0, 0.0)]
+    for post in [*posts, (0.0, -0.6)]:
+        scene.add_static(t2.Disc(radius=0.25), position=post)
+    for normal in ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)):
+        scene.add_static(t2.HalfPlane(normal=normal, offset=-1.5))
+    certificate = t2.certify(t2.simulate(scene, duration=20.0)).certificate
+    assert certificate is not None
+    assert certificate.kind == "invariants"
+    assert certificate.bound is not None
+    assert certificate.bound < 1e-12
+    assert certificate.predictability_horizon is not None
+    assert 1.0 < certificate.predictability_horizon < 15.0
+    assert not certificate.meets(1e-2)
+    with pytest.raises(t2.ToleranceError, match="no method meets it"):
+        t2.simulate(scene, duration=20.0, tolerance=1e-2)

@@ -1,0 +1,136 @@
+"""A tolerance is met by the cheapest way, or refused with what can be met."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tamias2d.certificate import Certificate, from_json
+from tamias2d.record import check, load
+from tamias2d.study.error import history_error
+
+
+def oscillator() -> t2.Scene:
+    """A mass on a spring whose length is not 0, pulled along it: x = 2 + cos(10 t)."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(3.0, 0.0))
+    scene.add_spring(0, (0.0, 0.0), stiffness=100.0, rest_length=2.0)
+    return scene
+
+
+def error_of(run: t2.Run) -> float:
+    true = np.stack([2 + np.cos(10 * run.times), np.zeros(len(run.times))], axis=-1)
+    return float(np.abs(run.position[:, 0] - true).max()) / 2  # the scale: from 3 m to 1 m
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-5, 1e-9])
+def test_the_true_error_is_within_bound_and_tolerance(tolerance: float) -> None:
+    run = t2.simulate(oscillator(), duration=1.0, tolerance=tolerance)
+    certificate = run.certificate
+    assert certificate is not None
+    assert certificate.bound is not None
+    assert error_of(run) <= certificate.bound <= tolerance
+    assert certificate.bound < 10 * error_of(run)
+
+
+def test_no_listed_way_is_cheaper() -> None:
+    plan = t2.recommend(oscillator(), duration=1.0, tolerance=1e-6)
+    costs = [one.force_evaluations for one in plan.estimates]
+    assert costs == sorted(costs)
+    assert all(one.why for one in plan.estimates)
+    run = t2.simulate(oscillator(), duration=1.0, tolerance=1e-6)
+    assert run.cost is not None
+    assert run.cost.force_evaluations == pytest.approx(costs[0], rel=0.3)
+
+
+def test_a_looser_tolerance_costs_less() -> None:
+    costs = []
+    for tolerance in (1e-9, 1e-6, 1e-3):
+        run = t2.simulate(oscillator(), duration=1.0, tolerance=tolerance)
+        assert run.cost is not None
+        costs.append(run.cost.force_evaluations)
+    assert costs == sorted(costs, reverse=True)
+
+
+def test_the_closed_form_costs_nothing() -> None:
+    scene = t2.catalogue.load("tc1")
+    run = t2.simulate(scene, duration=4.0, tolerance=1e-10)
+    assert run.method == t2.ClosedForm()
+    assert run.certificate is not None
+    assert run.certificate.kind == "exact"
+
+
+def test_without_a_tolerance_there_is_no_certificate_and_the_same_run() -> None:
+    scene = oscillator()
+    run = t2.simulate(scene, duration=1.0)
+    assert run.certificate is None
+    certified = t2.certify(run)
+    assert certified.digest() == run.digest()
+    assert certified.certificate is not None
+
+
+def test_a_plan_is_the_same_each_time() -> None:
+    assert t2.recommend(oscillator(), duration=1.0, tolerance=1e-4) == t2.recommend(
+        oscillator(), duration=1.0, tolerance=1e-4
+    )
+
+
+def test_what_cannot_be_met_is_refused_with_what_can() -> None:
+    scene = t2.catalogue.load("billiard")
+    with pytest.raises(t2.ToleranceError, match="the error can be bounded by") as refused:
+        t2.simulate(scene, duration=6.0, tolerance=1e-14)
+    reachable = refused.value.reachable
+    assert reachable is not None
+    assert t2.simulate(scene, duration=6.0, tolerance=2 * reachable).certificate is not None
+
+
+@pytest.mark.parametrize("tolerance", [0.0, -1.0, 1e-17, 2.0, float("nan"), "1e-6", True])
+def test_what_is_no_tolerance_is_refused(tolerance: object) -> None:
+    with pytest.raises(t2.InputError, match=r"tolerance .*R5"):
+        t2.simulate(oscillator(), duration=1.0, tolerance=tolerance)  # type: ignore[arg-type]
+
+
+def test_tolerance_and_method_are_not_asked_for_together() -> None:
+    with pytest.raises(t2.InputError, match="Give one of the two"):
+        t2.simulate(oscillator(), duration=1.0, method=t2.Reference(), tolerance=1e-3)
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".rrd"])
+def test_a_recording_keeps_the_certificate_and_replays(tmp_path: Path, suffix: str) -> None:
+    run = t2.simulate(oscillator(), duration=1.0, tolerance=1e-4)
+    path = tmp_path / f"run{suffix}"
+    run.save(path)
+    assert load(path).certificate == run.certificate
+    assert check(path).identical
+
+
+def test_a_certificate_survives_json() -> None:
+    run = t2.simulate(oscillator(), duration=1.0, tolerance=1e-4)
+    certificate = run.certificate
+    assert isinstance(certificate, Certificate)
+    assert from_json(certificate.to_json()) == certificate
+    assert "\n" not in str(certificate)
+    with pytest.raises(t2.RecordingError, match="cannot be read"):
+        from_json('{"kind": "exact"}')
+
+
+def test_hashes_follow_the_scene() -> None:
+    first = t2.simulate(oscillator(), duration=1.0, tolerance=1e-2).certificate
+    other = oscillator()
+    other.add_body(None, mass=1.0, position=(0.0, 0.0))
+    second = t2.simulate(other, duration=1.0, tolerance=1e-2).certificate
+    assert first is not None
+    assert second is not None
+    assert first.hashes["scene"] != second.hashes["scene"]
+    assert first.hashes["code"] == second.hashes["code"]
+    assert all(len(value) == 64 for value in first.hashes.values())
+
+
+def test_the_measure_sees_turning() -> None:
+    scene = t2.catalogue.load("pendulum")
+    coarse = t2.simulate(
+        scene, duration=1.0, method=t2.VelocityVerlet(), time_step=0.05, times=[0.0, 0.5, 1.0]
+    )
+    fine = t2.simulate(scene, duration=1.0, times=[0.0, 0.5, 1.0])
+    assert history_error(coarse, fine) > 1e-5
