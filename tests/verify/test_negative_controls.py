@@ -75,7 +75,7 @@ CONTROLS: list[tuple[Any, str, Wrap, list[str]]] = [
     (definitions, "kinetic_energy", with_argument(3, lambda w: 0 * w), ["OD3"]),
     (definitions, "torque", with_argument(0, opposite), ["OD3"]),
     (definitions, "pair_restitution", instead(max), ["OD3"]),
-    (schemes, "velocity_verlet", instead(schemes.semi_implicit_euler), ["OA14a", "OA9"]),
+    (schemes, "velocity_verlet", instead(schemes.semi_implicit_euler), ["OA14a", "OA9b"]),
     (schemes, "runge_kutta_4", instead(schemes.velocity_verlet), ["OA14a", "OA5"]),
     (schemes, "legacy_2018_translation", with_argument(2, lambda v: 2 * v), ["TC2", "TC6"]),
     (schemes, "legacy_2018_rotation", with_argument(3, lambda a: a + 1), ["TC8"]),
