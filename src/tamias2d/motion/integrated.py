@@ -41,7 +41,7 @@ class IntegratedMotion:
         self._integrator = integrator
         self.tally = Tally()
         self._loads = Loads(scene)
-        self._felt_velocity = felt_velocity(scene)
+        self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], Watched] = {}
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
 
