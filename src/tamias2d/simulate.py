@@ -72,6 +72,8 @@ def simulate(
         SimulationError: the answer is not unique, or not within the models; the message says
             when, and the error's `run` is the history up to there.
         ToleranceError: no method meets the tolerance; it says what can be met.
+        StabilityError: the method is unstable at the time step; told before it runs.
+        StepSizeError: no step that float64 can take meets an adaptive method's tolerance.
         Interrupted: the user stopped it; likewise with its `run`.
     """
     plan = _plan(scene, duration, method, time_step, times)

@@ -56,10 +56,12 @@ class _Truth:
 
 
 def measure() -> dict[str, Any]:
-    """Return the shares and medians over the catalogue, those over held-out scenes, and all pairs."""
+    """Return shares and medians over the catalogue, those over held-out scenes, and all pairs."""
     known = [(name, catalogue.load(name)) for name in catalogue.names()]
     new = [(scene.name, scene) for scene in held_out.scenes()]
-    parts = [[pair for name, scene in part for pair in _pairs(name, scene)] for part in (known, new)]
+    parts = [
+        [pair for name, scene in part for pair in _pairs(name, scene)] for part in (known, new)
+    ]
     rows = [asdict(pair) for part in parts for pair in part]
     return {**summary(parts[0]), "held_out": summary(parts[1]), "rows": rows}
 
@@ -103,7 +105,7 @@ def _pairs(name: str, scene: Scene) -> Iterator[Pair]:
         yield _pair(name, scene, tolerance, truth, sweep)
 
 
-def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: _Sweep) -> Pair:
+def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Sweep") -> Pair:
     duration = truth.run.duration
     try:
         plan = recommend(scene, duration=duration, tolerance=tolerance)
@@ -123,7 +125,8 @@ def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: _Swee
         return Pair(
             name, tolerance, "refused", None, None, truth.doubt, None, None, False, "", None, None
         )
-    assert run.certificate is not None and run.certificate.bound is not None
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
     assert run.cost is not None
     error, bound = history_error(run, truth.run), run.certificate.bound
     floor = max(truth.doubt, rounding(run) / scale(run))
@@ -184,8 +187,7 @@ class _Sweep:
             yield ((kind(10 ** (-k / 2)), None) for k in range(1, 28))
         for method in schemes_for(self._scene):
             yield (
-                (method, self._truth.run.duration / round(_COARSEST * _RUNGS**k))
-                for k in range(60)
+                (method, self._truth.run.duration / round(_COARSEST * _RUNGS**k)) for k in range(60)
             )
 
     def _point(self, method: Method, step: float | None) -> tuple[float, float]:
@@ -203,7 +205,5 @@ class _Sweep:
         return self._known[method, step]
 
 
-def _go(
-    scene: Scene, duration: float, method: Method, step: float | None, times: Array
-) -> Run:
+def _go(scene: Scene, duration: float, method: Method, step: float | None, times: Array) -> Run:
     return simulate(scene, duration=duration, method=method, time_step=step, times=times)

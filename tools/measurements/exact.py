@@ -52,7 +52,7 @@ def exact_history(scene: Scene, times: Array) -> tuple[Array, Array]:
 
 
 def _turn(body: Body, t: Any) -> Any:
-    spin, twist = mp.mpf(body.angular_velocity), mp.mpf(float(body.torque or 0.0))
+    spin, twist = mp.mpf(body.angular_velocity), mp.mpf(body.torque)
     return body.orientation + spin * t + twist / mp.mpf(body.inertia) * t * t / 2
 
 
@@ -60,16 +60,17 @@ def _pull(scene: Scene, body: Body) -> Any:
     if not body.dynamic:
         return mp.matrix([0, 0])
     return mp.matrix(
-        [mp.mpf(g) + mp.mpf(f) / mp.mpf(body.mass) for g, f in zip(scene.gravity, body.force)]
+        [
+            mp.mpf(g) + mp.mpf(f) / mp.mpf(body.mass)
+            for g, f in zip(scene.gravity, body.force, strict=True)
+        ]
     )
 
 
 def _formulas(scene: Scene, times: Array) -> list[list[tuple[Any, Any]]]:
     if len([body for body in scene.bodies if body.shape]) > 1:
         raise NotCoveredError
-    return [
-        [tuple(_place(scene, k, mp.mpf(t))) for k in range(len(scene))] for t in times.tolist()
-    ]
+    return [[tuple(_place(scene, k, mp.mpf(t))) for k in range(len(scene))] for t in times.tolist()]
 
 
 def _place(scene: Scene, k: int, t: Any) -> Any:
@@ -100,7 +101,7 @@ def _events(scene: Scene, times: Array) -> list[list[tuple[Any, Any]]]:
     now, rows = mp.mpf(0), []
     waiting = [mp.mpf(t) for t in times.tolist()]
     for i, j in pairs:
-        _settle(bodies[i], bodies[j], at_start=True)
+        _settle(bodies[i], bodies[j])
     known = {pair: now + _meet(bodies[pair[0]], bodies[pair[1]]) for pair in pairs}
     while waiting:
         pair = min(known, key=known.__getitem__) if known else None
@@ -233,10 +234,10 @@ def _part(scene: Scene, pair: tuple[int, int], one: _Moving, other: _Moving) -> 
     impulse = -(1 + mp.mpf(scene.restitution(*pair))) * rate / (masses[0] + masses[1])
     one.v = one.v - n * (impulse * masses[0])
     other.v = other.v + n * (impulse * masses[1])
-    _settle(one, other, at_start=False)
+    _settle(one, other)
 
 
-def _settle(one: _Moving, other: _Moving, *, at_start: bool) -> None:
+def _settle(one: _Moving, other: _Moving) -> None:
     """Let a body rest on a half-plane, where its bounces have come to their end."""
     planes = [x for x in (one, other) if isinstance(x.body.shape, HalfPlane)]
     if not planes:
@@ -244,7 +245,7 @@ def _settle(one: _Moving, other: _Moving, *, at_start: bool) -> None:
     a, b, c = _gap_if_flat(one, other)
     if abs(c) < _ZERO and a < 0 and 0 <= -b / a < _RESTS:
         free = other if planes[0] is one else one
-        n = mp.matrix(planes[0].body.shape.normal)
+        n = mp.matrix(planes[0].body.shape.normal)  # type: ignore[union-attr]
         free.v, free.a = free.v - n * _dot(free.v, n), free.a - n * _dot(free.a, n)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from tamias2d.scene import Disc, HalfPlane, Scene
 
-SEED = 1905  # looked at only after everything was tuned, on the catalogue and on other seeds
+SEED = 2718  # looked at only after everything was tuned, on the catalogue and on other seeds
 _EACH = 6
 _G = (0.0, -9.81)
 

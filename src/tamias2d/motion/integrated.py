@@ -47,7 +47,7 @@ class IntegratedMotion:
         self.tally = Tally()
         self._loads = Loads(scene)
         self._bent = Bent(scene, self.tally)
-        self._felt_velocity = felt_velocity(scene)
+        self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], Watched] = {}
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
 

@@ -8,6 +8,8 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
+
 from tamias2d.errors import InputError
 from tamias2d.generated import schemes
 from tamias2d.generated.schemes import FACTS, Facts
@@ -15,7 +17,7 @@ from tamias2d.motion.adaptive import Adaptive, Tolerance
 from tamias2d.motion.closed_form import ClosedFormMotion
 from tamias2d.motion.exponential import ExponentialGrid
 from tamias2d.motion.integrated import IntegratedMotion
-from tamias2d.motion.loads import Loads, start_states
+from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.motion.piece import Motion
 from tamias2d.motion.reference import ScipyDop853
 from tamias2d.motion.stability import check
@@ -212,17 +214,13 @@ class Reference(Method):
 
 def _scale(scene: Scene, duration: float) -> tuple[float, float]:
     """Return a length in m and a time in s that are not small in a scene."""
-    moving = [(i, body) for i, body in enumerate(scene.bodies) if body.dynamic]
-    sizes = [body.shape.bounding_radius for _, body in moving if body.shape is not None]
-    if not sizes:
-        loads, states = Loads(scene), start_states(scene)
-        places = max((math.hypot(*body.position) for _, body in moving), default=0.0) or math.inf
-        sizes = [
-            min(
-                places,
-                math.hypot(*body.velocity) * duration
-                + math.hypot(*loads.acceleration(i, 0.0, states.__getitem__)[:2]) * duration**2,
-            )
-            for i, body in moving
-        ]
-    return max(sizes, default=0.0) or 1.0, duration
+    moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+    shapes = [shape for i in moving if (shape := scene.bodies[i].shape) is not None]
+    if shapes or not moving:
+        return max((shape.bounding_radius for shape in shapes), default=0.0) or 1.0, duration
+    states = start_states(scene)
+    q, rate = coordinates([states[i] for i in moving])
+    pull = Loads(scene).field(moving, [None] * len(moving))(0.0, q, rate)
+    place, speed, push = (np.hypot(rows[:, 0], rows[:, 1]) for rows in (q, rate, pull))
+    ways = speed * duration + push * duration**2
+    return float(min(place.max() or math.inf, ways.max())) or 1.0, duration

@@ -7,11 +7,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tamias2d.certificate import Certificate, Kind, hashes, not_claimed
-from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import ClosedForm, Dop853, Legacy2018, Method, Reference
 from tamias2d.run import Run
-from tamias2d.simulate import simulate
 from tamias2d.state import Array
+from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import MEASURE, apart, radii, scale
 from tamias2d.study.invariants import energy_drift
 from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
@@ -21,6 +20,7 @@ _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
 _TWINS = 3.0  # times as far away as twins one rounding apart the exact answer may be
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.25, 1.4, 3.0  # times what companions say (after Roache's index)
 _ORDER = 0.3  # within which the observed order is that of the scheme
+_COARSEST = 16  # steps of a grid that is trusted to show the order
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
 _LEFT = 0.3  # of the error may be left in it
 _TIGHTEST = 1e-14
@@ -134,8 +134,9 @@ def rounding(run: Run) -> float:
 def _step_doubling(run: Run, _: Array | None) -> _Bound:
     """Bound the error from grids of twice and four times the step.
 
-    Where the order that they show is not that of the scheme, the bound comes from a grid of half
-    the step, and from the slower of both orders; from none where nothing converges yet.
+    Where these are very coarse, or the order that they show is not that of the scheme, the bound
+    comes from a grid of half the step, and from the slower of both orders; from none where nothing
+    converges yet.
     """
     step = run.time_step or run.duration
     nominal = float(run.method.facts.order) if run.method.facts else 1.0
@@ -159,14 +160,18 @@ def _step_doubling(run: Run, _: Array | None) -> _Bound:
 
 
 def _coarser(run: Run, step: float) -> tuple[float, float]:
-    """Return how far steps of four times and twice are apart, and twice and the run's own, m."""
+    """Return how far steps of four times and twice are apart, and twice and the run's own, m.
+
+    What is refused (most often as unstable) or too coarse to show an order is infinitely far.
+    """
     try:
         twice = _companion(run, time_step=min(2 * step, run.duration))
         fine = _difference(twice, run)
-        four = _companion(run, time_step=min(4 * step, run.duration))
-    except _NoBoundError:  # unstable, most often
+        if run.duration / step < 4 * _COARSEST:
+            return math.inf, fine
+        return _difference(_companion(run, time_step=4 * step), twice), fine
+    except _NoBoundError:
         return math.inf, math.inf
-    return _difference(four, twice), fine
 
 
 def _order(coarse: float, fine: float) -> float | None:
@@ -181,7 +186,9 @@ def _embedded(run: Run, _: Array | None) -> _Bound:
     """
     rtol: float = run.method.rtol  # type: ignore[attr-defined]
     if isinstance(run.method, Reference) or rtol / _TIGHTER < _TIGHTEST:
-        return _against(run, Dop853(1e-14) if isinstance(run.method, Reference) else Reference(1e-13))
+        return _against(
+            run, Dop853(1e-14) if isinstance(run.method, Reference) else Reference(1e-13)
+        )
     left = 1.0
     while left > _LEFT and rtol / _TIGHTER >= _TIGHTEST:
         rtol /= _TIGHTER
@@ -197,7 +204,7 @@ def _left(run: Run, companion: Run) -> float:
     """Return how much of the error a companion has left, by the number of its steps."""
     steps = [one.cost.steps if one.cost else 1 for one in (run, companion)]
     order = float(run.method.facts.order) if run.method.facts else 1.0
-    return (steps[0] / steps[1]) ** order
+    return float((steps[0] / steps[1]) ** order)
 
 
 def _against(run: Run, method: Method) -> _Bound:
@@ -212,11 +219,15 @@ def _difference(one: Run, other: Run) -> float:
     return worst if math.isfinite(worst) else math.inf
 
 
-def _companion(run: Run, **changes: object) -> Run:
-    inputs = {"method": run.method, "time_step": run.time_step} | changes
-    if not inputs["method"].stepped:  # type: ignore[attr-defined]
-        inputs["time_step"] = None
+def _companion(run: Run, *, method: Method | None = None, time_step: float | None = None) -> Run:
+    """Return a run of the same scene at the same times, by another method or step."""
     try:
-        return simulate(run.scene, duration=run.duration, times=run.times, **inputs)  # type: ignore[arg-type]
-    except (SimulationError, SceneError) as fault:
+        return companion(
+            run.scene,
+            duration=run.duration,
+            times=run.times,
+            method=method or run.method,
+            time_step=time_step,
+        )
+    except RefusedError as fault:
         raise _NoBoundError(f"a companion run was refused: {fault}") from fault

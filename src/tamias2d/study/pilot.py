@@ -7,16 +7,17 @@ tolerance. Everything is counted, nothing is timed, so that the same scene gives
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Dop853, Method
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.simulate import simulate
+from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import apart, scale
 
 MARGIN = 1.6
@@ -109,7 +110,7 @@ class Pilot:
         """Return how many steps are enough, if `count` are and half of them may not be."""
         if seen is None or before <= self._aim:
             return count
-        return max(count * (error / self._aim) ** (1 / seen), count / 2)
+        return float(max(count * (error / self._aim) ** (1 / seen), count / 2))
 
     def _estimate(
         self, method: Method, count: float, per_step: float, seen: float | None
@@ -131,14 +132,17 @@ class Pilot:
 
     def _error(self, method: Method, time_step: float | None) -> tuple[float, Run | None]:
         try:
-            run = self._run(method, time_step)
-        except (SimulationError, SceneError):
+            run = self._counted(companion, method, time_step)
+        except RefusedError:
             return math.inf, None
         error = float(apart(run, self._exact).max()) / self.scale
         return (error if math.isfinite(error) else math.inf), run
 
-    def _run(self, method: Method, time_step: float | None = None) -> Run:
-        run = simulate(
+    def _run(self, method: Method) -> Run:
+        return self._counted(simulate, method, None)
+
+    def _counted(self, go: Callable[..., Run], method: Method, time_step: float | None) -> Run:
+        run = go(
             self._scene,
             duration=self._duration,
             method=method,

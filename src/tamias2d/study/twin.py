@@ -9,13 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.run import Run
 from tamias2d.scene import Body, Scene
 from tamias2d.scene.restart import restarted
-from tamias2d.simulate import simulate
 from tamias2d.state import Array
+from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import apart, scale
 
 MOVED = 1e-12
@@ -34,7 +33,7 @@ def rounded_apart(run: Run) -> float | None:
             _history(_twin(run, _ROUNDING, phase), run, {"method": run.method})
             for phase in (1.0, 2.0)
         ]
-    except (SimulationError, SceneError):
+    except RefusedError:
         return None
     return max(float(apart(twin, run).max()) for twin in twins)
 
@@ -53,7 +52,7 @@ def growth(run: Run) -> Array | None:
     try:
         other = _history(twin, run, method)
         own = run if isinstance(run.method, ClosedForm) else _history(run.scene, run, method)
-    except (SimulationError, SceneError):
+    except RefusedError:
         return None
     result: Array = apart(other, own) / (MOVED * scale(run))
     return result
@@ -68,7 +67,7 @@ def horizon(run: Run, grown: Array | None) -> float | None:
 
 
 def _history(scene: Scene, run: Run, method: dict[str, object]) -> Run:
-    return simulate(scene, duration=run.duration, times=run.times, **method)  # type: ignore[arg-type]
+    return companion(scene, duration=run.duration, times=run.times, **method)
 
 
 def _twin(run: Run, moved: float, phase: float) -> Scene:

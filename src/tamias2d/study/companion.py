@@ -1,0 +1,22 @@
+"""Runs beside the one that is asked for: they may be refused, which says something, too."""
+
+from typing import Any
+
+from tamias2d.errors import SceneError, SimulationError
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.simulate import Interrupted, simulate
+
+
+class RefusedError(Exception):
+    """A companion run was refused; what the user stops is not among these."""
+
+
+def companion(scene: Scene, **inputs: Any) -> Run:
+    """Return a run as `simulate` does; raise `RefusedError` where that refuses one."""
+    try:
+        return simulate(scene, **inputs)
+    except Interrupted:
+        raise
+    except (SimulationError, SceneError) as fault:
+        raise RefusedError(str(fault)) from fault
