@@ -201,6 +201,38 @@ def replay(
     raise typer.Exit(replay_file(file, check=check))
 
 
+@app.command()
+def tradeoff(
+    scene: _Scene,
+    duration: Annotated[
+        str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
+    ] = None,
+    tolerance: Annotated[
+        float | None, typer.Option(metavar="ERROR", help="Relative, such as 1e-6: who is within?")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="PATH", help="Draw it: .png, .svg or .pdf.")
+    ] = None,
+    phases: Annotated[
+        int, typer.Option(metavar="COUNT", min=1, help="Starts of a scene with impacts.")
+    ] = 32,
+    as_json: _Json = False,
+) -> None:
+    """Measure what accuracy costs on a scene: each method, its errors, its work, its seconds."""
+    from tamias2d.commands.tradeoff import show_tradeoff
+
+    complete = show_tradeoff(
+        scene,
+        duration=duration,
+        tolerance=tolerance,
+        plot=plot,
+        phases=phases,
+        as_json=as_json,
+    )
+    if not complete:
+        raise typer.Exit(INTERRUPTED)
+
+
 def main() -> None:
     """Run the command line of this process."""
     from tamias2d.commands.output import command

@@ -4,11 +4,16 @@ A graph does not mind that two runs put a jump at slightly different instants: i
 away as these are. So it tells a run that is late from one that is wrong.
 """
 
+from typing import TypeAlias
+
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.run import Run
 from tamias2d.state import Array
 from tamias2d.study.error import radii, scale
+
+Places: TypeAlias = NDArray[np.int64]
 
 _NEAREST = 4  # vertices whose segments are looked at: the nearest segment ends at one of these
 _LONGEST = 0.02  # of a segment: longer ones are divided, so that the nearest vertex is near
@@ -90,7 +95,7 @@ def _farthest(points: Array, graph: Array) -> float:
     return float(np.min(distances, axis=0).max())
 
 
-def _segments(vertices: Array, count: int) -> list[tuple[Array, Array]]:
+def _segments(vertices: Places, count: int) -> list[tuple[Places, Places]]:
     before, after = np.maximum(vertices - 1, 0), np.minimum(vertices + 1, count - 1)
     return [(before, vertices), (vertices, after)]
 

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.balance import balance
 from tamias2d.cost import Cost
@@ -16,7 +17,7 @@ from tamias2d.motion import Method, Motion
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History
-from tamias2d.study.pymunk_world import World, version
+from tamias2d.study.pymunk_world import Push, World, version
 
 
 @dataclass(frozen=True)
@@ -30,13 +31,23 @@ class Pymunk(Method):
         raise InputError("method Pymunk(): is for comparison only. Use `study.peers.simulate`.")
 
 
-def simulate(scene: Scene, *, duration: float, steps: int, times: Iterable[float]) -> Run:
+def simulate(
+    scene: Scene,
+    *,
+    duration: float,
+    steps: int,
+    times: Iterable[float],
+    push: Push | None = None,
+) -> Run:
     """Run a scene by Pymunk in equal steps, and sample it at sorted times, s.
+
+    Loads that vary are computed by the scene's own laws, which takes most of the time; `push`, from
+    a body of Pymunk to force components and torque, is what a user of Pymunk would write instead.
 
     Raises:
         PeerError: Pymunk is not installed, or cannot do what the scene asks; the message says what.
     """
-    world = World(scene)
+    world = World(scene, push)
     dt = duration / steps
     grid = np.linspace(0.0, duration, steps + 1)
     wanted = np.array(list(times))
@@ -48,8 +59,8 @@ def simulate(scene: Scene, *, duration: float, steps: int, times: Iterable[float
         struck[k] = world.step(float(grid[k + 1]), dt)
         if needed[0] <= k + 1 <= needed[-1]:
             states[k + 1] = world.state()
-    rows = (np.array([states[k] for k in ks]) for ks in (before.tolist(), (before + 1).tolist()))
-    history = _between(*rows, (wanted - grid[before]) / dt, struck[before])
+    first, second = (np.array([states[k] for k in (before + n).tolist()]) for n in (0, 1))
+    history = _between(first, second, (wanted - grid[before]) / dt, struck[before])
     energy, momentum, angular_momentum = balance(scene, history)
     return Run(
         scene=scene,
@@ -67,7 +78,7 @@ def simulate(scene: Scene, *, duration: float, steps: int, times: Iterable[float
     )
 
 
-def _between(first: Array, second: Array, share: Array, struck: Array) -> History:
+def _between(first: Array, second: Array, share: Array, struck: NDArray[np.bool_]) -> History:
     """Return states between the ends of steps (k, n, 6): straight lines, but for velocities in
     steps in which something was struck, which jump at the end.
     """

@@ -142,9 +142,10 @@ def _limits(axes: Any, study: Study, tolerance: float | None) -> None:
     if tolerance is not None:
         axes.axvline(tolerance, color="black", linewidth=1.2, linestyle="--")
         axes.annotate(
-            f" tolerance {tolerance:g}",
+            f"tolerance {tolerance:g} ",
             (tolerance, 1.0),
             xycoords=("data", "axes fraction"),
+            ha="right",
             va="top",
             rotation=90,
             fontsize="small",
@@ -178,8 +179,9 @@ def _texts(figure: Any, axes: Any, study: Study) -> None:
     measure = "positions, times and states of impacts" if study.impacts else "positions"
     figure.suptitle(f"{study.scene}, {study.duration:g} s: what accuracy costs", fontsize="x-large")
     figure.supxlabel(
-        f"relative error of {measure} ({over}; against {study.truth}; grey below "
-        f"{study.floor:.0e}: not known; crosses: failed, or wrong by more than all)",
+        f"relative error of {measure}: {over}, against {study.truth}\n"
+        f"grey, below {study.floor:.0e}: the truth is not known so well; "
+        "crosses: refused, failed, or wrong by more than the whole motion",
         fontsize="medium",
     )
     handles, labels = axes.get_legend_handles_labels()

@@ -9,18 +9,23 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import combinations
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.run import Impacts
 from tamias2d.scene import Body, Box, Disc, HalfPlane, Polygon, Scene
+from tamias2d.scene.acting import Load
 from tamias2d.state import Array
 from tamias2d.study.pymunk_loads import Loading, loading
 
 _SLOP = 1e-4  # of the smallest body: how far it lets bodies overlap before it pushes them apart
 _WIDE = 1e3  # times the size of the scene: a half-plane's surface and its depth
+
+
+Push: TypeAlias = Callable[[Any], Load]
+"""From a body of Pymunk to the force and torque on it, besides weight."""
 
 
 class PeerError(SimulationError):
@@ -68,7 +73,7 @@ class Hits:
 class World:
     """A scene in Pymunk."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, push: Push | None) -> None:
         pymunk = _pymunk()
         self.hits = Hits()
         self._now = 0.0
@@ -89,9 +94,11 @@ class World:
         self._space.on_collision(begin=self._begun, post_solve=self._solved)
         self._fault: Exception | None = None
         loads = loading(scene, self.state)
-        for k, body in enumerate(scene.bodies):
-            if body.dynamic and loads:
-                self._bodies[k].velocity_func = self._pushed(k, loads)
+        if push is None and loads is not None:
+            push = self._by_laws(loads)
+        for own in self._bodies:
+            if push is not None and own.body_type == pymunk.Body.DYNAMIC:
+                own.velocity_func = self._pushed(push)
 
     def step(self, end: float, dt: float) -> bool:
         """Step for dt to the time `end`, s, and return whether a contact began."""
@@ -108,7 +115,7 @@ class World:
             [(*b.position, b.angle, *b.velocity, b.angular_velocity) for b in self._bodies]
         )
 
-    def _pushed(self, k: int, loads: Loading) -> Callable[..., None]:
+    def _pushed(self, push: Push) -> Callable[..., None]:
         """Return what Pymunk calls to change a velocity: by then all places are those at the end
         of the step, which makes its steps symplectic.
         """
@@ -116,13 +123,16 @@ class World:
 
         def change(body: Any, gravity: Any, damping: float, dt: float) -> None:
             try:
-                x, y, body.torque = loads(self._now, k)
+                x, y, body.torque = push(body)
                 body.force = x, y
             except Exception as fault:  # C has no exceptions: `step` raises it
                 self._fault = fault
             update(body, gravity, damping, dt)
 
         return change
+
+    def _by_laws(self, loads: Loading) -> Push:
+        return lambda body: loads(self._now, self._index[body])
 
     def _begun(self, arbiter: Any, space: Any, data: Any) -> None:  # noqa: ARG002
         """Note a contact that begins, before it is solved."""

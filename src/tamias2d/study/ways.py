@@ -21,7 +21,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms
 from tamias2d.simulate import simulate
-from tamias2d.study import peers
+from tamias2d.study.peers import simulate as simulate_by_pymunk
 
 Go: TypeAlias = Callable[[Scene, float, Iterable[float]], Run]
 """From a scene, a duration in s and times of samples, s, to a run."""
@@ -77,6 +77,6 @@ def _own(method: Method, steps: int | None) -> Go:
 
 def _peer(steps: int) -> Go:
     def go(scene: Scene, duration: float, times: Iterable[float]) -> Run:
-        return peers.simulate(scene, duration=duration, steps=steps, times=times)
+        return simulate_by_pymunk(scene, duration=duration, steps=steps, times=times)
 
     return go

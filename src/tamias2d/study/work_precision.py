@@ -6,7 +6,7 @@ medians over an ensemble of phases, with the worst beside them.
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import median
 from time import perf_counter
 
@@ -48,13 +48,13 @@ class Point:
     setting: str
     peer: bool
     """Whether it is another engine: shown, but not on the front."""
-    error: Errors | None
+    error: Errors | None = None
     """The median of each measure over the phases; None if the way failed."""
-    worst: Errors | None
+    worst: Errors | None = None
     """The largest of each measure over the phases."""
-    cost: Cost | None
-    seconds: Seconds | None
-    failure: str | None
+    cost: Cost | None = None
+    seconds: Seconds | None = None
+    failure: str | None = None
     """Why there is no error."""
 
     @property
@@ -130,7 +130,7 @@ def study(
         truths += [truth_of(other, duration) for other in scenes[1:]]
         for point in _points(scenes, truths, floor, told, timed):
             points.append(point)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, Interrupted):
         complete = False
     return Study(
         scene=scene.name,
@@ -160,31 +160,22 @@ def _points(
         yield point
 
 
-def point_of(
-    way: Way, scenes: Sequence[Scene], truths: Sequence[Truth], *, timed: bool
-) -> Point:
+def point_of(way: Way, scenes: Sequence[Scene], truths: Sequence[Truth], *, timed: bool) -> Point:
     """Run one way on all phases of a scene, and time it on the first."""
     duration = truths[0].history.run.duration
-    plain = {"method": way.name, "setting": way.setting, "peer": way.peer}
+    bare = Point(method=way.name, setting=way.setting, peer=way.peer)
     try:
         with np.errstate(all="ignore"):  # what leaves float64 is a failure with its reason
             found = [
-                _errors(way, scene, truth)
-                for scene, truth in zip(scenes, truths, strict=True)
+                _errors(way, scene, truth) for scene, truth in zip(scenes, truths, strict=True)
             ]
             cost, seconds = _timed(way, scenes[0], duration, timed)
     except Interrupted:
         raise KeyboardInterrupt from None
     except (TamiasError, ArithmeticError) as fault:
-        return Point(**plain, error=None, worst=None, cost=None, seconds=None, failure=str(fault))
-    return Point(
-        **plain,
-        error=_over(found, median),
-        worst=_over(found, max),
-        cost=cost,
-        seconds=seconds,
-        failure=None,
-    )
+        return replace(bare, failure=str(fault))
+    worst = _over(found, max)
+    return replace(bare, error=_over(found, median), worst=worst, cost=cost, seconds=seconds)
 
 
 def _errors(way: Way, scene: Scene, truth: Truth) -> Errors:

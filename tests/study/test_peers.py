@@ -1,0 +1,73 @@
+"""Pymunk as one more way: it runs the scene that was asked, and errs as is known of it."""
+
+import sys
+
+import numpy as np
+import pytest
+
+from tamias2d.scene import Box, Disc, HalfPlane, Scene, catalogue
+from tamias2d.simulate import simulate as exact
+from tamias2d.study.peers import simulate
+from tamias2d.study.pymunk_world import PeerError
+
+pytest.importorskip("pymunk")
+
+
+def test_free_fall_is_high_by_half_a_step(bounce: Scene) -> None:
+    """It moves bodies before it changes their velocities: g h T/2 too high (peers, measured)."""
+    scene = Scene(gravity=(0.0, -9.81), name="fall")
+    scene.add_body(Disc(radius=0.5), mass=1.0, position=(0.0, 0.0))
+    for steps in (60, 240):
+        run = simulate(scene, duration=4.0, steps=steps, times=[4.0])
+        error = run.position[0, 0, 1] + 9.81 * 8
+        assert error == pytest.approx(9.81 * (4 / steps) * 4 / 2, rel=1e-9)
+        assert run.cost is not None
+        assert run.cost.steps == steps
+
+
+def test_head_on_impact_keeps_momentum_and_energy() -> None:
+    scene = Scene(gravity=(0.0, 0.0), name="head-on")
+    disc = Disc(radius=0.5)
+    scene.add_body(disc, mass=3.0, position=(-2.0, 0.0), velocity=(1.0, 0.0), restitution=1.0)
+    scene.add_body(disc, mass=1.0, position=(0.0, 0.0), restitution=1.0)
+    run = simulate(scene, duration=3.0, steps=300, times=[0.0, 3.0])
+    assert run.velocity[-1, :, 0] == pytest.approx([0.5, 1.5], rel=1e-12)
+    assert run.energy[-1] == pytest.approx(run.energy[0], rel=1e-12)
+    assert run.impacts.time == pytest.approx([1.0], abs=0.011)
+    assert run.impacts.bodies.tolist() == [[0, 1]]
+    assert run.impacts.normal_velocity == pytest.approx([-1.0])
+    assert run.impacts.impulse == pytest.approx([1.5])
+
+
+@pytest.mark.parametrize("scene", ["tc3", "kepler", "oscillator"])
+def test_it_comes_nearer_to_the_exact_answer(scene: str) -> None:
+    """Forces, fields and springs are the scene's own: errors fall as steps do, at order 1."""
+    asked = catalogue.load(scene)
+    best = exact(asked, duration=1.0, times=[1.0])
+    errors = [
+        np.abs(simulate(asked, duration=1.0, steps=n, times=[1.0]).position - best.position).max()
+        for n in (400, 800)
+    ]
+    assert errors[0] / errors[1] == pytest.approx(2, rel=0.1)
+
+
+def test_a_box_comes_to_lie_on_a_thick_floor() -> None:
+    scene = Scene(gravity=(0.0, -9.81), name="box")
+    scene.add_body(Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 5.0), restitution=0.0)
+    scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0))
+    run = simulate(scene, duration=4.0, steps=240, times=[4.0])
+    assert run.position[0, 0, 1] == pytest.approx(0.5, abs=1e-3)
+
+
+def test_restitutions_that_differ_are_refused() -> None:
+    scene = Scene(gravity=(0.0, 0.0), name="two")
+    for x, kept in ((-2.0, 1.0), (0.0, 1.0), (2.0, 0.5)):
+        scene.add_body(Disc(radius=0.5), mass=1.0, position=(x, 0.0), restitution=kept)
+    with pytest.raises(PeerError, match="differs from pair to pair"):
+        simulate(scene, duration=1.0, steps=10, times=[1.0])
+
+
+def test_without_pymunk_it_says_so(bounce: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pymunk", None)
+    with pytest.raises(PeerError, match="is not installed"):
+        simulate(bounce, duration=1.0, steps=10, times=[1.0])

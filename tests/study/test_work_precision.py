@@ -1,0 +1,136 @@
+"""Studies: what is tried, what it costs, what fails, and what is drawn and written of it."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+
+from tamias2d.errors import InputError
+from tamias2d.motion import RungeKutta4
+from tamias2d.scene import Scene, catalogue
+from tamias2d.study import work_precision
+from tamias2d.study.plot import plot
+from tamias2d.study.report import as_json, schema
+from tamias2d.study.work_precision import Point, Study, study
+
+
+def points_of(found: Study, method: str) -> list[Point]:
+    return [point for point in found.points if point.method == method]
+
+
+def test_costs_are_counted(studied: Study) -> None:
+    """Of a scheme with s stages that knows its last force: s times the steps, and a first one."""
+    for method, evaluations in (("VelocityVerlet", 1), ("Yoshida4", 3), ("RungeKutta4", 4)):
+        for point in points_of(studied, method):
+            if point.cost:
+                assert point.setting == f"{point.cost.steps} steps"
+                assert point.cost.force_evaluations == evaluations * point.cost.steps + 1
+                assert point.seconds is None
+
+
+def test_too_long_steps_are_points_with_a_reason(studied: Study) -> None:
+    """Verlet stands steps of 2/40 s at most: 40 of them in 2 s."""
+    failed = [point.setting for point in points_of(studied, "VelocityVerlet") if point.failure]
+    assert failed == ["16 steps", "32 steps"]
+    reason = points_of(studied, "VelocityVerlet")[0].failure or ""
+    assert "time_step 0.125 s" in reason
+
+
+def test_errors_fall_at_the_order_of_the_scheme(
+    spring: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(work_precision, "_FIRST", 1024)
+    monkeypatch.setattr(work_precision, "_RUNGS", 2)
+    found = study(spring, duration=1.9, timed=False)
+    for method, order in (("SemiImplicitEuler", 1), ("VelocityVerlet", 2), ("RungeKutta4", 4)):
+        coarse, fine = (point.error for point in points_of(found, method))
+        assert coarse is not None
+        assert fine is not None
+        assert math.log2(coarse.size / fine.size) == pytest.approx(order, abs=0.1)
+
+
+def test_the_closed_form_alone_is_on_the_lean_front(studied: Study) -> None:
+    assert [studied.points[k].method for k in studied.leanest] == ["ClosedForm"]
+    assert studied.complete
+    assert studied.truth == "closed form"
+
+
+def test_other_engines_are_shown_but_never_on_the_front(studied: Study) -> None:
+    peers = [k for k, point in enumerate(studied.points) if point.peer]
+    assert len(peers) == 5
+    assert not {*peers} & {*studied.leanest, *studied.fastest}
+
+
+def test_phases_give_median_and_worst(bounce: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(work_precision, "_RUNGS_OF_IMPACTS", 2)
+    found = study(bounce, duration=1.5, phases_asked=4, timed=False)
+    assert found.phases == 4
+    point = points_of(found, "SemiImplicitEuler")[1]
+    assert point.error is not None
+    assert point.worst is not None
+    assert 0 < point.error.size < point.worst.size
+    exact = points_of(found, "VelocityVerlet")
+    assert len(exact) == 1  # nothing is gained by more steps
+    assert exact[0].worst is not None
+    assert exact[0].worst.size < 1e-12
+
+
+def test_a_stopped_study_keeps_what_it_has(spring: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stop(of: int, done: int, what: str) -> None:
+        if done == 3:
+            raise KeyboardInterrupt
+
+    found = study(spring, duration=0.5, told=stop, timed=False)
+    assert not found.complete
+    assert len(found.points) == 3
+
+
+def test_a_scene_of_other_loads_has_a_reference(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(work_precision, "_RUNGS", 1)
+    found = study(catalogue.load("kepler"), duration=1.0, timed=False)
+    assert found.truth == "Reference(rtol=1e-13)"
+    assert found.floor < 1e-11
+    assert not points_of(found, "ClosedForm")
+
+
+def test_a_report_keeps_its_schema(studied: Study) -> None:
+    report = as_json(studied, tolerance=1e-6)
+    jsonschema.validate(report, schema())
+    assert json.loads(json.dumps(report, allow_nan=False)) == report
+    report["points"][0]["error"]["position"] = -1.0
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(report, schema())
+
+
+def test_a_study_is_drawn_with_its_failures(studied: Study, tmp_path: Path) -> None:
+    path = tmp_path / "study.svg"
+    plot(studied, path, tolerance=1e-6)
+    text = path.read_text()
+    for words in ("tolerance 1e-06", "VelocityVerlet", "Pymunk", "spring, 2 s"):
+        assert f"<!-- {words}" in text
+    with pytest.raises(InputError, match="suffix '.jpeg2000'"):
+        plot(studied, tmp_path / "study.jpeg2000", tolerance=None)
+
+
+def test_a_method_that_is_not_finite_has_an_error_without_limit(spring: Scene) -> None:
+    from tamias2d.study.truth import truth_of
+    from tamias2d.study.ways import Way
+
+    def go(scene: Scene, duration: float, times: Any) -> Any:
+        from dataclasses import replace
+
+        from tamias2d.simulate import simulate
+
+        run = simulate(scene, duration=duration, method=RungeKutta4(), time_step=0.01, times=times)
+        return replace(run, position=run.position * np.nan)
+
+    point = work_precision.point_of(
+        Way("Broken", "", go), [spring], [truth_of(spring, 1.0)], timed=False
+    )
+    assert point.error is not None
+    assert point.error.size == math.inf
+    assert not point.valid
