@@ -77,6 +77,7 @@ class _Checker:
         self.table = table
 
     def type_of(self, node: Node) -> Type:
+        """The type of any node: one case for each kind of it."""
         match node:
             case Number(value=value):
                 return Type("scalar", None if value == 0 else ONE)
@@ -181,6 +182,7 @@ class _Checker:
         return TRUTH
 
     def call(self, node: Call) -> Type:
+        """The type of a function of the language."""
         first, *rest = node.arguments
         match node.function:
             case "sin" | "cos" | "tan" | "exp" | "log" | "phi1" | "phi2":
@@ -207,6 +209,7 @@ class _Checker:
         return self.two(node.function, first, rest[0])
 
     def two(self, function: str, first: Node, second: Node) -> Type:
+        """The type of a derivative, an integral or a product of vectors."""
         a, b = self.value(first), self.value(second)
         over = a.dimension and b.dimension
         match function:

@@ -172,6 +172,7 @@ class _Reader:
         )
 
     def read(self, node: ast.expr, depth: int) -> Node:
+        """Our node for one of Python's; what is not in this list is refused."""
         if depth > MAX_DEPTH:
             raise SpecFault(
                 Code.TOO_LARGE, f"an expression may nest {MAX_DEPTH} deep. Name a part of it"

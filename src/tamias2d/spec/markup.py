@@ -41,6 +41,7 @@ class _Composer:
         return MarkupError(Diagnostic(self.file, *self.place(mark), code.code, message))
 
     def refuse_features(self, text: str) -> None:
+        """Refuse anchors, aliases, tags and depth before anything is built."""
         depth = 0
         for event in yaml.parse(text, Loader=yaml.BaseLoader):
             if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
@@ -72,6 +73,7 @@ class _Composer:
         return dict(self.items(node, path))
 
     def items(self, node: Any, path: Path) -> Iterator[tuple[str, Any]]:
+        """The keys and values of a mapping; a key that stands twice is refused."""
         seen: set[str] = set()
         for key, value in node.value:
             if not isinstance(key, yaml.ScalarNode):
