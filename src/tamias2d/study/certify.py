@@ -127,7 +127,7 @@ def rounding(run: Run) -> float:
     speed = np.linalg.norm(run.velocity, axis=-1) + np.abs(run.angular_velocity) * reach
     far = np.linalg.norm(run.position, axis=-1) + np.abs(run.orientation) * reach
     worst = far.max(axis=0) + run.times[-1] * speed.max(axis=0)
-    moving = np.array([body.dynamic for body in run.scene.bodies])
+    moving = np.array([body.dynamic for body in run.scene.bodies], dtype=bool)
     return _EPSILON * float(worst[moving].max(initial=0.0))
 
 
