@@ -6,7 +6,7 @@ from collections import defaultdict
 from pathlib import PurePosixPath
 
 from tamias2d.spec.chapter import Item
-from tamias2d.spec.check import TRUTH, infer
+from tamias2d.spec.check import infer
 from tamias2d.spec.equations import Function, functions
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.python import PythonPrinter
@@ -49,7 +49,7 @@ def emit(module: str, made: list[Function], specification: Specification) -> str
     printer = PythonPrinter(specification.table)
     bodies = [_function(function, printer) for function in made]
     used = "\n".join(bodies)
-    types = {name for name in ("Scalar", "Vector") if re.search(rf"\b{name}\b", used)}
+    types = {name for name in ("Scalar", "Truth", "Vector") if re.search(rf"\b{name}\b", used)}
     files = dict.fromkeys(function.item.file for function in made)
     title = f"{module.capitalize()}: {'; '.join(dict.fromkeys(f.item.title for f in made))}."
     head = HEADER.format(
@@ -87,7 +87,7 @@ def _type(name: str, table: SymbolTable) -> str:
 
 def _result(function: Function, printer: PythonPrinter) -> str:
     found = infer(function.expression, printer.table)
-    return "bool" if found == TRUTH else found.shape.capitalize()
+    return found.shape.capitalize()
 
 
 def _docstring(function: Function, table: SymbolTable) -> list[str]:

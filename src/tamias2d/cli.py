@@ -22,20 +22,20 @@ class _Commands(TyperGroup):
     """Turns each fault of a user into one line on standard error."""
 
     def invoke(self, ctx: Any) -> Any:
+        """Run the command that was asked for; no fault of a user ends in a traceback."""
         try:
             return super().invoke(ctx)
         except TamiasError as fault:
-            # `simulate` tells an interrupted run by its code, and hands over what there is of it.
-            stopped = getattr(fault, "code", "") == "interrupted"
-            _stop(str(fault), INTERRUPTED if stopped else 2)
+            _stop(str(fault), 2)
         except OSError as fault:
             if fault.filename is None:
                 raise
             _stop(f"{fault.filename}: {fault.strerror}. Choose a place that can be used.", 2)
-        except KeyboardInterrupt:
+        except KeyboardInterrupt as stop:
             from tamias2d.storage import results_path
 
-            _stop(f"Interrupted. Results of earlier checks stand in {results_path()}.", INTERRUPTED)
+            said = str(stop) or "Interrupted."
+            _stop(f"{said} Results of earlier checks are in {results_path()}.", INTERRUPTED)
 
 
 def _stop(message: str, code: int) -> None:

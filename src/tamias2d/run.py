@@ -1,4 +1,7 @@
-"""What a simulation gives back: the history of a scene, its impacts and its balance."""
+"""What a simulation gives back: the history of a scene, its impacts and its balance.
+
+Serves: users, recordings, verification. Hides: how impacts are kept and the balance is summed up.
+"""
 
 import hashlib
 from dataclasses import dataclass, fields

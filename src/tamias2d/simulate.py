@@ -1,16 +1,21 @@
-"""From a scene to its run: choose the way, go it, and say which it was (R5, R6, R8)."""
+"""From a scene to its run: choose the way, go it, and say which it was (R5, R6, R8).
 
-from collections.abc import Iterable
+Serves: `tamias2d.simulate`, the one door to a run. Hides: which way is taken, and how its parts
+are put together.
+"""
+
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from tamias2d.balance import balance
-from tamias2d.contact import Located, Refusal
+from tamias2d.contact import Hit, Located, Refusal, refuse_contact
 from tamias2d.cost import Cost
-from tamias2d.errors import InputError, SimulationError
+from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Legacy2018, Method, Motion, Reference, Tally
 from tamias2d.motion.legacy import legacy_history
+from tamias2d.motion.reference import NoStepError
 from tamias2d.motion.stepped import grid
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
@@ -23,16 +28,11 @@ from tamias2d.state import Array, History
 _FRAMES = 60  # samples in a second, where nothing else is asked
 
 
-class Interrupted(SimulationError):  # noqa: N818
+class Interrupted(KeyboardInterrupt):
     """The user stopped a run; `run` is what there was of it."""
 
-    code = "interrupted"
-
     def __init__(self, run: Run) -> None:
-        super().__init__(
-            f"run of {run.duration:g} s: interrupted at {run.times[-1]:.6g} s. What was computed "
-            "is in the error's `run`."
-        )
+        super().__init__(f"Run of {run.duration:g} s: interrupted at {run.times[-1]:.6g} s.")
         self.run = run
 
 
@@ -85,10 +85,10 @@ def simulate(
     located = Located(scene, motion)
     if not located.can_meet:
         history = _unhindered(plan, motion)
-        return _finished(plan, history, _no_impacts(), motion.notes, motion.tally)
+        return _finished(plan, history, _impacts([]), motion.notes, motion.tally)
     try:
         _go(located, plan.duration, progress)
-    except Refusal as refusal:
+    except (Refusal, NoStepError) as refusal:
         refusal.run = _collected(plan, motion, located)
         raise
     except KeyboardInterrupt:
@@ -170,22 +170,23 @@ def _samples(times: Iterable[float], duration: float) -> Array:
     steps = [
         number(value, "time", "the run", remedy, at=("times", k)) for k, value in enumerate(values)
     ]
+    if not steps:
+        raise InputError(f"times of the run: found none: must be one or more (R5). {remedy}")
     for k, (before, after) in enumerate(zip(steps, [*steps[1:], duration], strict=True)):
         if after < before:
             raise InputError(
                 f"times[{k}] {before!r} s of the run: {after!r} s follows: must be sorted, and "
                 f"within the duration of {duration!r} s (R5). {remedy}"
             )
-    if not steps:
-        raise InputError(f"times of the run: found none: must be one or more (R5). {remedy}")
     return np.array(steps)
 
 
 def _legacy(plan: _Plan) -> Run:
     times, history = legacy_history(plan.scene, plan.duration, plan.time_step or plan.duration)
+    refuse_contact(plan.scene, times, history)
     taken = len(times) - 1
     tally = Tally(steps=taken, force_evaluations=taken)
-    return _finished(plan._replace(times=times), history, _no_impacts(), (), tally)
+    return _finished(plan._replace(times=times), history, _impacts([]), (), tally)
 
 
 def _go(located: Located, duration: float, progress: bool) -> None:
@@ -204,7 +205,7 @@ def _collected(plan: _Plan, motion: Motion, located: Located) -> Run:
     """Return the run up to the time that was reached."""
     reached = plan.times[plan.times <= located.time]
     plan = plan._replace(times=reached if len(reached) else plan.times[:1])
-    history, impacts = sample(located.tracks, plan.times), Impacts(**located.impacts())
+    history, impacts = sample(located.tracks, plan.times), _impacts(located.hits)
     return _finished(plan, history, impacts, motion.notes + located.notes, motion.tally)
 
 
@@ -233,14 +234,13 @@ def _cost(impacts: Impacts, tally: Tally) -> Cost:
     return Cost(**vars(tally), impacts=len(set(met)))
 
 
-def _no_impacts() -> Impacts:
-    none = np.empty(0)
-    pairs = np.empty((0, 2))
+def _impacts(hits: Sequence[tuple[float, Hit]]) -> Impacts:
+    contacts = [hit.contact for _, hit in hits]
     return Impacts(
-        time=none,
-        bodies=pairs.astype(np.int64),
-        point=pairs,
-        normal=pairs,
-        impulse=none,
-        normal_velocity=none,
+        time=np.array([time for time, _ in hits], dtype=np.float64),
+        bodies=np.array([(c.a, c.b) for c in contacts], dtype=np.int64).reshape(-1, 2),
+        point=np.array([c.point for c in contacts], dtype=np.float64).reshape(-1, 2),
+        normal=np.array([c.normal for c in contacts], dtype=np.float64).reshape(-1, 2),
+        impulse=np.array([hit.impulse for _, hit in hits], dtype=np.float64),
+        normal_velocity=np.array([hit.normal_velocity for _, hit in hits], dtype=np.float64),
     )

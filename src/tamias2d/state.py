@@ -1,7 +1,9 @@
-"""Where bodies are and how they move: at one instant, and over a run."""
+"""Where bodies are and how they move: at one instant, and over a run.
 
-from collections.abc import Callable
-from typing import NamedTuple, TypeAlias
+Serves: motion, contact and runs. Hides: the layout of the arrays.
+"""
+
+from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +12,6 @@ Vector: TypeAlias = tuple[float, float]
 Array: TypeAlias = NDArray[np.float64]
 Acceleration: TypeAlias = tuple[float, float, float]
 """Both components in m/s^2, and the angular one in rad/s^2."""
-Hold: TypeAlias = Callable[[Acceleration], Acceleration]
-"""What a lasting contact makes of the acceleration that the loads alone would give a body."""
 
 
 class State(NamedTuple):
@@ -25,6 +25,17 @@ class State(NamedTuple):
     """m/s"""
     angular_velocity: float
     """rad/s"""
+
+
+class Hold(Protocol):
+    """What lasting contacts make of the acceleration that the loads alone would give a body."""
+
+    @property
+    def bends(self) -> bool:
+        """Whether it depends on the state, so that constant loads give no constant acceleration."""
+
+    def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
+        """Return the acceleration that is left of one by the loads, in a state."""
 
 
 class History(NamedTuple):

@@ -8,6 +8,8 @@ import hashlib
 import os
 import secrets
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 
@@ -41,19 +43,25 @@ def results_path() -> Path:
     return home() / f"results-{copy}.json"
 
 
-def write_aside(path: Path, content: bytes) -> None:
-    """Replace the file at `path` in one step: a reader sees the old content or the new, whole.
+@contextmanager
+def aside(path: Path) -> Iterator[Path]:
+    """Give a path to write to, which takes the place of `path` when the block ends well.
 
-    Raises OSError as `open` does; the file at `path` is then as it was.
+    A reader sees the old content or the new one, whole. Raises OSError as `open` does; the file at
+    `path` is then as it was.
     """
-    aside = path.with_name(f".{path.name}.{secrets.token_hex(8)}.tmp")
+    draft = path.with_name(f".{path.name}.{secrets.token_hex(8)}.tmp")
     try:
-        with aside.open("xb") as file:
-            file.write(content)
-        aside.replace(path)
-    except BaseException:
-        aside.unlink(missing_ok=True)
-        raise
+        yield draft
+        draft.replace(path)
+    finally:
+        draft.unlink(missing_ok=True)
+
+
+def write_aside(path: Path, content: bytes) -> None:
+    """Replace the content of the file at `path` in one step; raises as `aside` does."""
+    with aside(path) as draft:
+        draft.write_bytes(content)
 
 
 def _writable(path: Path) -> bool:

@@ -6,14 +6,14 @@ verdicts are rolled up.
 """
 
 import difflib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import Any
 
 from tamias2d.errors import InputError
 from tamias2d.verify import results
-from tamias2d.verify.items import Item, items, links, scene_hash
+from tamias2d.verify.items import Item, fingerprint, items, label_order, links
 from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
 
 STALE = "stale"
@@ -97,10 +97,8 @@ def exit_code(rows: Iterable[Traced]) -> int:
 
 def plan_table() -> tuple[list[str], list[tuple[str, str, list[bool]]]]:
     """Return the plan's Table 1, corrected: the columns, and for each case id, title and marks."""
-    cases = sorted(
-        (item for item in items().values() if item["id"].startswith("TC")),
-        key=lambda item: (int(item["id"][2:].rstrip("abc")), item["id"]),
-    )
+    ids = sorted((id for id in items() if id.startswith("TC")), key=label_order)
+    cases = [items()[id] for id in ids]
     named = {item["id"]: [id for id in links(item) if _in_plan(id)] for item in cases}
     columns = [id for id in items() if any(id in ids for ids in named.values())]
     columns.sort(key=lambda id: (("IM", "R", "NFR").index(id.rstrip("0123456789")), id))
@@ -118,9 +116,13 @@ class Graph:
     """The items with their links in both directions, and the last results."""
 
     def __init__(
-        self, specification: Mapping[str, Item], outcomes: Mapping[str, list[Outcome]]
+        self,
+        specification: Mapping[str, Item],
+        outcomes: Mapping[str, list[Outcome]],
+        fingerprint: Callable[[Item], str] = fingerprint,
     ) -> None:
         self.items = specification
+        self.fingerprint = fingerprint
         self.outcomes = outcomes
         self.forward = {id: links(item) for id, item in specification.items()}
         self._verdicts: dict[str, str] = {}
@@ -169,11 +171,13 @@ class Graph:
         """Return the cases that name an item, or else rest on it; a case has none but itself."""
         if self.items[id]["kind"] in ("case", *_UNJUDGED):
             return []
-        named = [each for each in self.backward[id] if self.items[each]["kind"] == "case"]
+        named = self._only_cases(self.backward[id])
         if named or self.items[id]["kind"] in _DEMANDS:
             return named
-        around = self.reach(id, self.backward, ends=_DEMANDS)  # to verify is not to rest on
-        return [each for each in around if self.items[each]["kind"] == "case"]
+        return self._only_cases(self.reach(id, self.backward, ends=_DEMANDS))
+
+    def _only_cases(self, ids: Iterable[str]) -> list[str]:
+        return sorted((id for id in ids if self.items[id]["kind"] == "case"), key=label_order)
 
     def verdict(self, id: str) -> str:
         """Return the worst verdict of an item's cases; a demand takes those of what it uses."""
@@ -200,8 +204,7 @@ class Graph:
 
     def _of_case(self, item: Item) -> str:
         outcomes = self.outcomes.get(item["id"], [])
-        now = (item["hash"], scene_hash(item))
-        if any((outcome.hash, outcome.scene) != now for outcome in outcomes):
+        if any(outcome.hash != self.fingerprint(item) for outcome in outcomes):
             return STALE
         return worst(outcome.verdict for outcome in outcomes)
 

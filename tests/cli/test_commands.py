@@ -15,7 +15,7 @@ from tamias2d.commands import run as run_command
 from tamias2d.commands.names import find_method
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import Interrupted, simulate
-from tamias2d.verify import exact
+from tamias2d.verify import case, exact
 
 Call = Callable[..., Result]
 
@@ -82,14 +82,20 @@ def test_a_file_is_not_taken_for_the_case_of_its_name(call: Call, tmp_path: Path
     assert answer(call("run", file, "--duration", "4", "--json"))["errors"] == []
 
 
-@pytest.mark.parametrize("suffix", [".npz"])
+@pytest.mark.parametrize("suffix", [".npz", ".rrd"])
 def test_run_keeps_a_recording_that_checks(call: Call, tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"with blank{suffix}"
     text = call("run", "tc3", "--record", path).stdout
-    assert f'Look at it: tamias2d replay "{path}"' in text
+    assert f"Look at it: tamias2d replay '{path}'" in text
     checked = call("replay", path, "--check")
     assert checked.exit_code == 0
     assert "identical" in checked.stdout
+
+
+def test_run_draws_a_plot(call: Call, tmp_path: Path) -> None:
+    assert call("run", "tc3", "--plot", tmp_path / "run.svg").exit_code == 0
+    assert (tmp_path / "run.svg").read_text().lstrip().startswith("<?xml")
+    assert "suffix '.doc'" in refused(call("run", "tc3", "--plot", tmp_path / "run.doc"))
 
 
 def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -> None:
@@ -109,6 +115,7 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
     ("words", "says"),
     [
         (["run", "tc33"], "SCENE: 'tc33': must be a name of the catalogue or a file (R1). Did you"),
+        (["run", "."], "SCENE: '.': must be"),
         (["run", "no/such.yaml"], "SCENE: 'no/such.yaml': must be"),
         (["run", "tc3", "--duration", "4 kg"], "--duration: '4 kg': must be a time"),
         (["run", "tc3", "--duration", "soon"], "--duration: 'soon': must be a time"),
@@ -172,15 +179,16 @@ def test_an_interrupted_run_is_kept(
     assert (tmp_path / "part.npz").is_file()
 
 
-def test_an_interrupted_check_says_where_results_are(
+def test_an_interrupted_check_is_no_failed_one(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def stopped(*_: Any, **__: Any) -> None:
-        raise KeyboardInterrupt
+        raise Interrupted(simulate(catalogue.load("tc3"), duration=1.0))
 
-    monkeypatch.setattr("tamias2d.commands.verify.verify_cases", stopped)
-    result = call("verify")
+    monkeypatch.setattr(case, "simulate", stopped)
+    result = call("verify", "TC3")
     assert result.exit_code == 130
+    assert result.stdout == ""
     assert str(tmp_path / "home") in result.stderr
 
 

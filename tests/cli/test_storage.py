@@ -46,7 +46,13 @@ def test_a_file_is_replaced_whole(tmp_path: Path) -> None:
 def test_a_failed_write_leaves_the_old_file(tmp_path: Path) -> None:
     path = tmp_path / "results.json"
     storage.write_aside(path, b"old")
-    with pytest.raises(TypeError):
-        storage.write_aside(path, "text")  # type: ignore[arg-type]
+
+    def fill_the_disk() -> None:
+        with storage.aside(path) as draft:
+            draft.write_bytes(b"ne")
+            raise OSError("the disk is full")
+
+    with pytest.raises(OSError, match="full"):
+        fill_the_disk()
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]

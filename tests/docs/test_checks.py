@@ -57,6 +57,20 @@ def test_a_load_from_elsewhere_is_found(tmp_path: Path, load: str) -> None:
     assert "example.org" in fault
 
 
+@pytest.mark.parametrize(
+    "style",
+    [
+        "a { background: url('https://example.org/a.png') }",
+        "@import '//example.org/font.css';",
+        "@import url(http://example.org/font.css);",
+    ],
+)
+def test_a_style_from_elsewhere_is_found(tmp_path: Path, style: str) -> None:
+    (tmp_path / "page.css").write_text("a { background: url(a.png) }\n" + style, encoding="utf-8")
+    (fault,) = weave.styles_from_elsewhere(tmp_path)
+    assert "example.org" in fault
+
+
 @pytest.mark.parametrize("link", ["#IM9", "good.html#IM9", "gone.html"])
 def test_a_dead_link_is_found(tmp_path: Path, link: str) -> None:
     found = pages(tmp_path, good=GOOD, page=f'<a href="{link}">x</a>')

@@ -7,6 +7,7 @@ import pytest
 
 weave = pytest.importorskip("weave.modules", reason="needs Sphinx")
 
+interface = pytest.importorskip("weave.interface")
 PACKAGE = Path(__file__).parents[2] / "src/tamias2d"
 
 
@@ -30,8 +31,8 @@ def test_service_and_secret_are_read_from_a_docstring() -> None:
 
 def test_a_long_signature_is_broken_at_its_arguments() -> None:
     text = "def f(a: dict[str, tuple[int, int]], *, " + "b" * 60 + ": int = 1) -> None: ..."
-    (node,) = weave.public(ast.parse(text))
-    lines = weave.signature(node).splitlines()
+    (node,) = interface.public(ast.parse(text))
+    lines = interface.signature(node).splitlines()
     assert lines[0] == "f("
     assert lines[1] == "    a: dict[str, tuple[int, int]],"
     assert lines[-1] == ") -> None"

@@ -1,6 +1,6 @@
-"""Every block of the pages that teach is executed, and prints what the page says.
+"""Every block of the tutorial is executed, and prints what the page says; so is the README's.
 
-Blocks share one Python session and one directory. `...` stands for any text.
+The blocks of a page share one Python session and one directory. `...` stands for any text.
 """
 
 import doctest
@@ -9,18 +9,31 @@ import re
 import shlex
 import subprocess
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-DOCS = Path(__file__).parents[2] / "docs"
-PAGES = ("tutorial.md", "own_force.md")
+ROOT = Path(__file__).parents[2]
 _BLOCK = re.compile(
     r"^```(?:\{code-block\} )?(?P<kind>\w+)\n(?::caption: (?P<file>\S+)\n)?(?P<text>.*?)^```$",
     re.M | re.S,
 )
 _FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+
+
+@dataclass(frozen=True)
+class Block:
+    """A block of code and its place."""
+
+    text: str
+    file: str
+    page: str
+    line: int
+
+
+PAGES = ("docs/tutorial.md", "docs/own_force.md", "docs/index.md", "README.md")
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -30,32 +43,35 @@ def test_every_block_does_what_it_says(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path / "home"))
     session: dict[str, Any] = {}
-    content = (DOCS / page).read_text(encoding="utf-8")
-    blocks = list(_BLOCK.finditer(content))
-    assert {block["kind"] for block in blocks} == set(_RUN)
-    for block in blocks:
-        place = f"{page}:{content.count(chr(10), 0, block.start('text')) + 1}"
-        _RUN[block["kind"]](block["text"], block["file"], place, session)
+    content = (ROOT / page).read_text(encoding="utf-8")
+    found = list(_BLOCK.finditer(content))
+    assert found
+    for match in found:
+        line = content.count("\n", 0, match.start("text"))
+        block = Block(match["text"], match["file"], page, line)
+        if match["kind"] in _RUN:
+            _RUN[match["kind"]](block, session)
 
 
-def _python(text: str, _file: str, place: str, session: dict[str, Any]) -> None:
-    exec(compile(text, place, "exec"), session)
+def _python(block: Block, session: dict[str, Any]) -> None:
+    exec(compile(block.text, block.page, "exec"), session)
 
 
-def _session(text: str, _file: str, place: str, session: dict[str, Any]) -> None:
-    test = doctest.DocTestParser().get_doctest(text, session, place, place, 0)
+def _session(block: Block, session: dict[str, Any]) -> None:
+    parser = doctest.DocTestParser()
+    test = parser.get_doctest(block.text, session, block.page, block.page, block.line)
     report: list[str] = []
     doctest.DocTestRunner(optionflags=_FLAGS).run(test, out=report.append, clear_globs=False)
     session.update(test.globs)
     assert not report, "".join(report)
 
 
-def _file(text: str, file: str, _place: str, _session: dict[str, Any]) -> None:
-    Path(file).write_text(text, encoding="utf-8")
+def _file(block: Block, _session: dict[str, Any]) -> None:
+    Path(block.file).write_text(block.text, encoding="utf-8")
 
 
-def _console(text: str, _file: str, place: str, _session: dict[str, Any]) -> None:
-    for command, wanted in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", text, re.M):
+def _console(block: Block, _session: dict[str, Any]) -> None:
+    for command, wanted in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", block.text, re.M):
         program, *arguments = shlex.split(command)
         assert program == "tamias2d"
         run = subprocess.run(
@@ -65,7 +81,7 @@ def _console(text: str, _file: str, place: str, _session: dict[str, Any]) -> Non
         )  # fmt: skip
         printed = run.stdout + run.stderr
         fits = doctest.OutputChecker().check_output(wanted, printed, _FLAGS)
-        assert fits, f"{place}: {command}\n{printed}"
+        assert fits, f"{block.page}:{block.line}: {command}\n{printed}"
 
 
 _RUN = {"python": _python, "pycon": _session, "yaml": _file, "console": _console}

@@ -147,7 +147,7 @@ def test_tc10b_bodies_of_the_same_mass_that_meet() -> None:
 
 
 def test_tc11_a_dynamic_body_dropped_on_a_static_one() -> None:
-    """TC11, srs/verification/impact.md:104; verifies R1, R2, R3, R4, R7, R8."""
+    """TC11, srs/verification/impact.md:105; verifies R1, R2, R3, R4, R7, R8."""
     passes("TC11")
 
 
@@ -162,7 +162,7 @@ def test_tc13_agreement_with_independent_programs() -> None:
 
 
 def test_tc14_stress_scene_of_2018() -> None:
-    """TC14, srs/verification/nonfunctional.md:68; verifies NFR1."""
+    """TC14, srs/verification/nonfunctional.md:72; verifies NFR1."""
     passes("TC14")
 
 
@@ -302,35 +302,35 @@ def test_oa9h_unstable_steps() -> None:
 
 
 def test_tc1_translation_without_force() -> None:
-    """TC1, srs/verification/translation.md:20; verifies R1, R2, R4, R5."""
+    """TC1, srs/verification/translation.md:21; verifies R1, R2, R4, R5."""
     passes("TC1")
 
 
 def test_tc2_constant_acceleration_to_the_right() -> None:
-    """TC2, srs/verification/translation.md:49; verifies R1, R2, R4, R5."""
+    """TC2, srs/verification/translation.md:50; verifies R1, R2, R4, R5."""
     passes("TC2")
 
 
 def test_tc3_constant_acceleration_to_the_left() -> None:
-    """TC3, srs/verification/translation.md:76; verifies R1, R2, R4, R5."""
+    """TC3, srs/verification/translation.md:77; verifies R1, R2, R4, R5."""
     passes("TC3")
 
 
 def test_tc4_free_fall_of_three_bodies() -> None:
-    """TC4, srs/verification/translation.md:115; verifies R1, R2, R4, R5."""
+    """TC4, srs/verification/translation.md:116; verifies R1, R2, R4, R5."""
     passes("TC4")
 
 
 def test_tc5_floating_bodies_under_forces() -> None:
-    """TC5, srs/verification/translation.md:182; verifies R1, R2, R4, R5."""
+    """TC5, srs/verification/translation.md:183; verifies R1, R2, R4, R5."""
     passes("TC5")
 
 
 def test_tc6_projectile_launched_at_45_degrees() -> None:
-    """TC6, srs/verification/translation.md:245; verifies R1, R2, R4, R5."""
+    """TC6, srs/verification/translation.md:246; verifies R1, R2, R4, R5."""
     passes("TC6")
 
 
 def test_tc7_projectile_launched_at_60_degrees() -> None:
-    """TC7, srs/verification/translation.md:287; verifies R1, R2, R4, R5."""
+    """TC7, srs/verification/translation.md:288; verifies R1, R2, R4, R5."""
     passes("TC7")

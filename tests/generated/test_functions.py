@@ -358,6 +358,18 @@ def test_normal_acceleration_is_gd3(**given: Value) -> None:
     )
 
 
+@given(
+    normal_velocity_after=values("normal_velocity_after"),
+    normal_acceleration=values("normal_acceleration"),
+    restitution=values("restitution"),
+)
+def test_time_to_rest_is_gd5(**given: Value) -> None:
+    """GD5, srs/models/rest.md:70."""
+    agrees(
+        rest.time_to_rest, "-2*normal_velocity_after/(normal_acceleration*(1 - restitution))", given
+    )
+
+
 @given(torque=values("torque"), inertia=values("inertia"))
 def test_angular_acceleration_is_im2(**given: Value) -> None:
     """IM2, srs/models/rotation.md:27."""

@@ -28,22 +28,35 @@ def test_range_of_time_step() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
+def test_range_of_time_to_rest() -> None:
+    """srs/symbols.md:28: >= 0."""
+    symbol = SYMBOLS["time_to_rest"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
 def test_range_of_duration() -> None:
-    """srs/symbols.md:28: > 0."""
+    """srs/symbols.md:33: > 0."""
     symbol = SYMBOLS["duration"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_mass() -> None:
-    """srs/symbols.md:42: > 0."""
+    """srs/symbols.md:47: > 0."""
     symbol = SYMBOLS["mass"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_inverse_mass() -> None:
-    """srs/symbols.md:49: >= 0."""
+    """srs/symbols.md:54: >= 0."""
     symbol = SYMBOLS["inverse_mass"]
     assert all(
         symbol.admits(value)
@@ -56,14 +69,14 @@ def test_range_of_inverse_mass() -> None:
 
 
 def test_range_of_inertia() -> None:
-    """srs/symbols.md:54: > 0."""
+    """srs/symbols.md:59: > 0."""
     symbol = SYMBOLS["inertia"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_inverse_inertia() -> None:
-    """srs/symbols.md:61: >= 0."""
+    """srs/symbols.md:66: >= 0."""
     symbol = SYMBOLS["inverse_inertia"]
     assert all(
         symbol.admits(value)
@@ -76,7 +89,7 @@ def test_range_of_inverse_inertia() -> None:
 
 
 def test_range_of_restitution() -> None:
-    """srs/symbols.md:66: [0, 1]."""
+    """srs/symbols.md:71: [0, 1]."""
     symbol = SYMBOLS["restitution"]
     assert all(
         symbol.admits(value)
@@ -91,7 +104,7 @@ def test_range_of_restitution() -> None:
 
 
 def test_range_of_pair_restitution() -> None:
-    """srs/symbols.md:75: [0, 1]."""
+    """srs/symbols.md:80: [0, 1]."""
     symbol = SYMBOLS["pair_restitution"]
     assert all(
         symbol.admits(value)
@@ -106,7 +119,7 @@ def test_range_of_pair_restitution() -> None:
 
 
 def test_range_of_linear_drag() -> None:
-    """srs/symbols.md:192: >= 0."""
+    """srs/symbols.md:197: >= 0."""
     symbol = SYMBOLS["linear_drag"]
     assert all(
         symbol.admits(value)
@@ -119,7 +132,7 @@ def test_range_of_linear_drag() -> None:
 
 
 def test_range_of_quadratic_drag() -> None:
-    """srs/symbols.md:198: >= 0."""
+    """srs/symbols.md:203: >= 0."""
     symbol = SYMBOLS["quadratic_drag"]
     assert all(
         symbol.admits(value)
@@ -132,7 +145,7 @@ def test_range_of_quadratic_drag() -> None:
 
 
 def test_range_of_drag_rate() -> None:
-    """srs/symbols.md:214: >= 0."""
+    """srs/symbols.md:219: >= 0."""
     symbol = SYMBOLS["drag_rate"]
     assert all(
         symbol.admits(value)
@@ -145,7 +158,7 @@ def test_range_of_drag_rate() -> None:
 
 
 def test_range_of_speed() -> None:
-    """srs/symbols.md:219: >= 0."""
+    """srs/symbols.md:224: >= 0."""
     symbol = SYMBOLS["speed"]
     assert all(
         symbol.admits(value)
@@ -158,14 +171,14 @@ def test_range_of_speed() -> None:
 
 
 def test_range_of_stiffness() -> None:
-    """srs/symbols.md:224: > 0."""
+    """srs/symbols.md:229: > 0."""
     symbol = SYMBOLS["stiffness"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_rest_length() -> None:
-    """srs/symbols.md:230: >= 0."""
+    """srs/symbols.md:235: >= 0."""
     symbol = SYMBOLS["rest_length"]
     assert all(
         symbol.admits(value)
@@ -178,7 +191,7 @@ def test_range_of_rest_length() -> None:
 
 
 def test_range_of_damping() -> None:
-    """srs/symbols.md:236: >= 0."""
+    """srs/symbols.md:241: >= 0."""
     symbol = SYMBOLS["damping"]
     assert all(
         symbol.admits(value)
@@ -191,7 +204,7 @@ def test_range_of_damping() -> None:
 
 
 def test_range_of_distance() -> None:
-    """srs/symbols.md:252: >= 0."""
+    """srs/symbols.md:257: >= 0."""
     symbol = SYMBOLS["distance"]
     assert all(
         symbol.admits(value)
@@ -204,7 +217,7 @@ def test_range_of_distance() -> None:
 
 
 def test_range_of_spring_energy() -> None:
-    """srs/symbols.md:279: >= 0."""
+    """srs/symbols.md:284: >= 0."""
     symbol = SYMBOLS["spring_energy"]
     assert all(
         symbol.admits(value)
@@ -217,21 +230,21 @@ def test_range_of_spring_energy() -> None:
 
 
 def test_range_of_angular_frequency() -> None:
-    """srs/symbols.md:284: > 0."""
+    """srs/symbols.md:289: > 0."""
     symbol = SYMBOLS["angular_frequency"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_inverse_effective_mass() -> None:
-    """srs/symbols.md:340: > 0."""
+    """srs/symbols.md:345: > 0."""
     symbol = SYMBOLS["inverse_effective_mass"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_impulse() -> None:
-    """srs/symbols.md:351: >= 0."""
+    """srs/symbols.md:356: >= 0."""
     symbol = SYMBOLS["impulse"]
     assert all(
         symbol.admits(value)
@@ -244,7 +257,7 @@ def test_range_of_impulse() -> None:
 
 
 def test_range_of_contact_force() -> None:
-    """srs/symbols.md:361: >= 0."""
+    """srs/symbols.md:366: >= 0."""
     symbol = SYMBOLS["contact_force"]
     assert all(
         symbol.admits(value)
@@ -257,7 +270,7 @@ def test_range_of_contact_force() -> None:
 
 
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:384: >= 0."""
+    """srs/symbols.md:389: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -270,28 +283,28 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:402: > 0."""
+    """srs/symbols.md:407: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:407: > 0."""
+    """srs/symbols.md:412: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:412: > 0."""
+    """srs/symbols.md:417: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:431: > 0."""
+    """srs/symbols.md:436: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

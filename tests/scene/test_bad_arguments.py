@@ -1,5 +1,6 @@
 """Every bad argument is one InputError that names the argument; nothing is added to the scene."""
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -280,6 +281,35 @@ def test_a_law_of_the_state_is_asked_with_the_state() -> None:
     assert not body.constant
     with pytest.raises(InputError, match=r"force\[0\] of body 'body0'.*'position'.* not given"):
         body.force_at(0.5)
+@pytest.mark.parametrize("key", ["torque", "angular_velocity"])
+def test_a_particle_needs_an_inertia_to_turn(key: str) -> None:
+    scene = Scene(gravity=(0, 0))
+    with pytest.raises(InputError, match=f"inertia of body 'p': found none, though its {key} is"):
+        scene.add_body(None, mass=1, position=(0, 0), name="p", **{key: 2.0})
+    scene.add_body(None, mass=1, position=(0, 0), name="p", inertia=3.0, **{key: 2.0})
+    assert scene.bodies[0].inverse_inertia == 1 / 3
+
+
+def test_a_star_is_refused_where_it_has_turned_once_around() -> None:
+    """A pentagram turns the same way at every corner, but twice around."""
+    turns = [4 * math.pi * k / 5 for k in range(5)]
+    with pytest.raises(InputError, match=r"vertices\[2\].*crosses itself"):
+        Polygon(vertices=[(math.cos(turn), math.sin(turn)) for turn in turns])
+    with pytest.raises(InputError, match=r"vertices\[2\].*crosses itself"):
+        Polygon(vertices=[(math.cos(turn), -math.sin(turn)) for turn in turns])
+
+
+def test_a_text_without_time_is_a_number() -> None:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, position=(0, 0), force=("2[N]*sqrt(9)", "-0[N]"))
+    assert repr(scene.bodies[0].force) == "(6.0, 0.0)"
+    assert scene.bodies[0].constant
+
+
+def test_a_fault_in_a_law_has_its_column() -> None:
+    scene = Scene(gravity=(0, 0))
+    with pytest.raises(InputError, match=r"column 8\)"):
+        scene.add_body(None, mass=1, position=(0, 0), force=("2[N] + [3]", 0))
 
 
 def test_a_law_without_a_value_is_refused_at_its_time() -> None:

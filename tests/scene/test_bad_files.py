@@ -75,8 +75,8 @@ BAD = [
     ("mass: 10 kg", "mass: yes", "10:11", "yes"),
     ("position: [0 m, 5 m]", "position: [0 m, 5 s]", "11:21", "must be in m"),
     ("position: [0 m, 5 m]", "position: [0 m, 5 m]\n    orientation: 45", "12:18", "rad or deg"),
-    ("position: [0 m, 5 m]", "position: [0 m, 5 m]\n    angular_velocity: 3 Hz", "12:23", "rad"),
-    ("restitution: 0.5", "restitution: 0.5 rad", "12:18", "no angle"),
+    ("position: [0 m, 5 m]", "position: [0 m, 5 m]\n    angular_velocity: 3 Hz", "12:23", "rad/s"),
+    ("restitution: 0.5", "restitution: 0.5 rad", "12:18", "is no angle (symbol restitution)"),
     ("restitution: 0.5", "restitution: 50 %", "12:18", "%"),
     ("gravity: [0 m/s^2, -9.81 m/s^2]", "gravity: [0 m/s, -9.81 m/s]", "3:11", "must be in m s^-2"),
     ("offset: 0 m", "offset: 1 kg", "24:13", "offset"),
@@ -84,7 +84,7 @@ BAD = [
     # counts and forms
     ("position: [0 m, 5 m]", "position: [0 m]", "11:15", "two"),
     ("position: [0 m, 5 m]", "position: [0 m, 5 m, 6 m]", "11:15", "two"),
-    ("position: [0 m, 5 m]", "position: 5 m", "11:15", "list"),
+    ("position: [0 m, 5 m]", "position: 5 m", "11:15", "found '5 m'"),
     ("position: [0 m, 5 m]", "position:", "11:14", "nothing"),
     ("position: [0 m, 5 m]", "position: [[0 m, 5 m]]", "11:15", "two"),
     ("position: [0 m, 5 m]", "position: [[0 m], 5 m]", "11:16", "list"),
@@ -235,6 +235,11 @@ def test_a_file_that_is_no_scene(content: bytes, words: str, tmp_path: Path) -> 
 def test_a_path_that_leads_to_no_file(path: str) -> None:
     with pytest.raises(SceneError):
         load(path)
+
+
+def test_a_bare_zero_fits_any_unit() -> None:
+    scene = load(GOOD.replace("[0 m, 5 m]", "[0, -0.0]").replace("offset: 0 m", "offset: 0"))
+    assert scene.bodies[0].position == (0, 0)
 
 
 def test_a_typo_in_a_text_is_placed_too() -> None:

@@ -55,12 +55,12 @@ def at(scene: Scene, name: str, time: float) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("mass", [1, 100, 10_000, 1_000_000])
-def test_galperins_blocks_stand_as_points_at_1_and_2(mass: int) -> None:
-    """The gap to the wall is 1, and what both blocks leave of the way is 2 (oracle B8)."""
+def test_galperins_balls_stand_as_points_at_1_and_2(mass: int) -> None:
+    """The gap to the wall is 1, and what both balls leave of the way is 2 (oracle B8)."""
     small, large, wall = catalogue.load(f"galperin-{mass}").bodies
-    assert small.position[0] - small.shape.width / 2 == 1  # type: ignore[union-attr]
+    assert small.position[0] - small.shape.radius == 1  # type: ignore[union-attr]
     gap = large.position[0] - small.position[0]
-    assert gap - small.shape.width / 2 - large.shape.width / 2 == 1  # type: ignore[union-attr]
+    assert gap - small.shape.radius - large.shape.radius == 1  # type: ignore[union-attr]
     assert (small.mass, large.mass, large.velocity) == (1, mass, (-1, 0))
     assert wall.shape.normal == (1, 0)  # type: ignore[union-attr]
 

@@ -133,6 +133,99 @@ def test_each_thing_left_out_has_its_reason() -> None:
         assert all(entry.reason for entry in needs(catalogue.load(name)).entries)
 
 
+def table(scene: Scene, duration: float) -> list[str]:
+    entries = needs(scene, duration).entries
+    return [f"{'needs' if e.needed else 'omits'} {e.what}: {e.reason}" for e in entries]
+
+
+NOTHING_ELSE_ACTS = [
+    "omits attraction between bodies (IM5): the scene states no attraction",
+    "omits linear drag (IM6): no body has a linear drag",
+    "omits quadratic drag (IM6): no body has a quadratic drag",
+    "omits springs and dampers (IM7): the scene has no spring",
+    "omits force fields (IM8): the scene has no field",
+]
+APART = "omits integration of bodies together: nothing but contact acts between bodies"
+
+
+def test_an_empty_scene_needs_nothing() -> None:
+    assert table(Scene(gravity=(0, -1)), 2.0) == [
+        "omits position, velocity: 0 of 0 bodies can move",
+        "omits orientation, angular velocity: no body has a torque or a spin, and none can be hit",
+        "omits gravity (GD2): no body moves",
+        "omits applied force: no force is applied to any body",
+        "omits applied torque: no torque is applied to any body",
+        *NOTHING_ELSE_ACTS,
+        "omits translation (IM1): 0 of 0 bodies can move",
+        "omits rotation (IM2): no body has a torque or a spin, and none can be hit",
+        "omits detection (IM4): no body has a shape",
+        "omits impact (IM3): no two bounds meet within 2 s",
+        "omits resting contact (GD3): no two bounds meet within 2 s",
+        "omits closed form: no body moves",
+        "omits integration of the equations of motion: no body moves",
+        APART,
+        "omits location of impacts: no two bounds meet within 2 s",
+    ]
+
+
+def test_one_disc_alone_pushed_and_twisted() -> None:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(
+        Disc(radius=1), mass=1, position=(0, 0), force=(1, 0), torque="time*1[N*m/s]", name="a"
+    )
+    varies = "under a force or torque that varies with time or state"
+    assert table(scene, 0.5) == [
+        "needs position, velocity: 1 of 1 bodies can move",
+        "needs orientation, angular velocity: 'a' is spun or twisted from the start",
+        "omits gravity (GD2): the scene has no gravity",
+        "needs applied force: 'a' is pushed",
+        "needs applied torque: 'a' is twisted",
+        *NOTHING_ELSE_ACTS,
+        "needs translation (IM1): 1 of 1 bodies can move",
+        "needs rotation (IM2): 'a' is spun or twisted from the start",
+        "omits detection (IM4): 1 body has a shape: there is no pair",
+        "omits impact (IM3): no two bounds meet within 0.5 s",
+        "omits resting contact (GD3): no two bounds meet within 0.5 s",
+        f"omits closed form: 'a' is {varies}",
+        f"needs integration of the equations of motion: 'a' is {varies}",
+        APART,
+        "omits location of impacts: no two bounds meet within 0.5 s",
+    ]
+
+
+def test_three_bodies_that_meet() -> None:
+    scene = Scene(gravity=(0, 0))
+    for name, x, push in (("a", 0, 1), ("b", 2, 0), ("c", 4, 1)):
+        scene.add_body(Box(width=1, height=1), mass=1, position=(x, 0), name=name, force=(push, 0))
+    found = table(scene, 3.0)
+    assert "needs applied force: 'a' and 1 more are pushed" in found
+    met = "the bounds of 'a' and 'b', and of 1 more pair, meet within 3 s"
+    assert needs(scene, 3.0).pairs == ((0, 1), (0, 2))
+    turned = "'a' and 2 more are turned when hit beside the centre of mass"
+    assert found[1] == f"needs orientation, angular velocity: {turned}"
+    assert found[11:] == [
+        f"needs rotation (IM2): {turned}",
+        "needs detection (IM4): 3 bodies have shapes",
+        f"needs impact (IM3): {met}",
+        "needs resting contact (GD3): bodies that can meet are pressed together by gravity "
+        "or a force",
+        "needs closed form: every force and torque is constant",
+        "omits integration of the equations of motion: every force and torque is constant",
+        APART,
+        f"needs location of impacts: {met}",
+    ]
+
+
+def test_free_discs_that_meet_do_not_come_to_rest_on_each_other() -> None:
+    found = table(catalogue.load("oblique-discs"), 3.0)
+    met = "the bounds of 'moving' and 'struck' meet within 3 s"
+    assert f"needs impact (IM3): {met}" in found
+    assert "omits resting contact (GD3): no gravity and no force presses bodies together" in found
+    why = "no body has a torque or a spin, and a disc is hit through its centre (no friction, A6)"
+    assert f"omits rotation (IM2): {why}" in found
+    assert "needs gravity (GD2): (0, -9.81) m/s^2 acts" in table(catalogue.load("resting"), 1.0)
+
+
 def test_the_plan_s_collision_case_needs_no_impact_until_it_is_long_enough() -> None:
     """The gap of 100 m closes after sqrt(20) s = 4.47 s."""
     scene = catalogue.load("tc10")
@@ -171,6 +264,21 @@ def test_what_has_no_bound_can_meet_everything() -> None:
     scene.add_body(None, mass=1, position=(0, 0))
     assert pairs_that_can_meet(scene, 1.0) == [(0, 1), (0, 2)]
     assert pairs_that_can_meet(scene, 1e9) == [(0, 1), (0, 2), (1, 2)]  # 1e309 is no number
+
+
+def test_a_bound_that_overflows_is_no_bound() -> None:
+    """The end of the path is infinity less infinity."""
+    scene = Scene(gravity=(0, -1e300))
+    scene.add_body(Disc(radius=1), mass=1, position=(0, 0), velocity=(0, 1e300))
+    scene.add_static(Disc(radius=1), position=(0, 9))
+    assert pairs_that_can_meet(scene, 1e200) == [(0, 1)]
+
+
+def test_a_static_body_does_not_fall() -> None:
+    scene = Scene(gravity=(0, -10))
+    scene.add_body(Disc(radius=1), mass=1, position=(0, -30))
+    scene.add_static(Box(width=9, height=1), position=(0, 10))
+    assert pairs_that_can_meet(scene, 9.0) == []
 
 
 @given(st.lists(discs, min_size=2, max_size=5), st.floats(0.1, 5))

@@ -17,7 +17,6 @@ OUTCOMES = st.builds(
     tolerance=st.floats(min_value=0, allow_nan=False, allow_infinity=False),
     verdict=st.sampled_from(["pass", "fail", "manual"]),
     hash=st.text("0123456789abcdef", max_size=12),
-    scene=st.text("0123456789abcdef", max_size=8),
     note=st.text(max_size=5),
 )
 
@@ -40,7 +39,7 @@ def test_infinity_is_null() -> None:
         "[]",
         "null",
         '{"format": 0, "cases": []}',
-        '{"format": 1, "cases": [{"id": "TC1"}]}',
+        '{"format": 2, "cases": [{"id": "TC1"}]}',
     ],
 )
 def test_a_file_that_cannot_be_read_counts_as_none(content: str) -> None:

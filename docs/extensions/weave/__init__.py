@@ -8,17 +8,17 @@ from typing import Any
 
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
-from sphinx.errors import ExtensionError
+from sphinx.errors import SphinxError
 
 from tamias2d.errors import SpecError
 from weave import gallery
 from weave.chapter import IndicesDirective, ItemDirective, SymbolsDirective, item_kinds
 from weave.checks import on_build_finished
-from weave.guide import CodesDirective, GuideDirective, InterfaceDirective
+from weave.guide import CodesDirective, GuideDirective, InterfaceDirective, RefusalsDirective
 from weave.links import ItemRole, ModuleRole, SymbolRole
 from weave.matrices import MatrixDirective, PlanTableDirective, RequirementsDirective
 from weave.mirror import on_builder_inited
-from weave.verification import PublishedDirective, ResultsDirective
+from weave.verification import PublishedDirective, ResultsDirective, SurveyDirective
 from weave.woven import weave
 
 _TABLES = {
@@ -28,19 +28,27 @@ _TABLES = {
     "requirements-table": RequirementsDirective,
     "published-tables": PublishedDirective,
     "all-results": ResultsDirective,
+    "survey": SurveyDirective,
     "plan-table": PlanTableDirective,
     "gallery": gallery.GalleryDirective,
     "module-guide": GuideDirective,
     "interface": InterfaceDirective,
+    "refusals": RefusalsDirective,
     "error-codes": CodesDirective,
 }
+
+
+class SpecificationFaultError(SphinxError):
+    """The chapters cannot be read."""
+
+    category = "The specification has faults"
 
 
 def _read(app: Sphinx) -> None:
     try:
         app.woven = weave(Path(app.srcdir).parent)  # type: ignore[attr-defined]
     except SpecError as error:
-        raise ExtensionError(f"the specification has faults:\n{error}") from None
+        raise SpecificationFaultError(f"nothing can be woven:\n{error}") from None
 
 
 def _all_pages(_app: Sphinx, env: BuildEnvironment, *_changes: set[str]) -> set[str]:

@@ -42,7 +42,8 @@ def parts(item: Item, woven: Woven) -> Iterator[str]:
     elif about := cases_of(item.id, woven):
         rows = [[f"{{srs}}`{id}`", woven.spec.items[id].title, badge(id, woven)] for id in about]
         listing = table(["", "case", "last result"], rows, style="cases")
-        yield fence("dropdown", f"Cases ({len(rows)})", listing, depth=6, color="light")
+        title = f"Cases ({len(rows)}): {woven.verdict(item.id)}"
+        yield fence("dropdown", title, listing, depth=6, color="light")
 
 
 def _case(item: Item, woven: Woven) -> Iterator[str]:
@@ -61,8 +62,9 @@ def _case(item: Item, woven: Woven) -> Iterator[str]:
         yield bullets(questions)
     yield bullets(_judged(name, part, woven) for name, part in data.items() if _is_judged(part))
     yield _results(item, woven)
-    if shown := published.part(item):
-        yield fence("dropdown", "Published, reproduced and exact", shown, depth=6, color="light")
+    if "published" in data:
+        title = "Published, reproduced and exact"
+        yield fence("dropdown", title, published.part(item.id), depth=6, color="light")
     yield fence("dropdown", "As written", code("yaml", woven.source(item)), depth=6, color="light")
 
 

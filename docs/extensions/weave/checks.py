@@ -3,10 +3,12 @@
 Serves: the docs build. Hides: how a page is searched.
 """
 
+import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
+from itertools import chain
 from pathlib import Path
 from posixpath import dirname, normpath
 from urllib.parse import unquote, urlsplit
@@ -15,6 +17,7 @@ from sphinx.application import Sphinx
 from sphinx.util import logging
 
 _LOADS = {"script": "src", "img": "src", "iframe": "src", "source": "src", "link": "href"}
+_STYLE_LOAD = re.compile(r"""(?:url\(|@import)\s*["']?((?:https?:)?//[^"')\s]+)""")
 _FORMAL = ("equation", "equations", "states")
 
 
@@ -82,6 +85,13 @@ def loads_from_elsewhere(pages: dict[str, Page]) -> Iterator[str]:
                 yield f"{page.name} loads {address}: pages must work offline. Vendor the file"
 
 
+def styles_from_elsewhere(folder: Path) -> Iterator[str]:
+    """Style sheets that load fonts, pictures or more styles over a network."""
+    for path in sorted(folder.rglob("*.css")):
+        for address in _STYLE_LOAD.findall(path.read_text("utf-8")):
+            yield f"{path.name} loads {address}: pages must work offline. Vendor the file"
+
+
 def dead_links(pages: dict[str, Page]) -> Iterator[str]:
     """Links to a page or an anchor that is not there."""
     for page in pages.values():
@@ -109,6 +119,10 @@ def on_build_finished(app: Sphinx, error: Exception | None) -> None:
     spec = app.woven.spec  # type: ignore[attr-defined]
     items = {id: any(key in item.data for key in _FORMAL) for id, item in spec.items.items()}
     logger = logging.getLogger(__name__)
-    for check in (missing_items(pages, items), loads_from_elsewhere(pages), dead_links(pages)):
-        for fault in check:
-            logger.warning(fault)
+    for fault in chain(
+        missing_items(pages, items),
+        loads_from_elsewhere(pages),
+        styles_from_elsewhere(Path(app.outdir)),
+        dead_links(pages),
+    ):
+        logger.warning(fault)

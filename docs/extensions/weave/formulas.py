@@ -6,9 +6,10 @@ formula that is too wide for the page is broken.
 
 import re
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 
 from tamias2d.spec.chapter import Item
-from tamias2d.spec.expression import Binary, Both, Name, Node, Relation, names, parse
+from tamias2d.spec.expression import Binary, Both, Node, Number, Relation, names, parse
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.tex import tex
 from weave.woven import Woven
@@ -73,8 +74,8 @@ def _terms(node: Node, woven: Woven) -> Iterator[str]:
     if isinstance(node, Binary) and node.operator in "+-":
         yield from _terms(node.left, woven)
         # Printed as the right side of a sum, so that the printer sets the brackets.
-        both = tex(Binary(node.operator, Name("time"), node.right), woven.spec.table)
-        yield both[len(woven.letter("time")) :].strip()
+        both = tex(Binary(node.operator, Number(Fraction(0)), node.right), woven.spec.table)
+        yield both.removeprefix("0").strip()
     else:
         yield tex(node, woven.spec.table)
 

@@ -4,14 +4,16 @@ Serves: `{gallery}`. Hides: which pictures are still good, and that matplotlib d
 """
 
 import hashlib
+from concurrent.futures import ProcessPoolExecutor
 from importlib.util import find_spec
 from pathlib import Path
 
 from docutils import nodes
 from sphinx.application import Sphinx
 
-from tamias2d.errors import TamiasError
+from tamias2d.contact.refusal import Refusal
 from tamias2d.scene import Scene, catalogue
+from tamias2d.simulate import simulate
 from weave.chapter import WovenDirective
 from weave.markdown import fence
 
@@ -25,12 +27,10 @@ def on_builder_inited(app: Sphinx) -> None:
     wanted = {folder / _file(name) for name in catalogue.names()}
     for old in set(folder.glob("*.png")) - wanted:
         old.unlink()
-    if (
-        find_spec("matplotlib")
-        and (Path(app.srcdir).parent / "src/tamias2d/record/plot.py").is_file()
-    ):
-        for name in catalogue.names():
-            _draw(name, folder / _file(name))
+    todo = [name for name in catalogue.names() if not (folder / _file(name)).is_file()]
+    if todo and find_spec("matplotlib"):
+        with ProcessPoolExecutor() as pool:
+            list(pool.map(_draw, todo, [folder / _file(name) for name in todo]))
 
 
 def _file(name: str) -> str:
@@ -45,23 +45,22 @@ def _file(name: str) -> str:
 
 def _draw(name: str, picture: Path) -> None:
     from tamias2d.record.plot import plot
-    from tamias2d.simulate import simulate
 
-    if picture.is_file():
-        return
     scene = catalogue.load(name)
     try:
-        plot(simulate(scene, duration=scene.duration or 1.0), picture)
-    except TamiasError:
-        return  # a scene that is there to be refused
+        run = simulate(scene, duration=scene.duration or 1.0)
+    except Refusal as refusal:  # a scene that is there to be refused: its run up to then
+        run = refusal.run
+    plot(run, picture)
 
 
 class GalleryDirective(WovenDirective):
-    """A card for each scene whose name begins with one of the words given; the rest without."""
+    """A card for each scene; with an argument those of the plan's cases, without it the others."""
 
     def run(self) -> list[nodes.Node]:
         box = nodes.container(classes=["srs-wide"])
         wanted = [n for n in catalogue.names() if n.startswith("tc") == bool(self.arguments)]
+        wanted.sort(key=lambda name: name != "showcase")
         cards = "\n".join(_card(name, Path(str(self.env.srcdir))) for name in wanted)
         self.parse(fence("grid", "1 1 2 2", cards, depth=5, gutter="3"), box)
         return [box]
@@ -70,9 +69,8 @@ class GalleryDirective(WovenDirective):
 def _card(name: str, docs: Path) -> str:
     scene = catalogue.load(name)
     file = f"{PICTURES}/{_file(name)}"
-    picture = (
-        {"img-top": f"/{file}", "img-alt": f"the scene {name}"} if (docs / file).is_file() else {}
-    )
+    shown = {"img-top": f"/{file}", "img-alt": f"the scene {name}", "link": file}
+    picture = shown if (docs / file).is_file() else {}
     footer = fence("card-footer", "", f"`tamias2d run {name}`: {_contents(scene)}")
     text = f"{_says(scene)}\n\n{footer}"
     return fence("grid-item-card", name, text, depth=4, **picture)

@@ -1,15 +1,20 @@
 """The pages about the program: module guide, interface reference, error codes.
 
-Serves: `{module-guide}`, `{interface}`, `{error-codes}`. Hides: which files are listed.
+Serves: `{module-guide}`, `{interface}`, `{refusals}`, `{error-codes}`. Hides: which files they
+list.
 """
+
+import ast
+from collections.abc import Iterator
 
 from docutils import nodes
 
 from tamias2d.spec.messages import Code
 from weave.chapter import WovenDirective
+from weave.interface import described, exported, public, reference
 from weave.links import module_anchor
-from weave.markdown import table
-from weave.modules import Module, described, guide, modules, public, reference
+from weave.markdown import bullets, table
+from weave.modules import Module, guide, modules
 
 
 class GuideDirective(WovenDirective):
@@ -32,12 +37,47 @@ class InterfaceDirective(WovenDirective):
         section = nodes.section(ids=[module_anchor(module.name)], classes=["srs-module"])
         section += nodes.title("", "", nodes.literal("", module.name.removeprefix("tamias2d.")))
         self.parse(described(module.tree), section)
-        if ".generated." not in module.name:
-            self.parse("\n".join(reference(module)), section)
-        else:
-            names = ", ".join(f"`{node.name}`" for node in public(module.tree))
-            self.parse(f"Printed from the specification: {names}.", section)
+        self.parse("\n".join(_contents(module)), section)
         return section
+
+
+def _contents(module: Module) -> Iterator[str]:
+    if module.path.name == "__init__.py":
+        found = exported(module.tree)
+        yield bullets(f"{{module}}`{home}`: {_code_list(names)}" for home, names in found)
+    if ".generated." in module.name:
+        names = _code_list([node.name for node in public(module.tree)])
+        yield f"Printed from the specification: {names}."
+    else:
+        yield from reference(module.tree)
+
+
+def _code_list(names: list[str]) -> str:
+    return ", ".join(f"`{name}`" for name in names)
+
+
+class RefusalsDirective(WovenDirective):
+    """The stable codes of what is refused while a scene runs."""
+
+    def run(self) -> list[nodes.Node]:
+        box = nodes.container()
+        rows = [
+            [f"`{code}`", f"`{node.name}`", described(node).splitlines()[0]]
+            for module in modules(self.woven.root / "src/tamias2d")
+            for node in public(module.tree)
+            for code in _codes(node)
+        ]
+        self.parse(table(["code", "class", "means"], rows), box)
+        return [box]
+
+
+def _codes(node: ast.stmt) -> Iterator[str]:
+    """The value that a class gives to `code`."""
+    for line in node.body if isinstance(node, ast.ClassDef) else ():
+        if isinstance(line, ast.Assign | ast.AnnAssign) and isinstance(line.value, ast.Constant):
+            target = line.targets[0] if isinstance(line, ast.Assign) else line.target
+            if ast.unparse(target) == "code":
+                yield str(line.value.value)
 
 
 class CodesDirective(WovenDirective):

@@ -34,7 +34,7 @@ _PREFIXES = [
 _ID = re.compile(r"(?<![\w`-])(?:GS|TM|GD|DD|IM|NFR|LC|UC|TC|O[A-Z]|[APRE])\d+[a-z]?(?![\w`])")
 
 
-_KEY = re.compile(r"\(([a-z]+\d{4}[a-z]?)\)")
+_KEY = re.compile(r"\(([a-z]+\d{4}[a-z]?)\)|^([a-z]+\d{4}[a-z]?)$")
 
 
 class ItemRole(SphinxRole):
@@ -45,7 +45,8 @@ class ItemRole(SphinxRole):
         item = woven.spec.items.get(self.text)
         if item is None:
             message = f"{self.text}: no such item. Correct the id"
-            return [nodes.literal("", self.text)], [self.inliner.reporter.warning(message)]
+            fault = self.inliner.reporter.warning(message, line=self.lineno)
+            return [nodes.literal("", self.text)], [fault]
         page = item.file.removesuffix(".md")
         uri = self.env.app.builder.get_relative_uri(self.env.docname, page)
         options: dict[str, Any] = {"internal": True, "classes": ["srs-link", item.kind]}
@@ -63,7 +64,8 @@ def linked(text: str, woven: Woven) -> str:
         return f"{{srs}}`{match.group()}`" if known else match.group()
 
     def cited(match: re.Match[str]) -> str:
-        return f"{{cite}}`{match[1]}`" if match[1] in woven.books else match.group()
+        key = match[1] or match[2]
+        return f"{{cite}}`{key}`" if key in woven.books else match.group()
 
     return _KEY.sub(cited, _ID.sub(link, " ".join(text.split())))
 

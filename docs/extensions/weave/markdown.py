@@ -3,6 +3,7 @@
 Serves: tables, links and folded parts. Hides: the fences of MyST and their nesting.
 """
 
+import re
 from collections.abc import Iterable, Sequence
 from textwrap import indent
 
@@ -40,3 +41,10 @@ def _row(cells: Sequence[str]) -> str:
 def bullets(lines: Iterable[str]) -> str:
     """An unnumbered list."""
     return "\n".join(f"* {line}" for line in lines) + "\n"
+
+
+def as_markdown(text: str) -> str:
+    """Plain text in which nothing but `code` and *emphasis* is markup."""
+    halves = text.split("`")
+    halves[::2] = [re.sub(r"([_$<>{}\[\]|#])", r"\\\1", half) for half in halves[::2]]
+    return "`".join(halves)

@@ -185,12 +185,13 @@ def _code(item: Item, woven: Woven) -> Iterator[str]:
 
 def _relations(item: Item, woven: Woven) -> Iterator[str]:
     data = item.data
+    used_by = woven.used_by.get(item.id, [])  # cases stand in a table of their own
     rows = [
         ("uses", data.get("uses", [])),
         ("verifies", data.get("verifies", [])),
         ("affects", data.get("affects", [])),
         ("corrects", [id for id in data.get("corrects", []) if id != "none"]),
-        ("used by", woven.used_by.get(item.id, [])),
+        ("used by", [id for id in used_by if woven.spec.items[id].kind != "case"]),
         ("corrected by", woven.corrected_by.get(item.id, [])),
     ]
     lines = [f"{lead} {ids(names)}" for lead, names in rows if names]

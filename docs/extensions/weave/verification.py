@@ -1,6 +1,6 @@
-"""The page of verification results.
+"""The pages of verification results and of the survey.
 
-Serves: `{published-tables}` and `{all-results}`. Hides: how cases are summed up.
+Serves: `{published-tables}`, `{all-results}`, `{survey}`. Hides: how cases are summed up.
 """
 
 from docutils import nodes
@@ -17,8 +17,8 @@ class PublishedDirective(WovenDirective):
 
     def run(self) -> list[nodes.Node]:
         box = nodes.container()
-        cases = sorted(self.woven.spec.of_kind("case"), key=lambda case: rank(case.id))
-        self.parse(published.summary(cases), box)
+        cases = (i.id for i in self.woven.spec.of_kind("case") if "published" in i.data)
+        self.parse(published.summary(sorted(cases, key=rank)), box)
         return [box]
 
 
@@ -35,4 +35,20 @@ class ResultsDirective(WovenDirective):
         ]
         head = ["case", "compared", "error", "tolerance", "verdict"]
         self.parse(table(head, rows, style="results") if rows else NO_RESULTS, box)
+        return [box]
+
+
+class SurveyDirective(WovenDirective):
+    """Task, questions and number of answers of each case that is a survey."""
+
+    def run(self) -> list[nodes.Node]:
+        box = nodes.container()
+        for item in self.woven.spec.of_kind("case"):
+            if survey := item.data.get("survey"):
+                questions = "\n".join(f"1. {' '.join(q.split())}" for q in survey["questions"])
+                task = (
+                    f"The task: {survey.get('task', '')}, within {survey.get('limit', 'any time')}."
+                )
+                answers = f"Answers so far: **{survey['answers']}** ({{srs}}`{item.id}`)."
+                self.parse(f"{task}\n\n{questions}\n\n{answers}", box)
         return [box]

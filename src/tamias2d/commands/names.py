@@ -20,7 +20,7 @@ def find_scene(text: str) -> Scene:
     names = catalogue.names()
     if text in names:
         return catalogue.load(text)
-    if Path(text).exists():
+    if Path(text).is_file():
         return load(Path(text))
     near = difflib.get_close_matches(text, names, n=3)
     hint = f"Did you mean {' or '.join(near)}? " if near else ""

@@ -3,6 +3,7 @@
 Serves: the command `run`. Hides: the form of its answer, for people and as JSON.
 """
 
+import shlex
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +14,7 @@ from tamias2d.commands.names import find_method, find_scene, seconds, share, spa
 from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
 from tamias2d.errors import SimulationError, TamiasError
 from tamias2d.run import Run
-from tamias2d.simulate import simulate
+from tamias2d.simulate import Interrupted, simulate
 
 _SHOWN = 5  # impacts
 
@@ -58,7 +59,7 @@ def run_scene(
             tolerance=share(tolerance, option="--tolerance"),
             progress=sys.stderr.isatty(),
         )
-    except SimulationError as stop:
+    except (SimulationError, Interrupted) as stop:
         _keep(getattr(stop, "run", None), files)
         raise
     if certified and run.certificate is None:
@@ -117,7 +118,7 @@ def _print(run: Run, name: str, errors: list[KnownError]) -> None:
 def _print_files(files: _Files) -> None:
     if files.record:
         say(f"\nRecording: {files.record}")
-        say(f'Look at it: {command()} replay "{files.record}"')
+        say("Look at it: " + shlex.join([command(), "replay", str(files.record)]))
     if files.plot:
         say(f"\nPlot: {files.plot}")
 

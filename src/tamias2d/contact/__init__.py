@@ -5,20 +5,26 @@ Secret: how a contact is found (conservative advancement along separating axes) 
 what happens at one instant is decided.
 """
 
+from tamias2d.contact.instant import Hit
 from tamias2d.contact.located import Located
+from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
     LastingContactError,
     OverlapError,
     Refusal,
     SimultaneousImpactsError,
     UndecidedContactError,
+    UnlocatedContactError,
 )
 
 __all__ = [
+    "Hit",
     "LastingContactError",
     "Located",
     "OverlapError",
     "Refusal",
     "SimultaneousImpactsError",
     "UndecidedContactError",
+    "UnlocatedContactError",
+    "refuse_contact",
 ]

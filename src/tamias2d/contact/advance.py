@@ -1,5 +1,7 @@
 """When a pair meets next: conservative advancement of second order.
 
+Serves: the located way. Hides: how a step is found that passes no impact.
+
 At a time t an axis gives for every corner a gap s with rate b. If the gap's second derivative is
 at least c up to a time t + window, the gap stays above s + b h + c h^2/2, so that t + h is safe
 up to the smallest root h. The largest such step over the axes is taken, again and again. It never
@@ -8,17 +10,24 @@ for a disc over a half-plane under constant force, in one step.
 """
 
 import math
+from collections.abc import Sequence
 
-from tamias2d.contact.core import Core, place
-from tamias2d.contact.gap import Axis, Gap, Placed, axes, gaps, resolution
+from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.gap import Axis, Gap, axes, gaps, resolution
+from tamias2d.contact.manifold import Contact
 from tamias2d.contact.path import Bounds, Piece
+from tamias2d.contact.refusal import UndecidedContactError, named
 
 
 class Pair:
     """Two bodies on their paths."""
 
-    def __init__(self, a: Core, b: Core, path_a: Piece, path_b: Piece) -> None:
+    def __init__(
+        self, a: Core, b: Core, path_a: Piece, path_b: Piece, kept: Sequence[Contact] = ()
+    ) -> None:
+        """Take two bodies, and the lasting contacts that do not count as a meeting."""
         self.cores = (a, b)
+        self._kept = kept
         self._paths = (path_a, path_b)
 
     def placed(self, time: float) -> tuple[Placed, Placed]:
@@ -29,16 +38,40 @@ class Pair:
     def meets(self, start: float, end: float) -> float | None:
         """Return the first time in s from `start` to `end` at which they touch and do not part."""
         time = start
-        while True:
+        while time < end:
             step = self._safe_step(time, end)
             if step is None:
                 return time
-            after = time + step
-            if after >= end:
-                return None
-            if after == time:
+            if time + step == time:
                 return time
-            time = after
+            time += step
+        return None
+
+    def seen_apart(self, start: float, step: float) -> float:
+        """Return a time in s soon after `start` at which a parting pair is apart and opens.
+
+        `step` is the first guess of how long that takes; it is doubled until float64 can tell.
+
+        Raises:
+            UndecidedContactError: they come to overlap instead.
+        """
+        end = min(path.end for path in self._paths)
+        while (time := start + step) < end:
+            a, b = self.placed(time)
+            axis = max(axes(a, b), key=lambda each: each.gap)
+            nearest = min(gaps(a, b, axis), key=lambda gap: gap.value)
+            tolerance = resolution(a, b, time)
+            if nearest.value > tolerance and nearest.rate > 0:
+                return time
+            if nearest.value < -4 * tolerance:
+                raise UndecidedContactError(
+                    f"{named(a.core.name, b.core.name)} at {start!r} s: float64 cannot tell "
+                    "whether they part or press (R7). End the run before, or change the "
+                    "scene a little.",
+                    time=start,
+                )
+            step *= 2
+        return end
 
     def _safe_step(self, time: float, end: float) -> float | None:
         """Return how long no contact can come about, s, or None if one is there."""
@@ -48,6 +81,8 @@ class Pair:
         if far:
             return step
         found = axes(a, b)
+        if self._kept:
+            return self._step_beside(a, b, time, end)
         largest = max(axis.gap for axis in found)
         steps = []
         for axis in found:
@@ -57,6 +92,20 @@ class Pair:
                     continue
                 steps.append(self._step_along(axis, near, a, b, time, end))
         return max(max(steps), step) if steps else None
+
+    def _step_beside(self, a: Placed, b: Placed, time: float, end: float) -> float | None:
+        """Return the safe step for all other corners along the axis of a lasting contact."""
+        owner = self._kept[0].axis
+        if owner.side is None:  # around a corner there is only one
+            return math.inf
+        found = axes(a, b)
+        same = [each for each in found if each[:2] == owner[:2]]
+        axis = same[0] if same else max(found, key=lambda each: each.gap)
+        indices = {contact.gap.which for contact in self._kept}
+        near = [gap for gap in gaps(a, b, axis) if gap.which not in indices]
+        if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
+            return None
+        return self._step_along(axis, near, a, b, time, end) if near else math.inf
 
     def _far_step(self, a: Placed, b: Placed, time: float, end: float) -> tuple[bool, float]:
         """Return whether circles around the bodies are well apart, and how long they stay so."""

@@ -1,4 +1,7 @@
-"""Forces and impulses that push and never pull: the linear complementarity problem."""
+"""Forces and impulses that push and never pull: the linear complementarity problem.
+
+Serves: impacts and contacts that last. Hides: the method of solution.
+"""
 
 import numpy as np
 
@@ -16,7 +19,10 @@ def complementarity(a: list[list[float]], b: list[float]) -> list[float]:
         return [max(-b[0] / a[0][0], 0.0)]
     if len(b) == 2:
         return _two(a, b)
-    return [float(x) for x in _active_set(np.array(a), np.array(b))]
+    matrix = np.array(a)
+    size = np.sqrt(np.diag(matrix))  # so that light and heavy bodies count alike
+    scaled = _active_set(matrix / np.outer(size, size), np.array(b) / size)
+    return [float(x) for x in scaled / size]
 
 
 def _two(a: list[list[float]], b: list[float]) -> list[float]:

@@ -1,9 +1,13 @@
-"""Bodies as whoever looks for contacts sees them: corners, sides and a radius around them."""
+"""Bodies as whoever looks for contacts sees them: corners, sides and a radius around them.
+
+Serves: gaps and manifolds. Hides: that all shapes are one: corners with a radius around them.
+"""
 
 import math
 from typing import NamedTuple
 
-from tamias2d.scene import Body, Disc, HalfPlane
+from tamias2d.scene import Body, Disc, HalfPlane, Scene
+from tamias2d.scene.acting import groups, timed_loads, varying_loads
 from tamias2d.state import State, Vector
 
 
@@ -21,12 +25,28 @@ class Side(NamedTuple):
 class Core:
     """What of a body can touch: its corners thickened by a radius (a disc is one corner)."""
 
-    def __init__(self, index: int, body: Body) -> None:
+    def __init__(
+        self,
+        index: int,
+        body: Body,
+        *,
+        steady: bool = True,
+        timed: bool = False,
+        group: frozenset[int] = frozenset(),
+    ) -> None:
+        """Take a body, whether its loads are constant, whether they change at rest, and its group.
+
+        The group are the bodies whose state its loads depend on, itself included.
+        """
         shape = body.shape
         self.index = index
         self.name = body.name
         self.dynamic = body.dynamic
         self.solid = shape is not None
+        self.endless = isinstance(shape, HalfPlane)
+        self.steady = steady
+        self.timed = timed
+        self.group = group
         self.inverse_mass = body.inverse_mass
         self.inverse_inertia = body.inverse_inertia
         self.corners: tuple[Vector, ...] = ((0.0, 0.0),)
@@ -45,6 +65,16 @@ class Core:
         self.bounding_radius = max(self.reaches) + self.radius if self.corners else math.inf
         self.size = self.bounding_radius if self.corners else abs(self.sides[0].offset)
         """How far off the centre of mass its numbers lie, m."""
+
+
+def cores_of(scene: Scene) -> list[Core]:
+    """Return all bodies of a scene."""
+    varying, timed = varying_loads(scene), timed_loads(scene)
+    group_of = {i: frozenset(group) for group in groups(scene) for i in group}
+    return [
+        Core(i, body, steady=i not in varying, timed=i in timed, group=group_of.get(i, frozenset()))
+        for i, body in enumerate(scene.bodies)
+    ]
 
 
 class Placed(NamedTuple):

@@ -1,8 +1,10 @@
 """When bounces that get ever shorter come to their end (the Zeno time).
 
+Serves: contacts that come to rest. Hides: which forecast is trusted.
+
 Every bounce forecasts the end, as that of a geometric series. Early forecasts suffer from what is
-not constant, late ones from rounding, since low bounces are short. The best one is where two
-forecasts in a row differ least.
+not constant, late ones from rounding, since low bounces are short. The best one is where the change
+from one to the next and the rounding are least.
 """
 
 from dataclasses import dataclass
@@ -14,7 +16,7 @@ from tamias2d.contact.instant import Instant, PairOf
 class _Forecast:
     last: float
     best: float
-    change: float
+    doubt: float
 
 
 class Forecasts:
@@ -35,9 +37,9 @@ class Forecasts:
             if known is None:
                 self._of[pair] = _Forecast(touch.rest_at, touch.rest_at, float("inf"))
                 continue
-            change = abs(touch.rest_at - known.last)
-            if change <= known.change:
-                known.best, known.change = touch.rest_at, change
+            doubt = abs(touch.rest_at - known.last) + touch.rest_noise
+            if doubt <= known.doubt:
+                known.best, known.doubt = touch.rest_at, doubt
             known.last = touch.rest_at
 
     def rest_of(self, pair: PairOf, time: float) -> float:

@@ -1,5 +1,7 @@
 """How far two bodies are apart, along an axis that separates them.
 
+Serves: the search for the next impact. Hides: which axes there are, and how a gap is bounded.
+
 An axis belongs to a side of one of the bodies, and turns with it, or to the world. Along it, the
 gap between one body and each corner of the other is a smooth function of time, and the smallest
 of these gaps is never more than the true separation of the two convex bodies:
@@ -44,6 +46,8 @@ class Gap(NamedTuple):
     """The corner of Q, from its centre, m."""
     corner_p: Vector
     """The corner of P, from its centre, m; (0, 0) for a side."""
+    which: tuple[int, int]
+    """Which corners of P and Q these are; -1 for a side."""
 
 
 def axes(a: Placed, b: Placed) -> list[Axis]:
@@ -76,18 +80,21 @@ def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:
     found = []
     if axis.side is not None:
         base = axis.side.offset + q.core.radius
-        for (wx, wy), reach in zip(q.corners, q.core.reaches, strict=True):
+        for j, (wx, wy) in enumerate(q.corners):
             x, y = dx + wx, dy + wy
             rate = spin_p * (ux * y - uy * x) + ux * (u - spin_q * wy) + uy * (v + spin_q * wx)
-            found.append(Gap(ux * x + uy * y - base, rate, (0.0, reach), (wx, wy), (0.0, 0.0)))
+            reach = (0.0, q.core.reaches[j])
+            value = ux * x + uy * y - base
+            found.append(Gap(value, rate, reach, (wx, wy), (0.0, 0.0), (-1, j)))
         return found
     base = p.core.radius + q.core.radius
-    for (vx, vy), reach_p in zip(p.corners, p.core.reaches, strict=True):
-        for (wx, wy), reach_q in zip(q.corners, q.core.reaches, strict=True):
+    for i, (vx, vy) in enumerate(p.corners):
+        for j, (wx, wy) in enumerate(q.corners):
             x, y = dx + wx - vx, dy + wy - vy
             rate = ux * (u - spin_q * wy + spin_p * vy) + uy * (v + spin_q * wx - spin_p * vx)
             value = ux * x + uy * y - base
-            found.append(Gap(value, rate, (reach_p, reach_q), (wx, wy), (vx, vy)))
+            reach = (p.core.reaches[i], q.core.reaches[j])
+            found.append(Gap(value, rate, reach, (wx, wy), (vx, vy), (i, j)))
     return found
 
 
@@ -101,6 +108,11 @@ def resolution(a: Placed, b: Placed, time: float) -> float:
         if body.core.sides:
             speed += abs(body.state.angular_velocity) * body.core.size
     return EPSILON * (16 * length + 4 * speed * time)
+
+
+def slight_opening(a: Placed, b: Placed, time: float, until: float) -> float:
+    """Return the acceleration in m/s^2 by which a pair opens too little to be seen `until` then."""
+    return 2 * resolution(a, b, time) / (until - time) ** 2
 
 
 def _of_sides(p: Placed, q: Placed, *, swapped: bool) -> list[Axis]:

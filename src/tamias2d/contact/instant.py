@@ -1,23 +1,31 @@
 """What happens at one instant to bodies that touch: they part, or stay.
 
+Serves: the located way. Hides: the order in which contacts are answered.
+
 In this order: find all that touches; let what approaches part (IM3), unless impacts act on each
 other; let what neither approaches nor parts stay (GD3), if a contact can last.
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.gap import EPSILON, axes, resolution
+from tamias2d.contact.gap import EPSILON, axes, resolution, slight_opening
+from tamias2d.contact.hold import opening
 from tamias2d.contact.manifold import Contact, approach, manifold
-from tamias2d.contact.refusal import SimultaneousImpactsError, named
+from tamias2d.contact.refusal import SimultaneousImpactsError, UndecidedContactError, named
 from tamias2d.contact.response import coupling, impulses, pushed
-from tamias2d.contact.rest import Island, opening
+from tamias2d.contact.rest import Island
+from tamias2d.generated import rest
 from tamias2d.state import Acceleration, Hold, State
 
 PairOf = tuple[int, int]
+
+_TRIES = 10_000  # impulses of one pair at one instant; their speeds fall as a geometric series
+_HELD_NOISE = 1e-9
+"""Of the speeds: what normal velocity a lasting contact may have gathered."""
 
 
 class Surroundings(NamedTuple):
@@ -30,11 +38,11 @@ class Surroundings(NamedTuple):
     """The bodies that may touch a body now."""
     free: Callable[[int, Callable[[int], State]], Acceleration]
     """The acceleration of a body that nothing holds, now, for given states."""
-    held: Callable[[PairOf], bool]
-    """Whether a contact of the pair has lasted until now."""
+    held: Mapping[PairOf, Sequence[Contact]]
+    """The contacts that have lasted until now."""
     restitution: Callable[[int, int], float]
-    steady: Callable[[Sequence[int], bool], bool]
-    """Whether the loads of bodies stay as they are, for given bodies and whether they rest."""
+    until: float
+    """When the run ends, s."""
 
 
 class Hit(NamedTuple):
@@ -58,12 +66,14 @@ class Touch:
     staying: list[Contact] = field(default_factory=list)
     rest_at: float = 0.0
     """When its bounces end if they go on as a geometric series of times, s; 0 if they do not."""
+    rest_noise: float = 0.0
+    """What rounding makes of that, s."""
 
 
 class Instant:
     """One instant, and what it has made of the bodies."""
 
-    def __init__(self, time: float, world: Surroundings, bodies: Iterable[int]) -> None:
+    def __init__(self, time: float, world: Surroundings, bodies: Sequence[int]) -> None:
         self.time = time
         self._world = world
         self._placed: dict[int, Placed] = {}
@@ -75,7 +85,7 @@ class Instant:
         self.holds: dict[int, Hold] = {}
         self.opening: dict[PairOf, float] = {}
         """Pairs that part without normal velocity, with the second derivative of the gap."""
-        self._explore(list(bodies))
+        self._explore(bodies)
         self._part()
         self._stay()
 
@@ -83,9 +93,11 @@ class Instant:
         """Return the state of a body after the instant, as far as it is known."""
         return self.states[body] if body in self.states else self._world.state(body)
 
-    def _explore(self, todo: list[int]) -> None:
+    def _explore(self, bodies: Sequence[int]) -> None:
+        todo = list(bodies)
         seen = set(todo)
         for body in todo:  # grows while it is gone through
+            self._place(body)
             for other in self._world.near(body):
                 pair = (min(body, other), max(body, other))
                 if pair in self.touches or not (touch := self._touch(pair)):
@@ -105,12 +117,12 @@ class Instant:
     def _touch(self, pair: PairOf) -> Touch | None:
         a, b = (self._place(i) for i in pair)
         tolerance = resolution(a, b, self.time)
-        if self._world.held(pair):  # what rounding did to it meanwhile does not count
-            tolerance = max(tolerance, 1e-9 * min(a.core.size, b.core.size))
-        elif _far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance:
+        kept = self._world.held.get(pair, ())
+        if not kept and (_far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance):
             return None
-        contacts = manifold(a, b, tolerance, self.time)
-        noise = 64 * EPSILON * max(_speed(c, a.state, b.state) for c in contacts)
+        contacts = manifold(a, b, tolerance, self.time, kept)
+        noise = max(_speed(contact, a.state, b.state) for contact in contacts)
+        noise *= _HELD_NOISE if kept else 64 * EPSILON
         return Touch(pair, contacts, tolerance, noise)
 
     def _approaches(self, touch: Touch) -> bool:
@@ -122,21 +134,36 @@ class Instant:
     def _part(self) -> None:
         meeting = [touch for touch in self.touches.values() if self._approaches(touch)]
         self._refuse_coupled(meeting)
-        cores, states = self._world.cores, self.states
         for touch in meeting:
-            a, b = touch.pair
-            restitution = self._world.restitution(a, b)
-            found = impulses(cores, touch.contacts, states[a], states[b], restitution)
-            hits = [
-                Hit(contact, impulse, self._rate(contact))
-                for contact, impulse in zip(touch.contacts, found, strict=True)
-                if impulse > 0
-            ]
-            for hit in hits:
-                states[a], states[b] = pushed(cores, hit.contact, hit.impulse, states[a], states[b])
-            self.hits += hits
-            self.changed.update(i for i in touch.pair if cores[i].dynamic)
+            tries = 0
+            while self._approaches(touch):
+                self._part_pair(touch)
+                if (tries := tries + 1) > _TRIES:
+                    raise UndecidedContactError(
+                        f"{self._names(touch)} at {self.time!r} s: their corners meet in turn "
+                        "without end (IM3). End the run before, or change the scene a little.",
+                        time=self.time,
+                    )
+            self.changed.update(i for i in touch.pair if self._world.cores[i].dynamic)
         self._refuse_driven(meeting)
+
+    def _part_pair(self, touch: Touch) -> None:
+        """Let the contacts that do not part yet answer together.
+
+        One that parts stays out of it: at most it is driven together, and then answers in turn.
+        """
+        cores, states, (a, b) = self._world.cores, self.states, touch.pair
+        meeting = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
+        restitution = self._world.restitution(a, b)
+        found = impulses(cores, meeting, states[a], states[b], restitution)
+        hits = [
+            Hit(contact, impulse, self._rate(contact))
+            for contact, impulse in zip(meeting, found, strict=True)
+            if impulse > 0
+        ]
+        for hit in hits:
+            states[a], states[b] = pushed(cores, hit.contact, hit.impulse, states[a], states[b])
+        self.hits += hits
 
     def _refuse_coupled(self, meeting: Sequence[Touch]) -> None:
         for k, first in enumerate(meeting):
@@ -160,13 +187,15 @@ class Instant:
                 self._refuse(by, touch, "drive together")
 
     def _refuse(self, first: Touch, second: Touch, what: str) -> None:
-        cores = self._world.cores
-        one, other = (named(*(cores[i].name for i in touch.pair)) for touch in (first, second))
+        one, other = self._names(first), self._names(second)
         raise SimultaneousImpactsError(
             f"{one} {what} {other} at {self.time!r} s: impacts at one instant act on each other, "
             "and rigid bodies leave open what follows (IM3). Put a small gap between them.",
             time=self.time,
         )
+
+    def _names(self, touch: Touch) -> str:
+        return named(*(self._world.cores[i].name for i in touch.pair))
 
     def _stay(self) -> None:
         """Let what neither approaches nor parts stay, and what bounces too low to be seen."""
@@ -187,8 +216,8 @@ class Instant:
         for island in islands:
             if island.lasting:
                 self._hold(island)
-        freed = [t.pair for t in self.touches.values() if self._world.held(t.pair)]
-        self.changed.update(i for pair in freed for i in pair if self._world.cores[i].dynamic)
+        was_held = {i for pair in self.touches if pair in self._world.held for i in pair}
+        self.changed |= {i for i in was_held if self._world.cores[i].dynamic}
 
     def _islands(self, contacts: Sequence[Contact]) -> list[Island]:
         """Return the islands that contacts make."""
@@ -203,8 +232,18 @@ class Instant:
                 joined = group[1] + joined
             groups.append((bodies, joined))
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
+        slight = [
+            slight_opening(placed[contact.a], placed[contact.b], self.time, self._world.until)
+            for contact in contacts
+        ]
         return [
-            Island(cores, placed, joined, {i: self._free(i) for i in sorted(bodies)})
+            Island(
+                cores,
+                placed,
+                joined,
+                {i: self._free(i) for i in sorted(bodies)},
+                min(slight),
+            )
             for bodies, joined in groups
         ]
 
@@ -229,15 +268,18 @@ class Instant:
                 bend = opening(contact, placed, by)
                 rate = self._rate(contact)
                 if bend < 0:
-                    self._forecast(touch, 2 * rate / -bend)
+                    self._forecast(touch, rate, bend)
                     if rate**2 <= -2 * bend * touch.tolerance:
                         found.append(contact)
         return found
 
-    def _forecast(self, touch: Touch, flight: float) -> None:
+    def _forecast(self, touch: Touch, rate: float, bend: float) -> None:
         restitution = self._world.restitution(*touch.pair)
         if restitution < 1:
-            touch.rest_at = max(touch.rest_at, self.time + flight / (1 - restitution))
+            rest_at = self.time + float(rest.time_to_rest(rate, bend, restitution))
+            if rest_at > touch.rest_at:
+                touch.rest_at = rest_at
+                touch.rest_noise = touch.tolerance / rate / (1 - restitution)
 
     def _open(self, islands: Sequence[Island], contacts: Sequence[Contact]) -> None:
         by = self._accelerations(islands)
@@ -247,11 +289,7 @@ class Instant:
 
     def _hold(self, island: Island) -> None:
         self.states.update(island.stopped(self.states))
-        island.refuse_what_moves_on(self.states, self.time)
-        bodies = island.bodies
-        if len(bodies) > 1 and not self._world.steady(bodies, island.at_rest(self.states)):
-            island.refuse_loads_that_vary(self.time)
-        self.holds.update(island.holds())
+        self.holds.update(island.holds(self.states, self.time))
         self.changed.update(island.bodies)
 
 

@@ -1,8 +1,12 @@
 """Where a touching pair touches: one point, or the two ends of what a flat contact has in common.
 
+Serves: impacts and contacts that last. Hides: how the points of a flat contact are found.
+
 Contacts answer in velocities (IM3) and accelerations (GD3), through the generated functions.
 """
 
+import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from tamias2d.contact.core import Placed
@@ -26,24 +30,67 @@ class Contact(NamedTuple):
     """In the world, m."""
     axis: Axis
     gap: Gap
+    found: tuple[bool, int]
+    """Axis (`swapped`) and corner of Q by which it was found; `axis` and `gap` are others where the
+    side of P ends before that corner."""
 
 
-def manifold(a: Placed, b: Placed, tolerance: float, time: float) -> list[Contact]:
-    """Return the contacts of a pair that touches within a tolerance in m."""
+def manifold(
+    a: Placed, b: Placed, tolerance: float, time: float, kept: Sequence[Contact] = ()
+) -> list[Contact]:
+    """Return the contacts of a pair that touches within a tolerance in m.
+
+    What rounding has done to the `kept` ones of a lasting contact does not count.
+    """
     found = axes(a, b)
     axis = max(found, key=lambda each: each.gap)
     _refuse_corner_on_corner(a, b, found, axis, tolerance, time)
-    near = [gap for gap in gaps(a, b, axis) if gap.value <= axis.gap + tolerance]
-    if axis.side is None or len(near) == 1:
-        return [_contact(a, b, axis, near[0], None)]
-    ux, uy = axis.direction
+    if axis.side is None:
+        return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
+    same = [contact.found for contact in kept] + [
+        (contact.axis.swapped, contact.gap.which[1]) for contact in kept
+    ]
+    limit = (0.0 if kept else axis.gap) + tolerance
+    near = [
+        gap
+        for gap in gaps(a, b, axis)
+        if gap.value <= limit or (axis.swapped, gap.which[1]) in same
+    ]
+    near = near or [min(gaps(a, b, axis), key=lambda gap: gap.value)]
+    if len(near) == 1:
+        return [_contact(a, b, axis, near[0])]
     along = [_along(a, b, axis, gap) for gap in near]
     first, last = along.index(min(along)), along.index(max(along))
     low, high = axis.side.ends
-    ends = [(first, max(along[first], low)), (last, min(along[last], high))]
-    if ends[0][1] >= ends[1][1]:  # the ends of both sides meet: one point
-        ends = ends[:1]
-    return [_contact(a, b, axis, near[k], None if end == along[k] else end) for k, end in ends]
+    if max(along[first], low) >= min(along[last], high):  # the ends of both sides meet: one point
+        return [_contact(a, b, axis, near[first])]
+    return [
+        _at_end(a, b, axis, near[first], 0)
+        if along[first] < low
+        else _contact(a, b, axis, near[first]),
+        _at_end(a, b, axis, near[last], 1)
+        if along[last] > high
+        else _contact(a, b, axis, near[last]),
+    ]
+
+
+def followed(contact: Contact, a: Placed, b: Placed) -> Contact:
+    """Return a contact of the same corners and sides, where the bodies are now."""
+    axis = contact.axis
+    p, q = (b, a) if axis.swapped else (a, b)
+    i, j = contact.gap.which
+    w = q.corners[j]
+    if axis.side is not None:
+        now = axis._replace(direction=p.turned(axis.side.normal))
+        gap = contact.gap._replace(corner=w)
+    else:
+        (px, py), (qx, qy) = p.state.position, q.state.position
+        v = p.corners[i]
+        x, y = qx - px + w[0] - v[0], qy - py + w[1] - v[1]
+        distance = math.hypot(x, y)
+        now = axis._replace(direction=(x / distance, y / distance))
+        gap = contact.gap._replace(corner=w, corner_p=v)
+    return _contact(a, b, now, gap)._replace(found=contact.found)
 
 
 def approach(contact: Contact, a: State, b: State) -> float:
@@ -112,22 +159,36 @@ def _along(a: Placed, b: Placed, axis: Axis, gap: Gap) -> float:
     return ux * (qy - py + gap.corner[1]) - uy * (qx - px + gap.corner[0])
 
 
-def _contact(a: Placed, b: Placed, axis: Axis, gap: Gap, end: float | None) -> Contact:
-    """Return the contact at a corner of Q, or at the end of the side of P."""
+def _contact(a: Placed, b: Placed, axis: Axis, gap: Gap) -> Contact:
+    """Return the contact at a corner of Q."""
     p, q = (b, a) if axis.swapped else (a, b)
     ux, uy = axis.direction
     (px, py), (qx, qy) = p.state.position, q.state.position
-    if end is not None and axis.side is not None:
-        offset = axis.side.offset
-        arm_p = (offset * ux - end * uy, offset * uy + end * ux)
-        arm_q = (arm_p[0] - (qx - px), arm_p[1] - (qy - py))
-    else:
-        arm_q = (gap.corner[0] - q.core.radius * ux, gap.corner[1] - q.core.radius * uy)
-        arm_p = (arm_q[0] + (qx - px), arm_q[1] + (qy - py))
+    arm_q = (gap.corner[0] - q.core.radius * ux, gap.corner[1] - q.core.radius * uy)
+    arm_p = (arm_q[0] + (qx - px), arm_q[1] + (qy - py))
     point = (qx + arm_q[0], qy + arm_q[1])
+    normal, arm_a, arm_b = (ux, uy), arm_p, arm_q
     if axis.swapped:
-        return Contact(a.core.index, b.core.index, (-ux, -uy), arm_q, arm_p, point, axis, gap)
-    return Contact(a.core.index, b.core.index, (ux, uy), arm_p, arm_q, point, axis, gap)
+        normal, arm_a, arm_b = (-ux, -uy), arm_q, arm_p
+    a_index, b_index = a.core.index, b.core.index
+    return Contact(
+        a_index, b_index, normal, arm_a, arm_b, point, axis, gap, (axis.swapped, gap.which[1])
+    )
+
+
+def _at_end(a: Placed, b: Placed, axis: Axis, gap: Gap, end: int) -> Contact:
+    """Return the contact of P's corner with Q's side, where the side of P ends before Q's."""
+    p, q = (b, a) if axis.swapped else (a, b)
+    ux, uy = axis.direction
+    index = (p.core.sides.index(axis.side) + end) % len(p.corners)
+    side = min(q.core.sides, key=lambda each: _facing(q.turned(each.normal), (ux, uy)))
+    other = Axis(not axis.swapped, side, (-ux, -uy), axis.gap)
+    corner = gap._replace(corner=p.corners[index], which=(-1, index))
+    return _contact(a, b, other, corner)._replace(found=(axis.swapped, gap.which[1]))
+
+
+def _facing(normal: Vector, direction: Vector) -> float:
+    return normal[0] * direction[0] + normal[1] * direction[1]
 
 
 def _refuse_corner_on_corner(

@@ -1,16 +1,17 @@
-"""Which pairs are worth a look: the boxes that paths sweep (IM4 in its broad use)."""
+"""Which pairs are worth a look: the boxes that paths sweep (IM4 in its broad use).
+
+Serves: the located way. Hides: the boxes and how they are compared.
+"""
 
 import math
 from collections.abc import Sequence
-from typing import TypeAlias
+
+import numpy as np
 
 from tamias2d.contact.core import Core
 from tamias2d.contact.path import Piece
 from tamias2d.generated import detection
-from tamias2d.state import Vector
-
-_Box: TypeAlias = tuple[Vector, float, float]
-"""Centre, width and height, m."""
+from tamias2d.state import Array
 
 
 class Swept:
@@ -18,29 +19,29 @@ class Swept:
 
     def __init__(self, cores: Sequence[Core]) -> None:
         self._cores = cores
-        self._solid = [core.index for core in cores if core.solid]
-        self._boxes: list[_Box] = [((0.0, 0.0), math.inf, math.inf) for _ in cores]
+        self._solid = np.array([core.solid for core in cores])
+        self._dynamic = np.array([core.dynamic for core in cores])
+        # Of each body: x and y of the centre, width and height of its box, m.
+        self._boxes = np.tile([[0.0], [0.0], [math.inf], [math.inf]], len(cores))
 
     def put(self, body: int, path: Piece) -> None:
         """Take the box of a body on a path; a half-plane keeps the whole plane."""
         core = self._cores[body]
         if core.corners:
-            self._boxes[body] = _box(path, 2 * core.bounding_radius)
+            self._boxes[:, body] = _box(path, 2 * core.bounding_radius)
 
     def near(self, body: int) -> list[int]:
         """Return the bodies whose boxes overlap with that of a body, one of the two moving."""
-        own, moving = self._boxes[body], self._cores[body].dynamic
-        return [
-            other
-            for other in self._solid
-            if (moving or self._cores[other].dynamic)
-            and other != body
-            and detection.overlap(*own, *self._boxes[other])
-        ]
+        x, y, width, height = self._boxes
+        own = self._boxes[:, body].tolist()
+        meets = detection.overlap((own[0], own[1]), own[2], own[3], (x, y), width, height)
+        meets &= self._solid & (self._dynamic | self._dynamic[body])
+        meets[body] = False
+        return [int(other) for other in np.flatnonzero(meets)]
 
 
-def _box(path: Piece, size: float) -> _Box:
-    """Return the box around all places of a body of some size on a path.
+def _box(path: Piece, size: float) -> Array:
+    """Return centre, width and height of the box around all places of a body on a path.
 
     From the middle of its time, by Taylor's theorem, and a little wider than rounding needs.
     """
@@ -51,4 +52,6 @@ def _box(path: Piece, size: float) -> _Box:
     bend_x, bend_y = abs(ax) + bounds.deviation, abs(ay) + bounds.deviation
     width = size + 2 * (abs(u) + bend_x * half / 2) * half
     height = size + 2 * (abs(v) + bend_y * half / 2) * half
-    return (x, y), width + 1e-9 * (width + abs(x)), height + 1e-9 * (height + abs(y))
+    width += 1e-9 * (width + abs(x))
+    height += 1e-9 * (height + abs(y))
+    return np.array([x, y, width, height])

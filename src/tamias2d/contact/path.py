@@ -1,9 +1,12 @@
-"""What this part asks of a body's path and of whoever makes paths; `motion` answers it."""
+"""What this part asks of a body's path and of whoever makes paths; `motion` answers it.
+
+Serves: this package. Hides: who makes the paths.
+"""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
-from tamias2d.state import Acceleration, Hold, State, Vector
+from tamias2d.state import Acceleration, Array, Hold, State, Vector
 
 
 class Bounds(Protocol):
@@ -41,6 +44,9 @@ class Piece(Protocol):
     def bounds(self, first: float, last: float) -> Any:
         """Return the `Bounds` from the time `first` to the time `last`, s."""
 
+    def sample(self, times: Array) -> Array:
+        """Return (k, 6): position, orientation, velocity, angular velocity at times (k,), s."""
+
 
 class Motion(Protocol):
     """Whoever makes paths."""
@@ -58,7 +64,10 @@ class Motion(Protocol):
         end: float,
         holds: Sequence[Hold | None],
     ) -> Mapping[int, Piece]:
-        """Return the paths from `start` to `end`, s, of some bodies and of all they act on."""
+        """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
+
+        A path may end before, where a hold bends it.
+        """
 
     def approach(
         self,

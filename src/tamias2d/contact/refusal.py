@@ -1,5 +1,7 @@
 """What the located way cannot decide, each case under a name of its own.
 
+Serves: whoever asks why a run was refused. Hides: how bodies are named in a message.
+
 A refusal says when, which bodies and why; its `run` is the history up to there.
 """
 
@@ -8,7 +10,7 @@ from typing import ClassVar
 from tamias2d.errors import SceneError, SimulationError
 
 
-class Refusal(SimulationError):
+class Refusal(SimulationError):  # noqa: N818
     """The base of all refusals of the located way."""
 
     code: ClassVar[str] = "refused"
@@ -35,6 +37,12 @@ class UndecidedContactError(Refusal):
     """Float64 cannot tell whether bodies part."""
 
     code = "undecided-contact"
+
+
+class UnlocatedContactError(Refusal):
+    """Bodies meet under a method that knows no contacts."""
+
+    code = "unlocated-contact"
 
 
 class OverlapError(SceneError):

@@ -1,4 +1,7 @@
-"""What an impact does: impulses along the normals of one pair (IM3)."""
+"""What an impact does: impulses along the normals of one pair (IM3).
+
+Serves: what happens at one instant. Hides: how several contacts share an impulse.
+"""
 
 from collections.abc import Sequence
 

@@ -4,7 +4,7 @@ Generated from srs/models/detection.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector
+from tamias2d.spec.functions import Scalar, Truth, Vector
 
 
 def overlap(
@@ -14,7 +14,7 @@ def overlap(
     center_b: Vector,
     width_b: Scalar,
     height_b: Scalar,
-) -> bool:
+) -> Truth:
     """Whether two axis-parallel boxes have a common point, true or false (1).
 
     overlap = abs(x(center_a) - x(center_b)) <= (width_a + width_b)/2 and abs(y(center_a) -
@@ -32,7 +32,6 @@ def overlap(
     """
     center_a_x, center_a_y = center_a
     center_b_x, center_b_y = center_b
-    return (
-        abs(center_a_x - center_b_x) <= (width_a + width_b) / 2
-        and abs(center_a_y - center_b_y) <= (height_a + height_b) / 2
+    return (abs(center_a_x - center_b_x) <= (width_a + width_b) / 2) & (
+        abs(center_a_y - center_b_y) <= (height_a + height_b) / 2
     )

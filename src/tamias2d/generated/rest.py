@@ -1,4 +1,4 @@
-"""Rest: Resting contact.
+"""Rest: Resting contact; Time until bouncing ends.
 
 Generated from srs/models/rest.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -48,3 +48,23 @@ def normal_acceleration(
         - acceleration_a_y
         - angular_acceleration_a * arm_a_x
     ) * normal_y
+
+
+def time_to_rest(
+    normal_velocity_after: Scalar, normal_acceleration: Scalar, restitution: Scalar
+) -> Scalar:
+    """Time from an impact until the bounces that follow have ended (s).
+
+    time_to_rest = -2*normal_velocity_after/(normal_acceleration*(1 - restitution))
+
+    Args:
+        normal_velocity_after: Rate at which the contact opens, along the normal; negative when
+            the bodies approach; just after the impact, m/s
+        normal_acceleration: Rate of change of the normal velocity of a contact that rests,
+            m/s^2
+        restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost), 1
+
+    Source: GD5, srs/models/rest.md:76.
+    """
+    return (-2) * normal_velocity_after / (normal_acceleration * (1 - restitution))

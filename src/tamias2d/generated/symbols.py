@@ -24,6 +24,15 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=23,
     ),
+    "time_to_rest": Symbol(
+        "time_to_rest",
+        "s",
+        "time from an impact until the bounces that follow have ended",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="t_{\\mathrm{rest}}",
+        file="srs/symbols.md",
+        line=28,
+    ),
     "duration": Symbol(
         "duration",
         "s",
@@ -31,7 +40,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="T",
         file="srs/symbols.md",
-        line=28,
+        line=33,
     ),
     "mass": Symbol(
         "mass",
@@ -42,7 +51,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="56.2 kg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=42,
+        line=47,
     ),
     "inverse_mass": Symbol(
         "inverse_mass",
@@ -51,7 +60,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="m^{-1}",
         file="srs/symbols.md",
-        line=49,
+        line=54,
     ),
     "inertia": Symbol(
         "inertia",
@@ -62,7 +71,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="74.5 kg*m^2",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=54,
+        line=59,
     ),
     "inverse_inertia": Symbol(
         "inverse_inertia",
@@ -71,7 +80,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="I^{-1}",
         file="srs/symbols.md",
-        line=61,
+        line=66,
     ),
     "restitution": Symbol(
         "restitution",
@@ -82,7 +91,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.8",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=66,
+        line=71,
     ),
     "pair_restitution": Symbol(
         "pair_restitution",
@@ -91,7 +100,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="C_R",
         file="srs/symbols.md",
-        line=75,
+        line=80,
     ),
     "position": Symbol(
         "position",
@@ -102,7 +111,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0.412 m, 0.502 m]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=89,
+        line=94,
     ),
     "displacement": Symbol(
         "displacement",
@@ -111,7 +120,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=96,
+        line=101,
     ),
     "velocity": Symbol(
         "velocity",
@@ -122,7 +131,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[2.51 m/s, 0 m/s]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=101,
+        line=106,
     ),
     "acceleration": Symbol(
         "acceleration",
@@ -131,7 +140,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=108,
+        line=113,
     ),
     "orientation": Symbol(
         "orientation",
@@ -141,7 +150,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="90 deg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=113,
+        line=118,
     ),
     "angular_displacement": Symbol(
         "angular_displacement",
@@ -149,7 +158,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of orientation since the start",
         tex="\\theta",
         file="srs/symbols.md",
-        line=121,
+        line=126,
     ),
     "angular_velocity": Symbol(
         "angular_velocity",
@@ -159,7 +168,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="2.1 rad/s",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=125,
+        line=130,
     ),
     "angular_acceleration": Symbol(
         "angular_acceleration",
@@ -167,7 +176,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the angular velocity",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=131,
+        line=136,
     ),
     "point_velocity": Symbol(
         "point_velocity",
@@ -176,7 +185,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}^P",
         file="srs/symbols.md",
-        line=135,
+        line=140,
     ),
     "force": Symbol(
         "force",
@@ -187,7 +196,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[98.1 N, 0 N]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=149,
+        line=154,
     ),
     "torque": Symbol(
         "torque",
@@ -197,7 +206,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="200 N*m",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=156,
+        line=161,
     ),
     "gravity": Symbol(
         "gravity",
@@ -208,7 +217,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0 m/s^2, -9.81 m/s^2]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=162,
+        line=167,
     ),
     "gravitational_constant": Symbol(
         "gravitational_constant",
@@ -217,7 +226,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
-        line=169,
+        line=174,
     ),
     "attraction": Symbol(
         "attraction",
@@ -226,7 +235,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=183,
+        line=188,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -234,7 +243,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=188,
+        line=193,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -244,7 +253,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=192,
+        line=197,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -254,7 +263,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=198,
+        line=203,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -263,7 +272,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=204,
+        line=209,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -272,7 +281,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=209,
+        line=214,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -281,7 +290,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=214,
+        line=219,
     ),
     "speed": Symbol(
         "speed",
@@ -290,7 +299,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=219,
+        line=224,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -300,7 +309,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=224,
+        line=229,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -310,7 +319,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=230,
+        line=235,
     ),
     "damping": Symbol(
         "damping",
@@ -320,7 +329,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=236,
+        line=241,
     ),
     "point": Symbol(
         "point",
@@ -329,7 +338,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=242,
+        line=247,
     ),
     "span": Symbol(
         "span",
@@ -338,7 +347,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=247,
+        line=252,
     ),
     "distance": Symbol(
         "distance",
@@ -347,7 +356,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=252,
+        line=257,
     ),
     "axis": Symbol(
         "axis",
@@ -356,7 +365,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=257,
+        line=262,
     ),
     "extension": Symbol(
         "extension",
@@ -364,7 +373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=262,
+        line=267,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -372,7 +381,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=266,
+        line=271,
     ),
     "tension": Symbol(
         "tension",
@@ -380,7 +389,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=270,
+        line=275,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -389,7 +398,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=274,
+        line=279,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -398,7 +407,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=279,
+        line=284,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -407,7 +416,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=284,
+        line=289,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -416,7 +425,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=289,
+        line=294,
     ),
     "field_force": Symbol(
         "field_force",
@@ -425,7 +434,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=294,
+        line=299,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -433,7 +442,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=299,
+        line=304,
     ),
     "normal": Symbol(
         "normal",
@@ -442,7 +451,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=312,
+        line=317,
     ),
     "direction": Symbol(
         "direction",
@@ -450,7 +459,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=317,
+        line=322,
     ),
     "arm": Symbol(
         "arm",
@@ -459,7 +468,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=321,
+        line=326,
     ),
     "separation": Symbol(
         "separation",
@@ -467,7 +476,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=326,
+        line=331,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -475,7 +484,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=330,
+        line=335,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -483,7 +492,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=336,
+        line=341,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -492,7 +501,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=340,
+        line=345,
     ),
     "coupling": Symbol(
         "coupling",
@@ -500,7 +509,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=345,
+        line=350,
     ),
     "impulse": Symbol(
         "impulse",
@@ -509,7 +518,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=351,
+        line=356,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -518,7 +527,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=356,
+        line=361,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -527,7 +536,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=361,
+        line=366,
     ),
     "overlap": Symbol(
         "overlap",
@@ -535,7 +544,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=366,
+        line=371,
     ),
     "momentum": Symbol(
         "momentum",
@@ -544,7 +553,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=375,
+        line=380,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -552,7 +561,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=380,
+        line=385,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -561,7 +570,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=384,
+        line=389,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -569,7 +578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=389,
+        line=394,
     ),
     "energy": Symbol(
         "energy",
@@ -577,7 +586,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=393,
+        line=398,
     ),
     "radius": Symbol(
         "radius",
@@ -586,7 +595,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=402,
+        line=407,
     ),
     "width": Symbol(
         "width",
@@ -595,7 +604,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=407,
+        line=412,
     ),
     "height": Symbol(
         "height",
@@ -604,7 +613,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=412,
+        line=417,
     ),
     "vertex": Symbol(
         "vertex",
@@ -613,7 +622,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=417,
+        line=422,
     ),
     "center": Symbol(
         "center",
@@ -622,7 +631,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=422,
+        line=427,
     ),
     "offset": Symbol(
         "offset",
@@ -630,7 +639,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=427,
+        line=432,
     ),
     "area": Symbol(
         "area",
@@ -639,7 +648,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=431,
+        line=436,
     ),
     "centroid": Symbol(
         "centroid",
@@ -648,6 +657,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=436,
+        line=441,
     ),
 }

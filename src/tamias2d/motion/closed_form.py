@@ -1,10 +1,14 @@
-"""Exact motion: the closed forms of IM1 and IM2, of IM6 and of IM7."""
+"""Exact motion: the closed forms of IM1 and IM2, of IM6 and of IM7.
+
+Serves: runs in which every body has a closed form. Hides: the closed forms' arguments.
+"""
 
 from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from tamias2d.generated import rotation, translation
+from tamias2d.motion.bent import Bent
 from tamias2d.motion.dragged import Dragged
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.oscillating import Oscillating
@@ -25,6 +29,7 @@ class ClosedFormMotion:
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)
+        self._bent = Bent(scene, self.tally)
         self._forms = closed_forms(scene)
 
     def segment(
@@ -46,7 +51,10 @@ class ClosedFormMotion:
         end: float,
         holds: Sequence[Hold | None],
     ) -> dict[int, Piece]:
-        """Return the paths of some bodies from `start` to `end`, s; they act on no others."""
+        """Return the paths of some bodies from `start` to `end`, s; they act on no others.
+
+        Where a hold bends a path, it is one step.
+        """
         return {body: self._path(body, start, state(body), end, holds[body]) for body in bodies}
 
     def approach(self, *_: object) -> dict[int, Piece]:
@@ -65,6 +73,8 @@ class ClosedFormMotion:
         return self._uniform(times)
 
     def _path(self, body: int, start: float, state: State, end: float, hold: Hold | None) -> Piece:
+        if hold and hold.bends:
+            return self._bent.restart(body, start, state, end, hold)
         steady = self._loads.steady(body)
         match self._forms.get(body):
             case "linear drag":
@@ -74,7 +84,7 @@ class ClosedFormMotion:
                 return Oscillating(
                     self._scene.bodies[body], spring, start, end, state, steady, hold
                 )
-        acceleration = hold(steady) if hold else steady
+        acceleration = hold(steady, state) if hold else steady
         return Uniform(start=start, end=end, state=state, acceleration=acceleration)
 
     def _uniform(self, times: Array) -> History:

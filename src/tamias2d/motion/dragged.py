@@ -34,7 +34,7 @@ class Dragged:
         self.end = end
         self._body = body
         self._state = state
-        *linear, self._angular = hold(steady) if hold else steady
+        *linear, self._angular = hold(steady, state) if hold else steady
         self._linear: Vector = (linear[0], linear[1])
         self._rate = drag.drag_rate(body.linear_drag, body.mass)
 

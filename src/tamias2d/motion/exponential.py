@@ -13,13 +13,16 @@ import numpy as np
 
 from tamias2d.generated import drag, rotation, schemes, translation
 from tamias2d.motion.dragged import Dragged
-from tamias2d.motion.loads import Loads
+from tamias2d.motion.loads import Loads, state_of
 from tamias2d.motion.piece import Bounds, Piece
-from tamias2d.motion.polynomial import Stretch, hermite, sampled, state_of
+from tamias2d.motion.polynomial import Stretch, hermite, sampled
 from tamias2d.motion.stepped import Grid
 from tamias2d.motion.watched import Watched
 from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, State
+
+_ANY = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
+"""Holds that do not bend a path do not ask for the state."""
 
 
 class _Exact(NamedTuple):
@@ -163,7 +166,7 @@ class ExponentialGrid(Grid):
     def _solved(self, field: Watched) -> _Exact:
         bodies = [self._scene.bodies[i] for i in field.bodies]
         steady = [
-            hold(self._loads.steady(i)) if hold else self._loads.steady(i)
+            hold(self._loads.steady(i), _ANY) if hold else self._loads.steady(i)
             for i, hold in zip(field.bodies, field.holds, strict=True)
         ]
         return _Exact(

@@ -1,10 +1,14 @@
-"""Motion by integration: paths from whatever steps an integrator takes."""
+"""Motion by integration: paths from whatever steps an integrator takes.
+
+Serves: the schemes and the reference. Hides: how steps become a path.
+"""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Protocol
 
 import numpy as np
 
+from tamias2d.motion.bent import Bent
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.piece import Piece, Tally
 from tamias2d.motion.polynomial import Chain, Stretch
@@ -14,6 +18,7 @@ from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity
 from tamias2d.state import Acceleration, Array, History, Hold, State
 
+_STILL: Acceleration = (0.0, 0.0, 0.0)
 _NEAR = 1e-3  # of a step: so close to its ends a path is as good as there
 
 
@@ -41,6 +46,7 @@ class IntegratedMotion:
         self._integrator = integrator
         self.tally = Tally()
         self._loads = Loads(scene)
+        self._bent = Bent(scene, self.tally)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], Watched] = {}
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
@@ -49,16 +55,19 @@ class IntegratedMotion:
         self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
     ) -> tuple[float, list[Piece]]:
         """Return the end of one step and the path of every body to it."""
-        field = self._field(self._moving, holds)
-        q, rate = coordinates([states[i] for i in self._moving])
+        straight = [i for i in self._moving if not _bends(holds[i])]
+        field = self._field(straight, holds)
+        q, rate = coordinates([states[i] for i in straight])
         stretch = next(self._stretches(field, start, self._duration, q, rate))
-        moving = {body: stretch.piece(k) for k, body in enumerate(self._moving)}
-        still = (0.0, 0.0, 0.0)
+        end = stretch.end
+        paths: dict[int, Piece] = {body: stretch.piece(k) for k, body in enumerate(straight)}
+        bent = [i for i in self._moving if i not in paths]
+        paths |= self.restart(bent, start, states.__getitem__, end, holds)
         pieces: list[Piece] = [
-            moving.get(i) or Uniform(start=start, end=stretch.end, state=state, acceleration=still)
+            paths.get(i) or Uniform(start=start, end=end, state=state, acceleration=_STILL)
             for i, state in enumerate(states)
         ]
-        return stretch.end, pieces
+        return end, pieces
 
     def restart(
         self,
@@ -68,10 +77,17 @@ class IntegratedMotion:
         end: float,
         holds: Sequence[Hold | None],
     ) -> dict[int, Piece]:
-        """Return the paths from `start` to `end`, s, of some bodies and of all they act on."""
+        """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
+
+        Where a hold bends a path, it is one step; the body is one that no other acts on.
+        """
         groups = {min(group): group for group in map(self._loads.group_of.__getitem__, bodies)}
         pieces: dict[int, Piece] = {}
         for group in groups.values():
+            body = group[0]
+            if (hold := holds[body]) and hold.bends:
+                pieces[body] = self._bent.restart(body, start, state(body), end, hold)
+                continue
             field = self._field(group, holds)
             now = coordinates([state(i) for i in group])
             steps = list(self._stretches(field, start, end, *now))
@@ -98,6 +114,8 @@ class IntegratedMotion:
         groups = {min(group): group for group in map(self._loads.group_of.get, bodies) if group}
         pieces: dict[int, Piece] = {}
         for group in groups.values():
+            if any(_bends(holds[i]) for i in group):
+                continue
             now = path(group[0])
             near = _NEAR * (now.end - now.start)
             if now.start + near < time < now.end - near:
@@ -154,9 +172,13 @@ class IntegratedMotion:
             start, (position, velocity) = stretch.end, stretch.last
 
 
+def _bends(hold: Hold | None) -> bool:
+    return hold is not None and hold.bends
+
+
 def _instant(time: float, state: State) -> Piece:
     """Return the path of a body that was hit at the very end of its time."""
-    return Uniform(start=time, end=time, state=state, acceleration=(0.0, 0.0, 0.0))
+    return Uniform(start=time, end=time, state=state, acceleration=_STILL)
 
 
 def history_of(rows: Array) -> History:

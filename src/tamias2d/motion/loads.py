@@ -57,22 +57,26 @@ class Loads:
         Who acts on one of the bodies must be among them (`group_of`).
         """
         held = [(row, hold) for row, hold in enumerate(holds) if hold]
-        if not any(body in self.varying for body in bodies):
-            fixed = np.array([self._steady[body] for body in bodies]).reshape(-1, 3)
-            _hold(fixed, held)
-            return lambda time, position, velocity: fixed  # noqa: ARG005
         free = self._free(bodies)
         if not held:
             return free
 
         def field(time: float, position: Array, velocity: Array) -> Array:
-            rows = free(time, position, velocity)
-            _hold(rows, held)
+            rows = free(time, position, velocity).copy()
+            for row, hold in held:
+                x, y, turn = rows[row].tolist()
+                rows[row] = hold((x, y, turn), state_of(position[row], velocity[row]))
             return rows
 
         return field
 
     def _free(self, bodies: Sequence[int]) -> Field:
+        if not any(body in self.varying for body in bodies):
+            fixed = np.array([self._steady[body] for body in bodies]).reshape(-1, 3)
+            return lambda time, position, velocity: fixed  # noqa: ARG005
+        return self._summed(bodies)
+
+    def _summed(self, bodies: Sequence[int]) -> Field:
         scene = self._scene
         gravity = scene.gravity
         mass = np.array([scene.bodies[body].mass for body in bodies])
@@ -140,8 +144,8 @@ def coordinates(states: Sequence[State]) -> tuple[Array, Array]:
     return np.array(position).reshape(-1, 3), np.array(velocity).reshape(-1, 3)
 
 
-def _hold(rows: Array, held: Sequence[tuple[int, Hold]]) -> None:
-    """Put what lasting contacts make of the accelerations into rows (n, 3)."""
-    for row, hold in held:
-        x, y, turn = rows[row].tolist()
-        rows[row] = hold((x, y, turn))
+def state_of(position: Array, velocity: Array) -> State:
+    """Return coordinates (3,) and their rates (3,) as a state."""
+    x, y, orientation = position.tolist()
+    u, v, angular_velocity = velocity.tolist()
+    return State((x, y), orientation, (u, v), angular_velocity)

@@ -1,4 +1,7 @@
-"""The ways of finding smooth motion: one small value each, which the user hands to `simulate`."""
+"""The ways of finding smooth motion: one small value each, which the user hands to `simulate`.
+
+Serves: users, who choose one. Hides: which motion a method makes, and how it is made.
+"""
 
 import math
 from abc import ABC, abstractmethod

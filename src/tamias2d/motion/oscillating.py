@@ -41,7 +41,7 @@ class Oscillating:
         self._angular = steady[2]
         if hold:
             (x, y), (cx, cy) = state.position, self._center
-            along_x, along_y, self._angular = hold((cx - x, cy - y, steady[2]))
+            along_x, along_y, self._angular = hold((cx - x, cy - y, steady[2]), state)
             self._center = (x + along_x, y + along_y)
 
     def at(self, time: float) -> State:

@@ -1,4 +1,7 @@
-"""A piece of a body's path: what whoever looks for contacts may ask of it."""
+"""A piece of a body's path: what whoever looks for contacts may ask of it.
+
+Serves: contact, which asks; the methods, which answer. Hides: what kind of path it is.
+"""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -71,7 +74,10 @@ class Motion(Protocol):
         end: float,
         holds: Sequence[Hold | None],
     ) -> dict[int, Piece]:
-        """Return the paths from `start` to `end`, s, of some bodies and of all they act on."""
+        """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
+
+        A path may end before, where a hold bends it.
+        """
 
     def approach(
         self,

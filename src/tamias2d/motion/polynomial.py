@@ -1,5 +1,7 @@
 """Paths as polynomials of time, through what a scheme says at the ends of its step.
 
+Serves: schemes and reference. Hides: the basis of the polynomials.
+
 The coordinates are x, y and orientation. The polynomial of the coordinates is the one truth: the
 velocity is its derivative, so that what touches and how fast it meets cannot disagree.
 """
@@ -11,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from tamias2d.motion.loads import state_of
 from tamias2d.motion.piece import Bounds, Piece
 from tamias2d.state import Acceleration, Array, State
 
@@ -187,13 +190,6 @@ def sampled(piece: Piece, times: Array) -> Array:
     states = [piece.at(time) for time in times.tolist()]
     rows = [(*p, turn, *v, spin) for p, turn, v, spin in states]
     return np.array(rows).reshape(-1, 6)
-
-
-def state_of(q: Array, rate: Array) -> State:
-    """Return the state of one body from its coordinates and rates (3,)."""
-    x, y, orientation = q.tolist()
-    u, v, angular_velocity = rate.tolist()
-    return State((x, y), orientation, (u, v), angular_velocity)
 
 
 def _place(step: "Stretch | Polynomial", time: float) -> tuple[float, float]:

@@ -1,10 +1,14 @@
-"""The reference: scipy's DOP853, as tight as asked. The one place that imports scipy here."""
+"""The reference: scipy's DOP853, as tight as asked. The one place that imports scipy here.
+
+Serves: answers that others are measured by. Hides: scipy, and how its steps become paths.
+"""
 
 from dataclasses import replace
 from functools import cache
 
 import numpy as np
 
+from tamias2d.errors import SimulationError
 from tamias2d.motion.polynomial import Stretch
 from tamias2d.motion.watched import Watched
 from tamias2d.state import Array
@@ -12,6 +16,13 @@ from tamias2d.state import Array
 _NODES = -np.cos(np.pi * np.arange(10) / 9)  # in x from -1 to 1, where the accelerations are taken
 
 _STAGES = 12
+
+
+class NoStepError(SimulationError):
+    """The reference cannot step on; `run` is the history up to there."""
+
+    code = "no-step"
+    run: object = None
 
 
 class ScipyDop853:
@@ -37,6 +48,8 @@ class ScipyDop853:
         """Take one step, of the length that the tolerance allows."""
         from scipy.integrate import DOP853
 
+        if not position.size:
+            return _stretch(start, limit, position, velocity, np.zeros((10, *position.shape)))
         shape = position.shape
         size = position.size
 
@@ -57,6 +70,11 @@ class ScipyDop853:
         )
         before = solver.nfev
         solver.step()
+        if solver.status == "failed":
+            raise NoStepError(
+                f"run at {start!r} s: no step of the reference meets its tolerance {self._rtol:g} "
+                "(R5). Give loads that change less suddenly, or a larger rtol."
+            )
         field.tally.rejected += (solver.nfev - before) // _STAGES - 1
         self._proposed[size] = float(solver.h_abs)
         between = solver.dense_output()

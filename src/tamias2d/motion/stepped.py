@@ -1,4 +1,7 @@
-"""Motion by the generated schemes, on a grid of equal steps."""
+"""Motion by the generated schemes, on a grid of equal steps.
+
+Serves: the schemes on equal steps. Hides: the grid, and how the last step meets the end.
+"""
 
 from collections.abc import Callable
 from typing import Any, TypeAlias

@@ -1,4 +1,7 @@
-"""The whole path of each body, from the pieces that it went through."""
+"""The whole path of each body, from the pieces that it went through.
+
+Serves: runs, which sample it. Hides: where one piece ends and the next begins.
+"""
 
 from collections.abc import Sequence
 

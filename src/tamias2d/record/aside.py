@@ -1,4 +1,7 @@
-"""A recording appears whole or not at all: it is written aside and renamed at the end."""
+"""A recording appears whole or not at all.
+
+Serves: everything that writes a recording. Hides: what can be in the way, told in one line.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tamias2d import storage
 from tamias2d.errors import RecordingError
 
 if TYPE_CHECKING:
@@ -23,14 +27,11 @@ def aside(path: Path) -> Iterator[Path]:
         raise RecordingError(f"{path}: is a directory. Give the name of a file in it.")
     if not path.parent.is_dir():
         raise RecordingError(f"{path}: there is no directory {path.parent}. Make it first.")
-    draft = path.with_name(path.name + ".tmp")
     try:
-        yield draft
-        draft.replace(path)
-    except (OSError, RuntimeError) as fault:  # the rerun writer reports a full disk as the latter
-        why = str(fault).splitlines()[0] if str(fault) else type(fault).__name__
+        with storage.aside(path) as draft:
+            yield draft
+    except OSError as fault:
+        why = fault.strerror or type(fault).__name__
         raise RecordingError(
             f"{path}: cannot be written: {why}. Check the disk's space and the permissions."
         ) from fault
-    finally:
-        draft.unlink(missing_ok=True)

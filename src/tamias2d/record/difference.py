@@ -1,4 +1,7 @@
-"""Where two histories of one run first differ, to the last bit."""
+"""Where two histories of one run first differ, to the last bit.
+
+Serves: replay. Hides: the order in which arrays are compared.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""What a recording says in words: the run, and the equations that it rests on, as Markdown."""
+"""What a recording says in words: the run, and the equations that it rests on, as Markdown.
+
+Serves: the viewer's pages of text. Hides: the layout of the Markdown.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,7 @@
 """What a body looks like: its lines in its own frame, its colour, and the view that holds a run.
 
+Serves: the viewer and the plots. Hides: colours, hatching and margins.
+
 The viewer and the plots draw from here, so that a body has one look everywhere.
 """
 

@@ -1,4 +1,7 @@
-"""Which kind of recording a file is, by its suffix."""
+"""Which kind of recording a file is, by its suffix.
+
+Serves: saving and loading. Hides: which module knows which kind of file.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,7 @@
 """What a recording says of itself: all that it takes to compute its run once more.
 
+Serves: recordings of every kind, and replay. Hides: the form of the line.
+
 The header is one line of JSON, the same in every kind of recording. Floats are printed so that
 they read back to the same bits.
 """
@@ -37,6 +39,21 @@ METHODS: dict[str, Any] = {
         methods.Reference,
     )
 }
+
+
+_TYPES: dict[str, Any] = {
+    "scene": str,
+    "method": dict,
+    "duration": float,
+    "time_step": float | None,
+    "samples": int,
+    "impacts": int,
+    "bodies": list,
+    "notes": list,
+    "digest": str,
+    "versions": dict,
+}
+"""What JSON makes of each entry."""
 
 
 @dataclass(frozen=True)
@@ -88,13 +105,24 @@ def loads(text: str, *, where: str) -> Header:
                 f"{where}: format {values['format']}: this version reads format {FORMAT}. "
                 f"Open it with tamias2d {values['versions']['tamias2d']}."
             )
-        lists = {name: tuple(values[name]) for name in ("bodies", "notes")}
-        values.setdefault("certificate", None)
-        return Header(**{f.name: values[f.name] for f in fields(Header)} | lists)
+        return _header(values)
     except (ValueError, KeyError, TypeError) as fault:
         raise RecordingError(
             f"{where}: its header cannot be read. Record the run again."
         ) from fault
+
+
+def _header(values: dict[str, Any]) -> Header:
+    """Build a header from JSON; raise one of the errors of a wrong key or type."""
+    for name, kind in _TYPES.items():
+        if not isinstance(values[name], kind):
+            raise TypeError(name)
+    words = [*values["bodies"], *values["notes"], *values["versions"].values()]
+    if not all(isinstance(word, str) for word in words) or values["samples"] < 1:
+        raise ValueError
+    lists = {name: tuple(values[name]) for name in ("bodies", "notes")}
+    values.setdefault("certificate", None)
+    return Header(**{field.name: values[field.name] for field in fields(Header)} | lists)
 
 
 def method_of(header: Header, *, where: str) -> Any:
@@ -105,7 +133,7 @@ def method_of(header: Header, *, where: str) -> Any:
     if kind is None:
         raise RecordingError(
             f"{where}: method {name!r} is none of {', '.join(METHODS)}. "
-            f"Open it with tamias2d {header.versions['tamias2d']}."
+            f"Open it with tamias2d {header.versions.get('tamias2d')}."
         )
     try:
         return kind(**options)

@@ -1,4 +1,7 @@
-"""The kinetic share of the energy of a run, which the run itself keeps only in the whole."""
+"""The kinetic share of the energy of a run, which the run itself keeps only in the whole.
+
+Serves: pictures and the viewer. Hides: how the share is found.
+"""
 
 from __future__ import annotations
 

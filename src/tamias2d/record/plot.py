@@ -1,4 +1,7 @@
-"""A picture of a run: where the bodies went, how high, and what became of the energy."""
+"""A picture of a run: where the bodies went, how high, and what became of the energy.
+
+Serves: `--plot`, the gallery. Hides: matplotlib.
+"""
 
 from __future__ import annotations
 
@@ -53,12 +56,13 @@ def _figure(path: Path) -> Any:
     try:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
+        from matplotlib.layout_engine import ConstrainedLayoutEngine
     except ImportError as fault:
         raise RecordingError(
             f"{path}: a plot needs matplotlib, which is not installed ({fault}). "
             "Install it by `pip install tamias2d[plot]`."
         ) from fault
-    figure = Figure(figsize=(10, 5.6), layout="constrained")
+    figure = Figure(figsize=(10, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.1, h_pad=0.1))
     FigureCanvasAgg(figure)
     return figure
 
@@ -80,7 +84,9 @@ def _world(axes: Any, run: Run) -> None:
     axes.plot(*run.impacts.point.T, "x", color="black", markersize=4, markeredgewidth=0.8)
     axes.set(xlim=(x - width, x + width), ylim=(y - height, y + height), aspect="equal")
     shown = ", ".join(f"{run.times[k]:.3g}" for k in instants)
-    axes.set(xlabel="x, m", ylabel="y, m", title=f"{run.scene.name}: bodies at {shown} s")
+    met = "; × where they met" if len(run.impacts) else ""
+    axes.set(xlabel="x, m", ylabel="y, m", title=f"{run.scene.name}: bodies at {shown} s{met}")
+    axes.title.set_fontsize("medium")
 
 
 def _body(
@@ -117,7 +123,7 @@ def _heights(axes: Any, run: Run) -> None:
 
 def _energy(axes: Any, run: Run) -> None:
     kinetic = kinetic_energy(run, slice(None))
-    series = {"kinetic": kinetic, "potential": run.energy - kinetic, "together": run.energy}
+    series = {"energy": run.energy, "kinetic": kinetic, "potential": run.energy - kinetic}
     for (name, values), colour in zip(series.items(), drawing.PALETTE, strict=False):
         axes.plot(run.times, values, label=name, color=_unit(colour), linewidth=1.2)
     axes.set(xlabel="time, s", ylabel="energy, J")

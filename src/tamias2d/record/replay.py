@@ -1,4 +1,7 @@
-"""Look at a recording, or compute it again and compare every bit."""
+"""Look at a recording, or compute it again and compare every bit.
+
+Serves: the command `replay`. Hides: how a run is computed again.
+"""
 
 from __future__ import annotations
 

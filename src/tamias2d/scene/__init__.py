@@ -1,4 +1,7 @@
-"""Scenes: bodies, shapes, what acts on them, restitution; in Python and in YAML (R1 to R4)."""
+"""Scenes: bodies, shapes, what acts on them, restitution; in Python and in YAML (R1 to R4).
+
+Serves: users, and every part that computes. Hides: which file holds which concept.
+"""
 
 from tamias2d.scene import catalogue
 from tamias2d.scene.bodies import Body

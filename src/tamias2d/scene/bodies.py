@@ -1,4 +1,8 @@
-"""What a body is, and where and how it starts."""
+"""What a body is, and where and how it starts.
+
+Serves: scenes and all that moves bodies. Hides: how an inverse mass of zero stands for a static
+body.
+"""
 
 import math
 from dataclasses import dataclass

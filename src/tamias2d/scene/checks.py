@@ -1,4 +1,7 @@
-"""The checks of a scene's and a body's values, one function a value (R2, R3, R4)."""
+"""The checks of a scene's and a body's values, one function a value (R2, R3, R4).
+
+Serves: scenes and their reader. Hides: how each value is converted and judged.
+"""
 
 import math
 

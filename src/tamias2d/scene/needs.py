@@ -1,5 +1,7 @@
 """What a scene needs: states, terms, models and methods, each with the reason for or against it.
 
+Serves: `explain`, and the choice of a way. Hides: how each reason is found.
+
 A scene pays only for the physics that it needs, and can say why.
 """
 
@@ -206,7 +208,8 @@ class _Inquiry:
             return f"no two bounds meet within {self.duration:g} s"
         i, j = self.pairs[0]
         names = f"'{self.scene.bodies[i].name}' and '{self.scene.bodies[j].name}'"
-        more = f" and {len(self.pairs) - 1} pairs more" if len(self.pairs) > 1 else ""
+        others = len(self.pairs) - 1
+        more = f", and of {others} more pair{'s' * (others > 1)}," if others else ""
         return f"the bounds of {names}{more} meet within {self.duration:g} s"
 
     def rests(self) -> tuple[bool, str]:

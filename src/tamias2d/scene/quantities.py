@@ -1,5 +1,7 @@
 """Values of a scene file: text with units, turned into numbers in SI units.
 
+Serves: the reader of scene files. Hides: the language of units and expressions.
+
 Every function raises `RuleError` with the path of the value; its place is the caller's to add.
 """
 
@@ -70,7 +72,7 @@ def _component(raw: object, symbol: Symbol, path: Path) -> object:
 def read_quantity(raw: object, name: str, path: Path) -> float:
     """Return a number in SI units from ``848.5 m/s``; a bare zero fits any unit."""
     text, symbol = scalar_text(raw, path), SYMBOLS[name]
-    if _ZERO.fullmatch(text) and any(digit in text for digit in "0"):
+    if _ZERO.fullmatch(text) and "0" in text:
         return 0.0
     what = label(_named(path))
     pure = symbol.unit == "1"
@@ -87,10 +89,9 @@ def read_quantity(raw: object, name: str, path: Path) -> float:
             *path,
         )
     if bool(_ANGLE.search(text)) != bool(_ANGLE.search(symbol.unit)):
-        rule = "an angle is stated" if _ANGLE.search(symbol.unit) else "no angle is asked for"
+        rule = "must say rad or deg" if _ANGLE.search(symbol.unit) else "is no angle"
         raise RuleError(
-            f"{what}: found {shown(text)}: {rule}, in rad or deg (symbol {symbol.name}). {example}",
-            *path,
+            f"{what}: found {shown(text)}: {rule} (symbol {symbol.name}). {example}", *path
         )
     return quantity.value
 

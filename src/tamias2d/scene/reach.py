@@ -1,5 +1,7 @@
 """Which bodies can meet: the bounds that their free motion sweeps within a duration.
 
+Serves: `needs`, and the check of restitutions. Hides: the shape of the bounds.
+
 A pair whose swept bounds stay apart cannot be the first to meet. If no bounds meet, nothing does,
 and all motion is free to the end. Bounds may be too large, never too small: a pair too many costs
 time, a pair too few an impact.
@@ -43,13 +45,13 @@ def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
     varying = varying_loads(scene)
     loads = {k: steady_load(scene, k) for k in range(len(scene)) if k not in varying}
     bodies = [(k, body) for k, body in enumerate(scene.bodies) if body.shape is not None]
-    walls = [(k, body) for k, body in bodies if isinstance(body.shape, HalfPlane)]
+    walls = [(k, body.shape) for k, body in bodies if isinstance(body.shape, HalfPlane)]
     bounded = [(k, body) for k, body in bodies if not isinstance(body.shape, HalfPlane)]
     found = {
         (min(j, k), max(j, k))
         for j, wall in walls
         for k, body in bounded
-        if body.dynamic and _reaches(body, wall.shape, scene.gravity, loads.get(k), duration)
+        if body.dynamic and _reaches(body, wall, scene.gravity, loads.get(k), duration)
     }
     bounds = [_swept(k, body, scene.gravity, loads.get(k), duration) for k, body in bounded]
     found.update(pair for pair in _overlaps(bounds) if _moves(scene, pair))
@@ -80,9 +82,9 @@ def _swept(index: int, body: Body, gravity: Vector, load: Load | None, duration:
     return _Bounds(index, center, right - left, high - low)
 
 
-def _reaches(body: Body, wall: object, gravity: Vector, load: Load | None, duration: float) -> bool:
-    if not isinstance(wall, HalfPlane):
-        return False
+def _reaches(
+    body: Body, wall: HalfPlane, gravity: Vector, load: Load | None, duration: float
+) -> bool:
     low, _ = _shadow(body, gravity, load, duration, wall.normal)
     return not low > wall.offset + _MARGIN * abs(wall.offset)
 

@@ -1,4 +1,7 @@
-"""Scenes from YAML files: what each key means, and where it stands when it is wrong."""
+"""Scenes from YAML files: what each key means, and where it stands when it is wrong.
+
+Serves: `load`, the catalogue. Hides: the keys of the file and the order in which they are read.
+"""
 
 from collections.abc import Mapping
 from pathlib import Path as FilePath

@@ -1,4 +1,7 @@
-"""A scene: the bodies, what acts on them, and what they do when they meet (R1, R2, R3)."""
+"""A scene: the bodies, what acts on them, and what they do when they meet (R1, R2, R3).
+
+Serves: users who build scenes in Python. Hides: how bodies and pairs are stored and named.
+"""
 
 import hashlib
 from collections.abc import Iterator, Sequence

@@ -1,5 +1,7 @@
 """The shapes that a body can have.
 
+Serves: bodies, contacts and pictures. Hides: how vertices are kept and inertia is found.
+
 Every shape is given about its centre of mass, which the body's position then puts into the world.
 A shape knows its `vertices` (counter-clockwise, m; none for a disc or a half-plane), the radius of
 the circle that holds it at any orientation, and its inertia by the formula of the specification.

@@ -1,4 +1,7 @@
-"""A scene as YAML text that loads back to the same scene, bit for bit (`repr` of a float does)."""
+"""A scene as YAML text that loads back to the same scene, bit for bit (`repr` of a float does).
+
+Serves: recordings, and scenes made in Python. Hides: the layout of the text.
+"""
 
 import json
 import re

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 Scalar = Any  # a float, or an array of floats
+Truth = Any  # a truth value, or an array of them
 Vector = tuple[Any, Any]  # two components, each a float or an array
 
 

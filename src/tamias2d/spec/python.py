@@ -86,7 +86,7 @@ class PythonPrinter:
             case Relation(operator=operator, left=left, right=right):
                 return f"{self.scalar(left)} {operator} {self.scalar(right)}"
             case Both(parts=conditions):
-                return " and ".join(self.scalar(condition) for condition in conditions)
+                return " & ".join(f"({self.scalar(condition)})" for condition in conditions)
             case Call(function=function, arguments=arguments):
                 return self.call(function, arguments)
         raise TypeError(node)

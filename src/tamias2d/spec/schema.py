@@ -1,4 +1,7 @@
-"""Pieces of JSON schema that several kinds of item share."""
+"""Pieces of JSON schema that several kinds of item share.
+
+Serves: the kinds of item and of comparison. Hides: the dialect of JSON schema.
+"""
 
 from typing import Any
 

@@ -150,7 +150,11 @@ class _Printer:
         above = ",".join(index.tex for index in reference.indices if index.place == "super")
         if not (below or above):
             return letter
-        base = f"{{{letter}}}" if "_" in letter or "^" in letter else letter
+        stem, _, power = letter.partition("^")
+        if below and power and not above:  # the power stays outermost: m_A^{-1}
+            return f"{stem}_{{{below}}}^{power}"
+        clash = (below and "_" in letter) or (above and power)
+        base = f"{{{letter}}}" if clash else letter
         return base + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
 
     def number(self, value: Fraction) -> str:

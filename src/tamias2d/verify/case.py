@@ -1,4 +1,7 @@
-"""A verification case: what srs/verification says, with the scene and run that belong to it."""
+"""A verification case: what srs/verification says, with the scene and run that belong to it.
+
+Serves: the comparisons. Hides: where a case's scene comes from.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -12,7 +15,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue, load
 from tamias2d.simulate import simulate
 from tamias2d.verify.formula import measure
-from tamias2d.verify.items import Item, scene_hash
+from tamias2d.verify.items import Item, fingerprint
 from tamias2d.verify.outcome import FAIL, PASS, Outcome
 
 
@@ -60,7 +63,7 @@ class Case:
 
     def stamped(self, outcome: Outcome) -> Outcome:
         """Return an outcome with what it was judged on, so that it can be found to be stale."""
-        return replace(outcome, hash=str(self.item["hash"]), scene=scene_hash(self.item))
+        return replace(outcome, hash=fingerprint(self.item))
 
 
 def scene_of(data: Any) -> Scene:

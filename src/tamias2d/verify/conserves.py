@@ -1,4 +1,7 @@
-"""Check what must stay the same over a run: momenta and energy."""
+"""Check what must stay the same over a run: momenta and energy.
+
+Serves: cases that name a law. Hides: the scale that a drift is measured by.
+"""
 
 from collections.abc import Iterator, Mapping
 from typing import Any

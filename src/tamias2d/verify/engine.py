@@ -1,4 +1,7 @@
-"""Which cases there are, and what is done with each."""
+"""Which cases there are, and what is done with each.
+
+Serves: `verify`. Hides: the order of the cases and which comparison belongs to which key.
+"""
 
 import difflib
 import math
@@ -21,7 +24,7 @@ from tamias2d.verify import (
     values,
 )
 from tamias2d.verify.case import Case
-from tamias2d.verify.items import items, links
+from tamias2d.verify.items import items, label_order, links
 from tamias2d.verify.outcome import Outcome
 
 Comparison = Callable[[Case, Mapping[str, Any]], Iterator[Outcome]]
@@ -58,9 +61,7 @@ def verify(ids: str | Iterable[str] | None = None) -> list[Outcome]:
 
 def cases(ids: str | Iterable[str] | None = None) -> list[Case]:
     """Return the cases that `verify` would run, in the order of their labels."""
-    chosen = sorted(
-        (id for id, item in items().items() if item["kind"] == "case"), key=_label_order
-    )
+    chosen = sorted((id for id, item in items().items() if item["kind"] == "case"), key=label_order)
     if ids is not None:
         asked = [ids] if isinstance(ids, str) else ids
         wanted = {case for id in asked for case in _named(id, chosen)}
@@ -104,10 +105,3 @@ def _rests_on(id: str) -> set[str]:
         seen |= new
         todo += new
     return seen
-
-
-def _label_order(id: str) -> tuple[bool, str, int, str]:
-    """The plan's cases first, then the oracles; numbers by size."""
-    letters = id.rstrip("0123456789abcdefghijklmnopqrstuvwxyz")
-    number = id[len(letters) :].rstrip("abcdefghijklmnopqrstuvwxyz")
-    return letters != "TC", letters, int(number), id

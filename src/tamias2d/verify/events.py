@@ -25,6 +25,7 @@ Gap = Callable[[Array], tuple[float, Array, Array]]
 RTOL = 1e-12
 _PIECES = 200  # the longest step is this part of the run, so that no impact is stepped over
 _TOUCH = 1e-8  # m; nearer than this at an impact counts as touching
+_SHORTEST = 1e-6  # s; bounces that follow each other faster are about to come to rest
 
 
 @dataclass
@@ -40,7 +41,8 @@ def simulate_by_events(scene: Scene, *, duration: float) -> Events:
     """Simulate a scene for a duration in s.
 
     Raises:
-        InputError: two bodies that could meet have shapes which are not covered here.
+        InputError: two bodies that could meet have shapes which are not covered here, or bounces
+            come to rest, which a search for single impacts never ends with.
     """
     from scipy.integrate import solve_ivp
 
@@ -109,8 +111,18 @@ def _respond(
         separation, normal, point = gap(found.state)
         if separation < _TOUCH and _approach(found.state, a, b, normal, point) < 0:
             _part(scene, found.state, a, b, normal, point)
+            if (a, b) in found.bodies and time - _last(found, (a, b)) < _SHORTEST:
+                raise InputError(
+                    f"bodies '{scene.bodies[a].name}' and '{scene.bodies[b].name}': their bounces "
+                    f"come to rest at {time:.6g} s (TC13). Compare a shorter run."
+                )
             found.time.append(time)
             found.bodies.append((a, b))
+
+
+def _last(found: Events, pair: tuple[int, int]) -> float:
+    """Return when a pair met last."""
+    return max(time for time, met in zip(found.time, found.bodies, strict=True) if met == pair)
 
 
 def _approach(state: Array, a: int, b: int, normal: Array, point: Array) -> float:

@@ -1,4 +1,7 @@
-"""Compare a history, or its end, or some moments of it, with exact answers."""
+"""Compare a history, or its end, or some moments of it, with exact answers.
+
+Serves: cases that state an exact answer. Hides: how an error is measured.
+"""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple

@@ -1,7 +1,8 @@
 """Exact answers, from the text of a case.
 
 Service: the values of an expression at given times, with unit and shape checked. Nothing here
-knows the models: an answer comes from the case alone.
+knows the models: an answer comes from the case alone. Secret: how a text is parsed and its unit
+checked.
 """
 
 from collections.abc import Mapping

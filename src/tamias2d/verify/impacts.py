@@ -1,4 +1,7 @@
-"""Compare the impacts of a run: how many, when, how strong."""
+"""Compare the impacts of a run: how many, when, how strong.
+
+Serves: cases that state their impacts. Hides: how impacts are matched.
+"""
 
 import math
 from collections.abc import Iterator, Mapping

@@ -1,16 +1,19 @@
 """The items of the specification, as the generator wrote them down.
 
-Service: items by id. Secret: the file they are in.
+Service: items by id. Secret: the file they are in, and
+what a verdict rests on.
 """
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
 Item = Mapping[str, Any]
+_LABEL = re.compile(r"([A-Z]+)(\d+)([a-z]?)")
 
 
 @cache
@@ -25,10 +28,27 @@ def links(item: Item) -> tuple[str, ...]:
     return tuple(dict.fromkeys(id for ids in item["links"].values() for id in ids if id != "none"))
 
 
-def scene_hash(item: Item) -> str:
-    """Return eight hex digits of the catalogue's scene that a case names; nothing without one."""
-    scene = item["data"].get("scene")
+def label_order(case: str) -> tuple[bool, str, int, str]:
+    """Return what sorts labels of cases: the plan's first, then the oracles; numbers by size."""
+    letters, number, part = _LABEL.fullmatch(case).groups()  # type: ignore[union-attr]
+    return letters != "TC", letters, int(number), part
+
+
+def fingerprint(case: Item) -> str:
+    """Return twelve hex digits that change with whatever a verdict on a case rests on.
+
+    That is what the case says, its scene, the requirements as they are worded, and all that the
+    items rest on which it uses.
+    """
+    known, named = items(), case["links"]
+    wording = [known[id]["data"] for id in named.get("verifies", ())]
+    used = [known[id]["hash"] for id in named.get("uses", ())]
+    text = json.dumps([case["data"], _scene(case), wording, used], sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:12]
+
+
+def _scene(case: Item) -> str:
+    """Return the text of the catalogue's scene that a case names; nothing without one."""
+    scene = case["data"].get("scene")
     file = files("tamias2d.scene.catalogue") / f"{scene}.yaml"
-    if not isinstance(scene, str) or not file.is_file():
-        return ""
-    return hashlib.sha256(file.read_bytes()).hexdigest()[:8]
+    return file.read_text(encoding="utf-8") if isinstance(scene, str) and file.is_file() else ""

@@ -1,4 +1,7 @@
-"""What a comparison found: one quantity of one case, its error and the verdict."""
+"""What a comparison found: one quantity of one case, its error and the verdict.
+
+Serves: reports and results. Hides: how an outcome is written as JSON.
+"""
 
 import math
 from dataclasses import asdict, dataclass
@@ -23,9 +26,7 @@ class Outcome:
     tolerance: float
     verdict: str
     hash: str = ""
-    """Of the case and all that it uses, when it was judged."""
-    scene: str = ""
-    """Of the catalogue's scene, when it was judged."""
+    """Of all that the verdict rests on (`fingerprint`), when it was judged."""
     note: str = ""
     """Why it failed, where there is more to say than the error."""
 

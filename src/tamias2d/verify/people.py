@@ -1,4 +1,7 @@
-"""Judgements that only people can make: shown as open until some have made them."""
+"""Judgements that only people can make: shown as open until some have made them.
+
+Serves: cases that are a survey. Hides: how many answers there are.
+"""
 
 from collections.abc import Iterator, Mapping
 from math import inf

@@ -1,4 +1,7 @@
-"""Compare runs with an independent search for events."""
+"""Compare runs with an independent search for events.
+
+Serves: the case of independent programs. Hides: how scipy's events are compared with impacts.
+"""
 
 import math
 from collections.abc import Iterator, Mapping

@@ -1,4 +1,7 @@
-"""Check that inputs which break a rule are refused, by name."""
+"""Check that inputs which break a rule are refused, by name.
+
+Serves: cases of bad input. Hides: how a message is matched.
+"""
 
 import math
 from collections.abc import Iterator, Mapping

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from tamias2d import storage
 from tamias2d.verify.outcome import Outcome, read_outcome
 
-_FORMAT = 1
+_FORMAT = 2
 
 
 def read() -> dict[str, list[Outcome]]:

@@ -1,4 +1,7 @@
-"""Compare generated functions, called with plain numbers, with values worked out by hand."""
+"""Compare generated functions, called with plain numbers, with values worked out by hand.
+
+Serves: cases of single formulas. Hides: how arguments are read.
+"""
 
 import math
 from collections.abc import Iterator, Mapping

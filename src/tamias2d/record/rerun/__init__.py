@@ -1,5 +1,7 @@
 """The recording to look at (`.rrd`): what the viewer shows, and inside it the exact history.
 
+Serves: recordings that one looks at. Hides: rerun.
+
 Only this package knows rerun, which is an extra, large and slow to import. What the viewer draws is
 float32, so the float64 state of each body goes beside it, as the component group `tamias2d.State`.
 """

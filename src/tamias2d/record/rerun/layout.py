@@ -1,4 +1,7 @@
-"""Where things stand in a recording, and how the viewer lays them out."""
+"""Where things stand in a recording, and how the viewer lays them out.
+
+Serves: the viewer's window. Hides: paths and views.
+"""
 
 from __future__ import annotations
 

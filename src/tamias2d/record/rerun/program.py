@@ -1,4 +1,7 @@
-"""Rerun's own program: the viewer, and a reader that may crash without taking us with it."""
+"""Rerun's own program: the viewer, and a reader that may crash without taking us with it.
+
+Serves: replay, and the check of damaged files. Hides: how the program is started and watched.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,7 @@
 """The catalogue: scenes that tests, measurements, docs and the command line share.
 
+Serves: tests, docs, the command line. Hides: where the files are.
+
 One YAML file a scene; a file is found by its name.
 """
 

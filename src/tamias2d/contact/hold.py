@@ -1,0 +1,168 @@
+"""What lasting contacts make of a body's acceleration, as functions that motion can call (GD3).
+
+Serves: motion along a contact that lasts. Hides: how a turning normal bends the path.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.manifold import Contact, approach, followed, parting
+from tamias2d.contact.response import coupling, pushed
+from tamias2d.generated import definitions, rotation, translation
+from tamias2d.state import Acceleration, State, Vector
+
+_STILL: Acceleration = (0.0, 0.0, 0.0)
+_PARALLEL = 1e-10
+
+
+@dataclass(frozen=True)
+class Constant:
+    """One acceleration, whatever the loads: for bodies that push each other under constant ones."""
+
+    acceleration: Acceleration
+    bends = False
+
+    def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:  # noqa: ARG002
+        """Return the one acceleration."""
+        return self.acceleration
+
+
+@dataclass(frozen=True)
+class Projection:
+    """Only along the supports, exactly: for a body that slides or rests and does not tip."""
+
+    normals: Sequence[Vector]
+    turning: bool
+    """Whether the body is free to turn, as a disc is."""
+    bends = False
+
+    def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:  # noqa: ARG002
+        """Return what is left along the supports."""
+        x, y, turn = acceleration
+        return (*without((x, y), self.normals), turn if self.turning else 0.0)
+
+
+class Following:
+    """Contacts kept closed while their normals or arms turn: for a body that tips or rolls off."""
+
+    bends = True
+
+    def __init__(
+        self,
+        cores: Sequence[Core],
+        body: int,
+        contacts: Sequence[Contact],
+        placed: Mapping[int, Placed],
+    ) -> None:
+        self._cores = cores
+        self._body = body
+        self._contacts = contacts
+        self._placed = placed
+
+    def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
+        """Return the acceleration that leaves all gaps as they are."""
+        contacts, pushes = self.pushes(acceleration, state)
+        for contact, push in zip(contacts, pushes, strict=True):
+            sign, arm = (-1, contact.arm_a) if contact.a == self._body else (1, contact.arm_b)
+            force = (sign * push * contact.normal[0], sign * push * contact.normal[1])
+            acceleration = accelerated(self._cores[self._body], acceleration, arm, force)
+        return acceleration
+
+    def pushes(self, acceleration: Acceleration, state: State) -> tuple[list[Contact], list[float]]:
+        """Return the contacts in a state, and the pushes that keep them, N; negative is pulling."""
+        placed = {**self._placed, self._body: place(self._cores[self._body], state)}
+        contacts = [followed(c, placed[c.a], placed[c.b]) for c in self._contacts]
+        loads = [opening(c, placed, {self._body: acceleration}) for c in contacts]
+        return contacts, _balance(self._cores, contacts, loads)
+
+
+def opening(
+    contact: Contact, placed: Mapping[int, Placed], by: Mapping[int, Acceleration]
+) -> float:
+    """Return the second derivative of a gap, m/s^2; who has no acceleration in `by` has none."""
+    a, b = contact.a, contact.b
+    return parting(contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL))
+
+
+def closed_accelerations(
+    cores: Sequence[Core],
+    bodies: Sequence[int],
+    contacts: Sequence[Contact],
+    free: Mapping[int, Acceleration],
+) -> dict[int, Acceleration]:
+    """Return the accelerations nearest to the free ones that leave all contacts closed.
+
+    Nearest in the measure of the masses, as pushes along the normals make them (Gauss). Found among
+    the motions that the contacts allow, so that where they allow none, nothing moves, to the bit,
+    however light and heavy the bodies are.
+    """
+    place_of = {body: 3 * k for k, body in enumerate(bodies)}
+    size = np.array([cores[i].size for i in bodies])
+    rows = np.zeros((len(contacts), 3 * len(bodies)))
+    for row, contact in zip(rows, contacts, strict=True):
+        for body, arm, sign in ((contact.a, contact.arm_a, -1), (contact.b, contact.arm_b, 1)):
+            if body in place_of:
+                k = place_of[body]
+                turn = definitions.torque(arm, contact.normal) / cores[body].size
+                row[k : k + 3] = sign * np.array((*contact.normal, turn))
+    _, values, right = np.linalg.svd(rows)
+    allowed = right[int((values > _PARALLEL).sum()) :].T
+    allowed[np.abs(allowed) < _PARALLEL] = 0.0
+    weights = np.sqrt([w for i in bodies for w in _weights(cores[i])])
+    wanted = np.array([free[i] for i in bodies])
+    wanted[:, 2] *= size
+    steps = np.linalg.lstsq(weights[:, None] * allowed, weights * wanted.ravel())[0]
+    found = (allowed @ steps).reshape(-1, 3)
+    found[np.abs(found) <= 1e-13 * np.abs(wanted).max()] = 0.0
+    found[:, 2] /= size
+    return {i: (x, y, turn) for i, (x, y, turn) in zip(bodies, found.tolist(), strict=True)}
+
+
+def stopped_turning(
+    cores: Sequence[Core], contacts: Sequence[Contact], states: Mapping[int, State]
+) -> dict[int, State]:
+    """Return the states after impulses of either sign that leave no normal velocity."""
+    states = dict(states)
+    rates = [approach(c, states[c.a], states[c.b]) for c in contacts]
+    for contact, impulse in zip(contacts, _balance(cores, contacts, rates), strict=True):
+        a, b = contact.a, contact.b
+        states[a], states[b] = pushed(cores, contact, impulse, states[a], states[b])
+    return states
+
+
+def without(vector: Vector, normals: Sequence[Vector]) -> Vector:
+    """Return what of a vector is left along all of some surfaces, given by their normals."""
+    (nx, ny), *others = normals
+    if any(abs(nx * y - ny * x) > _PARALLEL for x, y in others):
+        return 0.0, 0.0
+    along = ny * vector[0] - nx * vector[1]
+    return along * ny + 0.0, -along * nx + 0.0  # no negative zero
+
+
+def accelerated(core: Core, by: Acceleration, arm: Vector, force: Vector) -> Acceleration:
+    """Return the acceleration of a body after one more force at an arm (IM1, IM2)."""
+    x, y = translation.acceleration(by[:2], force, 1 / core.inverse_mass)
+    inertia = 1 / core.inverse_inertia if core.inverse_inertia else math.inf
+    turn = rotation.angular_acceleration(definitions.torque(arm, force), inertia)
+    return float(x), float(y), by[2] + float(turn)
+
+
+def _weights(core: Core) -> tuple[float, float, float]:
+    """Return what each acceleration of a body weighs, the angular one times the body's size, kg."""
+    mass = 1 / core.inverse_mass
+    turning = 1 / core.inverse_inertia / core.size**2 if core.inverse_inertia else 1e300
+    return mass, mass, turning
+
+
+def _balance(
+    cores: Sequence[Core], contacts: Sequence[Contact], loads: Sequence[float]
+) -> list[float]:
+    """Return what at each contact, of either sign, takes all loads away."""
+    if len(contacts) == 1:
+        return [-loads[0] / coupling(cores, contacts[0], contacts[0])]
+    matrix = np.array([[coupling(cores, k, m) for m in contacts] for k in contacts])
+    return [float(x) for x in -np.linalg.lstsq(matrix, np.array(loads))[0]]

@@ -1,0 +1,55 @@
+"""Whether bodies overlap: at the start of a run, or where a scheme knows no contacts.
+
+Serves: the start of a run, and the scheme of 2018. Hides: how an overlap is told from rounding.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+
+from tamias2d.contact.core import Core, cores_of, place
+from tamias2d.contact.gap import axes, resolution
+from tamias2d.contact.refusal import OverlapError, UnlocatedContactError, named
+from tamias2d.scene import Scene
+from tamias2d.state import Array, History, State
+
+
+def refuse_overlap(cores: Sequence[Core], states: Sequence[State]) -> None:
+    """Raise `OverlapError` if two bodies overlap at the start."""
+    for a, b, depth in _overlaps(cores, states):
+        raise OverlapError(
+            f"{named(a.name, b.name)}: they overlap by {depth:.6g} m at the start: bodies must not "
+            "(R4). Move them apart."
+        )
+
+
+def refuse_contact(scene: Scene, times: Array, history: History) -> None:
+    """Raise `UnlocatedContactError` if two bodies overlap at one of the times (k,), s."""
+    cores = cores_of(scene)
+    for k, time in enumerate(times.tolist()):
+        states = [
+            State((x, y), orientation, (0.0, 0.0), 0.0)
+            for (x, y), orientation in zip(
+                history.position[k].tolist(), history.orientation[k].tolist(), strict=True
+            )
+        ]
+        for a, b, depth in _overlaps(cores, states):
+            raise UnlocatedContactError(
+                f"{named(a.name, b.name)} at {time!r} s: they overlap by {depth:.6g} m, and "
+                "Legacy2018() knows no contacts (R8). Use another method, or a shorter duration.",
+                time=time,
+            )
+
+
+def _overlaps(cores: Sequence[Core], states: Sequence[State]) -> Iterator[tuple[Core, Core, float]]:
+    """Go through the pairs that overlap, with the depth in m."""
+    placed = [place(core, state) for core, state in zip(cores, states, strict=True)]
+    solid = [body for body in placed if body.core.solid]
+    for k, a in enumerate(solid):
+        for b in solid[k + 1 :]:
+            reach = a.core.bounding_radius + b.core.bounding_radius
+            apart = math.dist(a.state.position, b.state.position) > reach
+            if apart or not (a.core.dynamic or b.core.dynamic):
+                continue
+            depth = -max(axis.gap for axis in axes(a, b))
+            if depth > resolution(a, b, 0.0):
+                yield a.core, b.core, depth

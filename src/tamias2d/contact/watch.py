@@ -1,0 +1,99 @@
+"""How long lasting contacts last: until a push would have to pull, or what touches changes.
+
+Serves: the located way. Hides: what is watched, and how its root is found.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.gap import axes, resolution
+from tamias2d.contact.manifold import Contact, followed, manifold
+from tamias2d.contact.path import Piece
+from tamias2d.contact.refusal import Refusal
+from tamias2d.contact.rest import Island
+from tamias2d.state import Acceleration, Hold, State
+
+_SLACK = 1e-9  # of the size: by how much an axis of a lasting contact may seem second to another
+_SAMPLES = 32  # of a path, between which a contact may not open and close again unseen
+
+
+class Watch:
+    """The lasting contacts of one body on its supports, along its path."""
+
+    def __init__(
+        self,
+        cores: Sequence[Core],
+        body: int,
+        contacts: Sequence[Contact],
+        supports: Mapping[int, State],
+        free: Callable[[float], Acceleration],
+        slight: float,
+    ) -> None:
+        self._cores = cores
+        self._body = body
+        self._contacts = contacts
+        self._supports = supports
+        self._free = free
+        self._slight = slight
+
+    def ends(self, path: Piece, hold: Hold) -> float | None:
+        """Return the first time in s at which the contacts do not go on as they are, or None."""
+        core = self._cores[self._body]
+        endless = all(self._cores[i].endless for i in self._supports)
+        if not hold.bends and core.steady and endless:
+            return None
+        before = path.start
+        for time in np.linspace(path.start, path.end, _SAMPLES + 1)[1:].tolist():
+            if not self._lasts(path, time, hold):
+                return self._between(path, before, time, hold)
+            before = time
+        return None
+
+    def _between(self, path: Piece, low: float, high: float, hold: Hold) -> float:
+        while low < (middle := (low + high) / 2) < high:
+            if self._lasts(path, middle, hold):
+                low = middle
+            else:
+                high = middle
+        return high
+
+    def _lasts(self, path: Piece, time: float, hold: Hold) -> bool:
+        states = {**self._supports, self._body: path.at(time)}
+        placed = {i: place(self._cores[i], state) for i, state in states.items()}
+        try:
+            now = self._followed(placed) if hold.bends else self._found(placed, time)
+        except Refusal:
+            return False
+        if [_what(contact) for contact in now] != [_what(contact) for contact in self._contacts]:
+            return False
+        island = Island(self._cores, placed, now, {self._body: self._free(time)}, self._slight)
+        if len(island.lasting) < len(now):
+            return False
+        return hold.bends or not island.holds(states, time)[self._body].bends
+
+    def _followed(self, placed: Mapping[int, Placed]) -> list[Contact]:
+        """Return the contacts whose axis still is the one of its pair."""
+        now = []
+        for contact in self._contacts:
+            a, b = placed[contact.a], placed[contact.b]
+            found = axes(a, b)
+            best = max(axis.gap for axis in found)
+            slack = _SLACK * min(a.core.size, b.core.size)
+            if any(axis[:2] == contact.axis[:2] and axis.gap >= best - slack for axis in found):
+                now.append(followed(contact, a, b))
+        return now
+
+    def _found(self, placed: Mapping[int, Placed], time: float) -> list[Contact]:
+        """Return the contacts of all pairs anew."""
+        now: list[Contact] = []
+        for i, j in dict.fromkeys((contact.a, contact.b) for contact in self._contacts):
+            kept = [contact for contact in self._contacts if (contact.a, contact.b) == (i, j)]
+            a, b = placed[i], placed[j]
+            now += manifold(a, b, resolution(a, b, time), time, kept)
+        return now
+
+
+def _what(contact: Contact) -> object:
+    return contact.a, contact.b, contact.axis[:2], contact.gap.which

@@ -1,0 +1,119 @@
+"""What cannot be decided is refused by name, with the time, the bodies and the run so far."""
+
+import math
+
+import pytest
+
+import tamias2d as t2
+from tamias2d.contact import (
+    LastingContactError,
+    OverlapError,
+    SimultaneousImpactsError,
+    UndecidedContactError,
+    UnlocatedContactError,
+)
+from tamias2d.errors import SceneError, SimulationError
+
+DISC = t2.Disc(radius=0.5)
+
+
+def cradle(gap: float) -> t2.Scene:
+    scene = t2.Scene(gravity=(0, 0))
+    for k in range(5):
+        ahead = -2.0 if k == 0 else k * (1 + gap)
+        speed = 1.0 if k == 0 else 0.0
+        scene.add_body(DISC, mass=1, position=(ahead, 0), velocity=(speed, 0), restitution=1)
+    return scene
+
+
+def test_cradle_with_gaps_passes_the_blow_on():
+    """B7."""
+    run = t2.simulate(cradle(0.01), duration=4.0)
+    assert run.velocity[-1, :, 0].tolist() == [0, 0, 0, 0, 1]
+
+
+def test_touching_cradle_is_refused():
+    """B7: rigid bodies do not say how a blow goes through bodies that touch."""
+    with pytest.raises(SimultaneousImpactsError, match="small gap") as refusal:
+        t2.simulate(cradle(0.0), duration=4.0)
+    assert refusal.value.time == pytest.approx(2.0)
+    assert refusal.value.code == "simultaneous-impacts"
+    assert isinstance(refusal.value, SimulationError)
+    assert refusal.value.run.times[-1] <= 2.0
+    assert refusal.value.run.velocity[-1, 0, 0] == 1.0
+
+
+def wedge(angle: float) -> t2.Scene:
+    """A disc that falls into the corner of two walls at once."""
+    scene = t2.Scene(gravity=(0, -9.81))
+    for side in (-1, 1):
+        normal = (side * math.sin(angle), math.cos(angle))
+        scene.add_static(t2.HalfPlane(normal=normal, offset=0))
+    scene.add_body(DISC, mass=1, position=(0, 3), restitution=1)
+    return scene
+
+
+def test_disc_into_a_right_corner_comes_straight_back():
+    """X10: the walls are at right angles, so that neither impact acts on the other."""
+    run = t2.simulate(wedge(math.pi / 4), duration=2.0)
+    assert run.impacts.time[0] == run.impacts.time[1]
+    assert abs(run.position[:, 2, 0]).max() < 1e-14
+
+
+def test_disc_into_another_corner_is_refused():
+    with pytest.raises(SimultaneousImpactsError, match=r"'body0'.*'body2' meet 'body1'"):
+        t2.simulate(wedge(0.6), duration=2.0)
+
+
+def test_corner_on_corner_is_refused():
+    scene = t2.Scene(gravity=(0, 0))
+    box = t2.Box(width=1, height=1)
+    scene.add_body(box, mass=1, position=(-3, -3), velocity=(1, 1), restitution=1)
+    scene.add_body(box, mass=1, position=(3, 3), velocity=(-1, -1))
+    with pytest.raises(UndecidedContactError, match="corner meets corner"):
+        t2.simulate(scene, duration=4.0)
+
+
+def test_moving_bodies_that_press_and_turn_are_refused():
+    """One disc lies on another that moves: it would roll off along a path that turns."""
+    scene = t2.Scene(gravity=(0, 0))
+    scene.add_body(DISC, mass=1, position=(0, 0), force=(0, 1), restitution=0)
+    scene.add_body(DISC, mass=1, position=(math.sin(0.1), math.cos(0.1)), force=(0, -1))
+    with pytest.raises(LastingContactError, match="turns"):
+        t2.simulate(scene, duration=4.0)
+
+
+def test_overlap_names_both_and_the_depth():
+    scene = t2.Scene(gravity=(0, 0))
+    scene.add_body(DISC, mass=1, position=(0, 0), restitution=1, name="left")
+    scene.add_body(DISC, mass=1, position=(0.75, 0), name="right")
+    with pytest.raises(OverlapError, match=r"'left' and 'right': they overlap by 0\.25 m") as found:
+        t2.simulate(scene, duration=1.0)
+    assert isinstance(found.value, SceneError)
+
+
+def test_touching_is_no_overlap():
+    """Far from the origin and under an angle, where rounding is largest."""
+    angle = 0.3
+    scene = t2.Scene(gravity=(0, 0))
+    x, y = 1e6 + math.cos(angle), 3e5 + math.sin(angle)
+    scene.add_body(DISC, mass=1, position=(1e6, 3e5), restitution=1)
+    scene.add_body(DISC, mass=1, position=(x, y))
+    assert len(t2.simulate(scene, duration=1.0).impacts) == 0
+
+
+def test_missing_restitution_is_named_when_it_is_needed():
+    scene = t2.Scene(gravity=(0, 0))
+    scene.add_body(DISC, mass=1, position=(0, 0), velocity=(1, 0), name="left")
+    scene.add_body(DISC, mass=1, position=(3, 0), name="right")
+    with pytest.raises(SceneError, match="'left' and 'right'"):
+        t2.simulate(scene, duration=4.0)
+
+
+def test_the_2018_scheme_knows_no_contacts():
+    scene = t2.Scene(gravity=(0, 0))
+    scene.add_body(DISC, mass=1, position=(0, 0), velocity=(2, 0), restitution=1)
+    scene.add_body(DISC, mass=1, position=(3, 0))
+    t2.simulate(scene, duration=1.0, method=t2.Legacy2018(), time_step=0.1)
+    with pytest.raises(UnlocatedContactError, match=r"Legacy2018\(\) knows no contacts"):
+        t2.simulate(scene, duration=4.0, method=t2.Legacy2018(), time_step=0.1)

@@ -1,0 +1,96 @@
+"""Lines, views and words of a recording, against geometry that is known without it."""
+
+import math
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tamias2d.record import document, drawing
+
+from .conftest import with_impacts
+
+
+def area(line: np.ndarray) -> float:
+    (x0, y0), (x1, y1) = line[:-1].T, line[1:].T
+    return float((x0 * y1 - x1 * y0).sum() / 2)
+
+
+def test_outlines_enclose_their_shapes(run: t2.Run) -> None:
+    disc, _, box, triangle, speck, _ = run.scene.bodies
+    assert area(drawing.outline(disc)) == pytest.approx(math.pi * 0.3**2, rel=2e-3)
+    assert area(drawing.outline(box)) == pytest.approx(0.5)
+    assert area(drawing.outline(triangle)) == pytest.approx(0.5)
+    assert len(drawing.outline(speck)) == 0
+
+
+def test_the_filling_covers_its_shape(run: t2.Run) -> None:
+    for body, whole in zip(run.scene.bodies[2:4], (0.5, 0.5), strict=True):
+        lines, half = drawing.filling(body)
+        lengths = np.hypot(*(lines[:, 1] - lines[:, 0]).T)
+        assert (lengths * 2 * half).sum() == pytest.approx(whole, rel=0.05)
+        assert lengths.min() > 0
+
+
+def test_the_spoke_of_a_disc_points_along_its_x_axis(run: t2.Run) -> None:
+    _, spoke = drawing.strokes(run.scene.bodies[0], drawing.view_of(run))
+    assert spoke[0] == pytest.approx((0, 0))
+    assert spoke[1] == pytest.approx((0.3, 0.0), abs=1e-3)
+
+
+def test_the_view_holds_every_body_at_all_times(run: t2.Run) -> None:
+    view = drawing.view_of(run)
+    for index, body in enumerate(run.scene.bodies):
+        if body.name != "floor":
+            reach = body.shape.bounding_radius if body.shape else 0.0
+            off = np.abs(run.position[:, index] - view.center) + reach
+            assert np.all(off <= view.half), body.name
+
+
+def test_the_view_of_nothing_has_a_size() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(1e6, 2.0))
+    view = drawing.view_of(t2.simulate(scene, duration=1.0))
+    assert view.center == (1e6, 2.0)
+    assert view.reach > 0.1
+
+
+@pytest.mark.parametrize("angle", [0.0, 1.0, -2.0])
+def test_the_ground_lies_on_its_line_and_its_hatching_below(angle: float) -> None:
+    normal = (-math.sin(angle), math.cos(angle))
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_static(t2.HalfPlane(normal=normal, offset=-0.5))
+    view = drawing.View(center=(3.0, 4.0), half=(1.0, 2.0))
+    edge, *hatches = drawing.strokes(scene.bodies[0], view)
+    assert edge @ normal == pytest.approx(-0.5)
+    assert np.hypot(*(edge[1] - edge[0])) == pytest.approx(6 * view.reach)
+    assert all(hatch[0] @ normal == pytest.approx(-0.5) for hatch in hatches)
+    assert all(hatch[1] @ normal < -0.5 for hatch in hatches)
+
+
+@pytest.mark.parametrize(
+    ("length", "rounded"), [(1.0, 1.0), (1.99, 1.0), (0.3, 0.2), (7e5, 5e5), (5e-4, 5e-4)]
+)
+def test_round_lengths(length: float, rounded: float) -> None:
+    assert drawing.round_length(length) == pytest.approx(rounded)
+
+
+def test_about_tells_the_run(run: t2.Run) -> None:
+    text = document.about(with_impacts(run))
+    for words in ("# throw", "Things in the air.", "ClosedForm()", "3 impacts", "9.81", *run.notes):
+        assert words in text
+    assert "| red ball / 1 | Disc | 1 kg | 0.045 kg m² |" in text
+    assert "| floor | HalfPlane | static | static |" in text
+
+
+def test_models_have_their_equations() -> None:
+    text = document.models()
+    for words in ("## IM1 ", "## IM2 ", "## IM3 ", "acceleration = gravity + force/mass"):
+        assert words in text
+
+
+def test_an_impact_in_words(run: t2.Run) -> None:
+    assert document.impact_line(with_impacts(run), 0) == (
+        "0.0333333 s: red ball / 1 meets floor at (0.3333, 0.3333) m, approaching at 1 m/s, "
+        "impulse 1 N s"
+    )

@@ -1,0 +1,50 @@
+"""A fingerprint changes with what a verdict rests on, and with nothing else."""
+
+from copy import deepcopy
+from importlib import import_module
+from typing import Any
+
+import pytest
+
+from tamias2d.verify.items import fingerprint, items
+
+MODULE = import_module("tamias2d.verify.items")
+
+
+@pytest.fixture
+def known(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
+    """A copy of the specification that a test may change."""
+    copy = deepcopy({id: dict(item) for id, item in items().items()})
+    monkeypatch.setattr(MODULE, "items", lambda: copy)
+    return copy
+
+
+@pytest.mark.parametrize(
+    ("id", "key", "value"),
+    [
+        ("IM2", "hash", "changed"),  # a model that the case uses, or what that rests on
+        ("R6", "data", {"says": "something else"}),  # a requirement that it verifies
+        ("TC8", "data", {"verifies": ["R6"], "scene": "tc8"}),  # the case
+        ("TC8", "data", {"verifies": ["R6"], "scene": "tc9"}),
+    ],
+)
+def test_it_changes(known: dict[str, Any], id: str, key: str, value: Any) -> None:
+    before = fingerprint(known["TC8"])
+    known[id][key] = value
+    assert fingerprint(known["TC8"]) != before
+
+
+def test_it_changes_with_the_scene(known: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    before = fingerprint(known["TC8"])
+    monkeypatch.setattr(MODULE, "_scene", lambda _case: "another")
+    assert fingerprint(known["TC8"]) != before
+
+
+@pytest.mark.parametrize(
+    ("id", "key", "value"),
+    [("IM1", "hash", "changed"), ("R6", "line", 1), ("TC9", "data", {}), ("TC8", "line", 1)],
+)
+def test_it_stays(known: dict[str, Any], id: str, key: str, value: Any) -> None:
+    before = fingerprint(known["TC8"])
+    known[id][key] = value
+    assert fingerprint(known["TC8"]) == before
