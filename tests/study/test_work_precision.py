@@ -10,11 +10,13 @@ import jsonschema
 import numpy as np
 import pytest
 
+from tamias2d.cost import Cost
 from tamias2d.errors import InputError
 from tamias2d.motion import RungeKutta4
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
 from tamias2d.study import ways, work_precision
+from tamias2d.study.hybrid import Errors
 from tamias2d.study.plot import plot
 from tamias2d.study.report import as_json, schema
 from tamias2d.study.truth import truth_of
@@ -62,6 +64,38 @@ def test_the_closed_form_alone_is_on_the_lean_front(studied: Study) -> None:
     assert [studied.points[k].method for k in studied.leanest] == ["ClosedForm"]
     assert studied.complete
     assert studied.truth == "closed form"
+
+
+def by_hand(*points: Point) -> Study:
+    return Study(
+        scene="none", duration=1.0, truth="by hand", floor=1e-9, phases=1, impacts=0,
+        points=points, complete=True,
+    )  # fmt: skip
+
+
+def point(method: str, error: float, evaluations: int, *, peer: bool = False) -> Point:
+    cost = Cost(steps=1, rejected=0, force_evaluations=evaluations, impacts=0)
+    found = Errors(position=error)
+    return Point(method=method, setting="", peer=peer, error=found, worst=found, cost=cost)
+
+
+def test_a_front_by_hand() -> None:
+    """Another engine, what is off by more than all, and what is below the floor do not count."""
+    found = by_hand(
+        point("Peer", 1e-12, 1, peer=True),
+        point("Lost", 2.0, 1),
+        point("Cheap", 1e-1, 2),
+        point("Good", 1e-10, 50),
+        point("Better than can be known", 1e-11, 60),
+    )
+    assert found.leanest == [2, 3]
+
+
+def test_an_error_without_limit_is_null_in_json() -> None:
+    report = as_json(by_hand(point("Broken", math.inf, 1)), tolerance=None)
+    jsonschema.validate(report, schema())
+    assert report["points"][0]["error"]["size"] is None
+    json.dumps(report, allow_nan=False)
 
 
 def test_other_engines_are_shown_but_never_on_the_front(studied: Study) -> None:
