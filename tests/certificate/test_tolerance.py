@@ -134,3 +134,15 @@ def test_the_measure_sees_turning() -> None:
     )
     fine = t2.simulate(scene, duration=1.0, times=[0.0, 0.5, 1.0])
     assert history_error(coarse, fine) > 1e-5
+
+
+def test_a_scene_without_bodies_and_one_far_away_are_certified() -> None:
+    nothing = t2.simulate(t2.Scene(gravity=(0.0, 0.0)), duration=1.0, tolerance=1e-3)
+    assert nothing.certificate is not None
+    assert nothing.certificate.bound == 0.0
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(1e6, 0.0), velocity=(1e-6, 0.0))
+    far = t2.simulate(scene, duration=1.0, tolerance=1e-3)
+    assert far.certificate is not None
+    assert far.certificate.bound is not None
+    assert 1e-5 < far.certificate.bound < 1e-3

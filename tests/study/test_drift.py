@@ -21,6 +21,7 @@ def test_an_orbit_by_a_symplectic_scheme_has_no_trend(method: Method) -> None:
     found = orbit_drift(method, STEPS)
     assert found.trendless
     assert abs(found.trend) < 1e-2 * found.swing
+    assert found.swing <= found.largest < 1.1 * found.swing
 
 
 @pytest.mark.parametrize("method", [RungeKutta4(), ExplicitEuler()])

@@ -129,3 +129,9 @@ def test_a_poor_method_is_seen_in_every_measure(bounce: Scene) -> None:
 
 def test_closed_form_is_the_truth_where_there_is_one(bounce: Scene) -> None:
     assert truth_of(bounce, DURATION).history.run.method == ClosedForm()
+
+
+def test_the_size_is_the_largest_of_places_times_and_states() -> None:
+    assert Errors(position=1e-3).size == 1e-3
+    assert Errors(position=1e-3, event_time=2e-2, event_state=1e-2).size == 2e-2
+    assert Errors(position=1e-3, event_time=2e-3, event_state=1e-2).size == 1e-2

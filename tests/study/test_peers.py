@@ -13,7 +13,7 @@ from tamias2d.study.pymunk_world import PeerError
 pytest.importorskip("pymunk")
 
 
-def test_free_fall_is_high_by_half_a_step(bounce: Scene) -> None:
+def test_free_fall_is_high_by_half_a_step() -> None:
     """It moves bodies before it changes their velocities: g h T/2 too high (peers, measured)."""
     scene = Scene(gravity=(0.0, -9.81), name="fall")
     scene.add_body(Disc(radius=0.5), mass=1.0, position=(0.0, 0.0))

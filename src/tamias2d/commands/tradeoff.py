@@ -12,9 +12,7 @@ from tamias2d.commands.names import find_scene, seconds
 from tamias2d.commands.output import error_text, figure, print_json, print_table, say
 from tamias2d.errors import InputError
 from tamias2d.study.report import as_json as report
-from tamias2d.study.work_precision import Point, Study, Told, study
-
-_SHORT = 60  # columns of a reason
+from tamias2d.study.work_precision import Study, Told, study
 
 
 def show_tradeoff(
@@ -86,6 +84,9 @@ def _print(found: Study, name: str, tolerance: float | None) -> None:
         heads.append(f"within {tolerance:g}")
     say()
     print_table(heads, (_row(found, k, tolerance) for k in range(len(found.points))))
+    for point in found.points:
+        if point.failure:
+            say(f"\n{point.method} {point.setting} failed: {point.failure}")
     say(
         "\nfront: nothing is both cheaper and better, by seconds (s) and by force evaluations (f). "
         "Seconds are the shortest of some runs, and differ each time. Forces that vary are "
@@ -97,7 +98,7 @@ def _row(found: Study, k: int, tolerance: float | None) -> list[str]:
     point = found.points[k]
     front = ("s" if k in found.fastest else "") + ("f" if k in found.leanest else "")
     if point.error is None:
-        return ["", point.method, point.setting, _reason(point)]
+        return ["", point.method, point.setting, "failed"]
     error = point.error
     cells = [front, point.method, point.setting, _known(error.size, found.floor)]
     if found.impacts:
@@ -122,8 +123,3 @@ def _known(error: float, floor: float) -> str:
 
 def _measure(value: float | None) -> str:
     return "-" if value is None else error_text(value)
-
-
-def _reason(point: Point) -> str:
-    text = point.failure or ""
-    return text if len(text) <= _SHORT else text[: _SHORT - 3] + "..."

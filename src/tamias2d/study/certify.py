@@ -18,7 +18,7 @@ from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
 _EPSILON = 2.0**-52
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
 _TWINS = 3.0  # times as far away as twins one rounding apart the exact answer may be
-_TRUSTED, _GRIDS, _DISTRUSTED = 1.25, 1.4, 3.0  # times what companions say (after Roache's index)
+_TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (after Roache's index)
 _ORDER = 0.3  # within which the observed order is that of the scheme
 _COARSEST = 16  # steps of a grid that is trusted to show the order
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
@@ -127,7 +127,7 @@ def rounding(run: Run) -> float:
     speed = np.linalg.norm(run.velocity, axis=-1) + np.abs(run.angular_velocity) * reach
     far = np.linalg.norm(run.position, axis=-1) + np.abs(run.orientation) * reach
     worst = far.max(axis=0) + run.times[-1] * speed.max(axis=0)
-    moving = np.array([body.dynamic for body in run.scene.bodies])
+    moving = np.array([body.dynamic for body in run.scene.bodies], dtype=bool)
     return _EPSILON * float(worst[moving].max(initial=0.0))
 
 

@@ -101,9 +101,7 @@ def _chunks(scene: Scene, method: Method, steps: int) -> Iterator[Run]:
         scene = started(run, -1)
 
 
-def _drift(
-    scene: str, method: Method, steps: int, impacts: int, share: Array, off: Array
-) -> Drift:
+def _drift(scene: str, method: Method, steps: int, impacts: int, share: Array, off: Array) -> Drift:
     """Judge departures (rounds, samples) of the energy, at shares (rounds,) of the time."""
     return Drift(
         scene=scene,

@@ -20,7 +20,7 @@ from tamias2d.simulate import simulate
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import apart, scale
 
-MARGIN = 1.6
+MARGIN = 2.0
 """Of the tolerance over the error that is aimed at: certificates are larger than errors."""
 _SAMPLES = 120
 _ORDER = 0.35  # within which an observed order is that of the scheme

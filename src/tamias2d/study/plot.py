@@ -114,6 +114,8 @@ def _draw(axes: Any, study: Study, cost: Cost, front: list[int], label: str) -> 
         zorder=3,
         label="front: nothing is both cheaper and better",
     )
+    if not any(_placed(point, cost) for point in study.points):
+        axes.set_ylim(1.0, 10.0)  # there is only the rim
     axes.set(xscale="log", yscale="log", ylabel=f"cost: {label}")
     axes.grid(visible=True, which="major", alpha=0.25)
 

@@ -54,7 +54,8 @@ def growth(run: Run) -> Array | None:
         own = run if isinstance(run.method, ClosedForm) else _history(run.scene, run, method)
     except RefusedError:
         return None
-    result: Array = apart(other, own) / (MOVED * scale(run))
+    away = apart(other, own)
+    result: Array = away / max(MOVED * scale(run), float(away[0]))
     return result
 
 

@@ -166,39 +166,39 @@ def point_of(way: Way, scenes: Sequence[Scene], truths: Sequence[Truth], *, time
     bare = Point(method=way.name, setting=way.setting, peer=way.peer)
     try:
         with np.errstate(all="ignore"):  # what leaves float64 is a failure with its reason
-            found = [
-                _errors(way, scene, truth) for scene, truth in zip(scenes, truths, strict=True)
-            ]
-            cost, seconds = _timed(way, scenes[0], duration, timed)
+            looked = [_look(way, scene, truth) for scene, truth in zip(scenes, truths, strict=True)]
+            seconds = _timed(way, scenes[0], duration) if timed else None
     except Interrupted:
         raise KeyboardInterrupt from None
     except (TamiasError, ArithmeticError) as fault:
         return replace(bare, failure=str(fault))
-    worst = _over(found, max)
-    return replace(bare, error=_over(found, median), worst=worst, cost=cost, seconds=seconds)
+    found = [errors for errors, _ in looked]
+    return replace(
+        bare,
+        error=_over(found, median),
+        worst=_over(found, max),
+        cost=looked[0][1],
+        seconds=seconds,
+    )
 
 
-def _errors(way: Way, scene: Scene, truth: Truth) -> Errors:
+def _look(way: Way, scene: Scene, truth: Truth) -> tuple[Errors, Cost | None]:
     duration = truth.history.run.duration
     first = way.go(scene, duration, [duration])
     run = sampled(
         lambda times: way.go(scene, duration, times), common_times(duration), first.impacts
     )
-    return errors(run, truth.history)
+    return errors(run, truth.history), first.cost
 
 
-def _timed(
-    way: Way, scene: Scene, duration: float, timed: bool
-) -> tuple[Cost | None, Seconds | None]:
+def _timed(way: Way, scene: Scene, duration: float) -> Seconds:
     """Time runs that are sampled at their end only; the errors have warmed them up."""
-    if not timed:
-        return way.go(scene, duration, [duration]).cost, None
     times: list[float] = []
     while len(times) < _REPEATS and sum(times) < _LONG:
         began = perf_counter()
-        run = way.go(scene, duration, [duration])
+        way.go(scene, duration, [duration])
         times.append(perf_counter() - began)
-    return run.cost, Seconds(median(times), min(times), len(times))
+    return Seconds(median(times), min(times), len(times))
 
 
 def _over(found: Sequence[Errors], what: Callable[[list[float]], float]) -> Errors:
