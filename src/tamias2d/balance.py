@@ -1,4 +1,8 @@
-"""Energy, momentum and angular momentum of all that moves."""
+"""Energy, momentum and angular momentum of all that moves.
+
+Serves: runs, for their energy and momenta. Hides: which bodies count, and how their shares are
+summed.
+"""
 
 import numpy as np
 

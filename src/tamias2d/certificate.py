@@ -1,4 +1,8 @@
-"""What a run says of its own error: how large it is at most, how that is known, and what is not."""
+"""What a run says of its own error: how large it is at most, how that is known, and what is not.
+
+Serves: whoever must state how wrong a run is. Hides: how a certificate is written as JSON and as
+one line.
+"""
 
 import hashlib
 import json

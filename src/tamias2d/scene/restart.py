@@ -1,4 +1,8 @@
-"""A scene that starts otherwise: the same laws, for bodies in other states."""
+"""A scene that starts otherwise: the same laws, for bodies in other states.
+
+Serves: twins and phases of a run. Hides: which facts of a scene stay when its bodies start
+elsewhere.
+"""
 
 from collections.abc import Sequence
 from copy import copy

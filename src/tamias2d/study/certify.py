@@ -1,4 +1,8 @@
-"""A certificate for a run: what bounds its error, found by companion runs of the same scene."""
+"""A certificate for a run: what bounds its error, found by companion runs of the same scene.
+
+Serves: `simulate` with a tolerance, and users who ask afterwards. Hides: which companion runs bound
+which kind of run.
+"""
 
 import math
 from collections.abc import Callable

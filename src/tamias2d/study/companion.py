@@ -1,4 +1,7 @@
-"""Runs beside the one that is asked for: they may be refused, which says something, too."""
+"""Runs beside the one that is asked for: they may be refused, which says something, too.
+
+Serves: certificates and pilots. Hides: how a refusal becomes an answer.
+"""
 
 from typing import Any
 

@@ -1,5 +1,7 @@
 """Energy over very many steps: whether it only swings, or goes somewhere.
 
+Serves: the measurement of long runs. Hides: how a swing is told from a trend.
+
 A planet on an ellipse, whose energy is a formula here, and a disc that bounces without loss. The
 energy of the planet swings within each round, so that means over rounds are looked at. The trend is
 that of a straight line through them; it is none if it is small beside the first swing and nothing

@@ -1,4 +1,7 @@
-"""The Pareto front: the points that no other beats in both error and cost."""
+"""The Pareto front: the points that no other beats in both error and cost.
+
+Serves: studies. Hides: how points are compared.
+"""
 
 from collections.abc import Sequence
 

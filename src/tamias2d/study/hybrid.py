@@ -1,5 +1,7 @@
 """The errors of a run with impacts, each in a measure that falls as the run gets better.
 
+Serves: studies of scenes with impacts. Hides: how impacts of two runs are matched.
+
 Between the instants at which a run and the truth put one impact, velocities differ by a whole
 jump, however good the run is. So impacts are compared one by one, in the order of each pair, and
 histories as graphs over time, in which jumps are lines.

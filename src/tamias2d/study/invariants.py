@@ -1,4 +1,7 @@
-"""What a run leaves as it was, where no more than that can be said of it."""
+"""What a run leaves as it was, where no more than that can be said of it.
+
+Serves: certificates past the horizon. Hides: how the energy that impacts take is accounted for.
+"""
 
 import numpy as np
 

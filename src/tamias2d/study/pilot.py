@@ -1,5 +1,7 @@
 """Pilot runs: how fast the error of each method falls with its cost, in this very scene.
 
+Serves: recommendations. Hides: how an error model is fitted.
+
 Errors are differences from one run that is far tighter than what is asked for, at times spread over
 the whole run: short horizons would not show how errors grow. From two grids on which the error
 falls at the order of the scheme follows its constant C, and from error = C h^p the step for a

@@ -1,4 +1,7 @@
-"""What pushes bodies in Pymunk: the loads of a scene, as it wants them."""
+"""What pushes bodies in Pymunk: the loads of a scene, as it wants them.
+
+Serves: the world in Pymunk. Hides: how laws are evaluated between its steps.
+"""
 
 from collections.abc import Callable
 from typing import TypeAlias

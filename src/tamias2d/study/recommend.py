@@ -1,5 +1,7 @@
 """Which method and step meet a tolerance at the least cost, and why the others lost.
 
+Serves: users with a tolerance. Hides: the order in which methods are asked.
+
 The scene says which methods can be asked: the closed form where every body has one, which costs
 nothing; else all schemes that suit its forces. A pilot finds what each would cost.
 """

@@ -1,4 +1,7 @@
-"""A study as JSON, for machines; `tradeoff.schema.json` says what stands in it."""
+"""A study as JSON, for machines; `tradeoff.schema.json` says what stands in it.
+
+Serves: machines that read a study. Hides: the layout of the JSON.
+"""
 
 import json
 import math

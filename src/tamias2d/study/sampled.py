@@ -1,4 +1,7 @@
-"""A run at the times that comparisons need: common ones, and its own around its impacts."""
+"""A run at the times that comparisons need: common ones, and its own around its impacts.
+
+Serves: errors. Hides: which instants are asked for.
+"""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace

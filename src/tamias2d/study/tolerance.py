@@ -1,4 +1,7 @@
-"""Runs within a tolerance: planned, run, certified, and taken again where that fell short."""
+"""Runs within a tolerance: planned, run, certified, and taken again where that fell short.
+
+Serves: `simulate` with a tolerance. Hides: how often it is tried again.
+"""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,7 @@
-"""What a run is compared with: the closed form if the scene has one, else a far tighter run."""
+"""What a run is compared with: the closed form if the scene has one, else a far tighter run.
+
+Serves: errors. Hides: where the truth comes from, and how far it can be trusted.
+"""
 
 from dataclasses import dataclass
 

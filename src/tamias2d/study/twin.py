@@ -1,5 +1,7 @@
 """The twin of a run: one that starts a little elsewhere, and shows how small errors grow.
 
+Serves: horizons and certificates of exact runs. Hides: how a start is moved.
+
 It is moved by 1e-12 of what changes during the run, as rounding would do; what stays as it is, and
 what is zero throughout, rounding leaves alone, and so does the twin.
 """

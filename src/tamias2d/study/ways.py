@@ -1,4 +1,7 @@
-"""The ways of running a scene that a study compares: methods, each on a ladder of settings."""
+"""The ways of running a scene that a study compares: methods, each on a ladder of settings.
+
+Serves: studies. Hides: the ladders of steps and tolerances.
+"""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace

@@ -1,5 +1,7 @@
 """Work and precision: the methods on their ladders, the error of each point, and what it cost.
 
+Serves: `tradeoff`. Hides: in which order points are run.
+
 A way that fails or refuses is a point too, with its reason. Where there are impacts, the errors are
 medians over an ensemble of phases, with the worst beside them.
 """
