@@ -120,13 +120,21 @@ def _mutated(mutant: Mutant, specification: Specification) -> Item:
 
 
 def killed_by_cases(mutant: Mutant, specification: Specification, copy: Path) -> bool:
-    """Whether a closed form or a case fails on the code that the changed item becomes."""
+    """Whether a closed form or a case that uses the item fails on the code that it becomes."""
     changed = replace(specification, items=dict(specification.items))
     changed.items[mutant.function.item.id] = _mutated(mutant, specification)
     for path, text in outputs(changed).items():
         if path.startswith(CODE):
             (copy / path).write_text(text, encoding="utf-8")
-    call = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *_JUDGES]
+    own = mutant.function.item.id
+    concerned = [
+        f"test_{case.id.lower()}_"
+        for case in specification.of_kind("case")
+        if own in specification.closure(case)
+    ]
+    chosen = " or ".join([f"test_{own.lower()}_", *concerned])
+    call = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "-k", chosen]
+    call += _JUDGES
     environment = {"PYTHONPATH": f"{copy / 'src'}:{copy}", "TAMIAS2D_HOME": str(copy), "PATH": ""}
     done = subprocess.run(call, cwd=copy, env=environment, capture_output=True, check=False)
     return done.returncode != 0
