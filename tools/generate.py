@@ -7,6 +7,7 @@ is missing, or is an orphan. A faulty chapter exits with 2.
 
 import argparse
 import difflib
+import importlib.util
 import re
 import subprocess
 import sys
@@ -98,6 +99,13 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m tools.generate", description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing, report differences")
     options = parser.parse_args(arguments)
+    if importlib.util.find_spec("ruff") is None:
+        print(
+            "tools.generate: ruff is not installed, which lays the code out. Install it "
+            "by `pip install -e '.[dev]'`, or call `tools/dev python -m tools.generate`.",
+            file=sys.stderr,
+        )
+        return 2
     try:
         files = outputs(read(ROOT / "srs"))
     except SpecError as error:

@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from tools import generate
+
 ROOT = Path(__file__).parents[2]
 PRETENDED = """\
 #!/bin/sh
@@ -128,3 +130,21 @@ def test_a_failing_check_fails_and_all_are_listed(house: House) -> None:
     code, calls, _ = house.dev("test")
     assert code == 1
     assert "bin/python -m tamias2d trace" in calls
+
+
+@pytest.mark.parametrize("module", ["tools.generate", "pytest", "mypy"])
+def test_modules_of_the_tools_need_more_than_the_demo(house: House, module: str) -> None:
+    house.dev("demo")
+    calls = house.dev("python", "-m", module)[1]
+    assert f"{house.installs}[dev]" in calls
+    assert calls[-1] == f"bin/python -m {module}"
+
+
+def test_the_generator_says_what_it_lacks(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(generate.importlib.util, "find_spec", lambda _: None)
+    assert generate.main(["--check"]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert "ruff is not installed" in said
