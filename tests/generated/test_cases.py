@@ -222,12 +222,12 @@ def test_ob8b_31_impacts_for_a_mass_ratio_of_100() -> None:
 
 
 def test_ob8c_314_impacts_for_a_mass_ratio_of_10000() -> None:
-    """OB8c, srs/verification/oracles_impact.md:697; verifies R3, R7, R8."""
+    """OB8c, srs/verification/oracles_impact.md:680; verifies R3, R7, R8."""
     passes("OB8c")
 
 
 def test_ob8d_3141_impacts_for_a_mass_ratio_of_1000000() -> None:
-    """OB8d, srs/verification/oracles_impact.md:744; verifies R3, R7, R8."""
+    """OB8d, srs/verification/oracles_impact.md:727; verifies R3, R7, R8."""
     passes("OB8d")
 
 

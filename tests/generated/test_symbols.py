@@ -118,8 +118,15 @@ def test_range_of_pair_restitution() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
 
 
+def test_range_of_gravitational_constant() -> None:
+    """srs/symbols.md:174: > 0."""
+    symbol = SYMBOLS["gravitational_constant"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
 def test_range_of_linear_drag() -> None:
-    """srs/symbols.md:197: >= 0."""
+    """srs/symbols.md:198: >= 0."""
     symbol = SYMBOLS["linear_drag"]
     assert all(
         symbol.admits(value)
@@ -132,7 +139,7 @@ def test_range_of_linear_drag() -> None:
 
 
 def test_range_of_quadratic_drag() -> None:
-    """srs/symbols.md:203: >= 0."""
+    """srs/symbols.md:204: >= 0."""
     symbol = SYMBOLS["quadratic_drag"]
     assert all(
         symbol.admits(value)
@@ -145,7 +152,7 @@ def test_range_of_quadratic_drag() -> None:
 
 
 def test_range_of_drag_rate() -> None:
-    """srs/symbols.md:219: >= 0."""
+    """srs/symbols.md:220: >= 0."""
     symbol = SYMBOLS["drag_rate"]
     assert all(
         symbol.admits(value)
@@ -158,7 +165,7 @@ def test_range_of_drag_rate() -> None:
 
 
 def test_range_of_speed() -> None:
-    """srs/symbols.md:224: >= 0."""
+    """srs/symbols.md:225: >= 0."""
     symbol = SYMBOLS["speed"]
     assert all(
         symbol.admits(value)
@@ -171,14 +178,14 @@ def test_range_of_speed() -> None:
 
 
 def test_range_of_stiffness() -> None:
-    """srs/symbols.md:229: > 0."""
+    """srs/symbols.md:230: > 0."""
     symbol = SYMBOLS["stiffness"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_rest_length() -> None:
-    """srs/symbols.md:235: >= 0."""
+    """srs/symbols.md:236: >= 0."""
     symbol = SYMBOLS["rest_length"]
     assert all(
         symbol.admits(value)
@@ -191,7 +198,7 @@ def test_range_of_rest_length() -> None:
 
 
 def test_range_of_damping() -> None:
-    """srs/symbols.md:241: >= 0."""
+    """srs/symbols.md:242: >= 0."""
     symbol = SYMBOLS["damping"]
     assert all(
         symbol.admits(value)
@@ -204,7 +211,7 @@ def test_range_of_damping() -> None:
 
 
 def test_range_of_distance() -> None:
-    """srs/symbols.md:257: >= 0."""
+    """srs/symbols.md:258: >= 0."""
     symbol = SYMBOLS["distance"]
     assert all(
         symbol.admits(value)
@@ -217,7 +224,7 @@ def test_range_of_distance() -> None:
 
 
 def test_range_of_spring_energy() -> None:
-    """srs/symbols.md:284: >= 0."""
+    """srs/symbols.md:285: >= 0."""
     symbol = SYMBOLS["spring_energy"]
     assert all(
         symbol.admits(value)
@@ -230,21 +237,21 @@ def test_range_of_spring_energy() -> None:
 
 
 def test_range_of_angular_frequency() -> None:
-    """srs/symbols.md:289: > 0."""
+    """srs/symbols.md:290: > 0."""
     symbol = SYMBOLS["angular_frequency"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_inverse_effective_mass() -> None:
-    """srs/symbols.md:345: > 0."""
+    """srs/symbols.md:346: > 0."""
     symbol = SYMBOLS["inverse_effective_mass"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_impulse() -> None:
-    """srs/symbols.md:356: >= 0."""
+    """srs/symbols.md:357: >= 0."""
     symbol = SYMBOLS["impulse"]
     assert all(
         symbol.admits(value)
@@ -257,7 +264,7 @@ def test_range_of_impulse() -> None:
 
 
 def test_range_of_contact_force() -> None:
-    """srs/symbols.md:366: >= 0."""
+    """srs/symbols.md:367: >= 0."""
     symbol = SYMBOLS["contact_force"]
     assert all(
         symbol.admits(value)
@@ -270,7 +277,7 @@ def test_range_of_contact_force() -> None:
 
 
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:389: >= 0."""
+    """srs/symbols.md:390: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -283,28 +290,28 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:407: > 0."""
+    """srs/symbols.md:408: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:412: > 0."""
+    """srs/symbols.md:413: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:417: > 0."""
+    """srs/symbols.md:418: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:436: > 0."""
+    """srs/symbols.md:437: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

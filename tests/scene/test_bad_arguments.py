@@ -281,6 +281,8 @@ def test_a_law_of_the_state_is_asked_with_the_state() -> None:
     assert not body.constant
     with pytest.raises(InputError, match=r"force\[0\] of body 'body0'.*'position'.* not given"):
         body.force_at(0.5)
+
+
 @pytest.mark.parametrize("key", ["torque", "angular_velocity"])
 def test_a_particle_needs_an_inertia_to_turn(key: str) -> None:
     scene = Scene(gravity=(0, 0))
@@ -319,3 +321,9 @@ def test_a_law_without_a_value_is_refused_at_its_time() -> None:
     assert body.force_at(0.5) == (2.0, 0.0)
     with pytest.raises(InputError, match=r"no finite value at time 1\.0 s"):
         body.force_at(1.0)
+
+
+@pytest.mark.parametrize("constant", [0, -6.6743e-11])
+def test_attraction_has_a_positive_constant(constant: float) -> None:
+    with pytest.raises(InputError, match="must be > 0"):
+        Scene(gravity=(0, 0)).add_attraction(gravitational_constant=constant)

@@ -223,6 +223,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gravitational_constant",
         "m^3/(kg*s^2)",
         "constant of gravitation",
+        range=Range("> 0", low=0.0),
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
@@ -235,7 +236,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=188,
+        line=189,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -243,7 +244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=193,
+        line=194,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -253,7 +254,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=197,
+        line=198,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -263,7 +264,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=203,
+        line=204,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -272,7 +273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=209,
+        line=210,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -281,7 +282,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=214,
+        line=215,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -290,7 +291,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=219,
+        line=220,
     ),
     "speed": Symbol(
         "speed",
@@ -299,7 +300,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=224,
+        line=225,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -309,7 +310,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=229,
+        line=230,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -319,7 +320,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=235,
+        line=236,
     ),
     "damping": Symbol(
         "damping",
@@ -329,7 +330,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=241,
+        line=242,
     ),
     "point": Symbol(
         "point",
@@ -338,7 +339,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=247,
+        line=248,
     ),
     "span": Symbol(
         "span",
@@ -347,7 +348,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=252,
+        line=253,
     ),
     "distance": Symbol(
         "distance",
@@ -356,7 +357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=257,
+        line=258,
     ),
     "axis": Symbol(
         "axis",
@@ -365,7 +366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=262,
+        line=263,
     ),
     "extension": Symbol(
         "extension",
@@ -373,7 +374,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=267,
+        line=268,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -381,7 +382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=271,
+        line=272,
     ),
     "tension": Symbol(
         "tension",
@@ -389,7 +390,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=275,
+        line=276,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -398,7 +399,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=279,
+        line=280,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -407,7 +408,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=284,
+        line=285,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -416,7 +417,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=289,
+        line=290,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -425,7 +426,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=294,
+        line=295,
     ),
     "field_force": Symbol(
         "field_force",
@@ -434,7 +435,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=299,
+        line=300,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -442,7 +443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=304,
+        line=305,
     ),
     "normal": Symbol(
         "normal",
@@ -451,7 +452,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=317,
+        line=318,
     ),
     "direction": Symbol(
         "direction",
@@ -459,7 +460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=322,
+        line=323,
     ),
     "arm": Symbol(
         "arm",
@@ -468,7 +469,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=326,
+        line=327,
     ),
     "separation": Symbol(
         "separation",
@@ -476,7 +477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=331,
+        line=332,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -484,7 +485,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=335,
+        line=336,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -492,7 +493,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=341,
+        line=342,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -501,7 +502,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=345,
+        line=346,
     ),
     "coupling": Symbol(
         "coupling",
@@ -509,7 +510,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=350,
+        line=351,
     ),
     "impulse": Symbol(
         "impulse",
@@ -518,7 +519,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=356,
+        line=357,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -527,7 +528,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=361,
+        line=362,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -536,7 +537,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=366,
+        line=367,
     ),
     "overlap": Symbol(
         "overlap",
@@ -544,7 +545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=371,
+        line=372,
     ),
     "momentum": Symbol(
         "momentum",
@@ -553,7 +554,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=380,
+        line=381,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -561,7 +562,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=385,
+        line=386,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -570,7 +571,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=389,
+        line=390,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -578,7 +579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=394,
+        line=395,
     ),
     "energy": Symbol(
         "energy",
@@ -586,7 +587,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=398,
+        line=399,
     ),
     "radius": Symbol(
         "radius",
@@ -595,7 +596,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=407,
+        line=408,
     ),
     "width": Symbol(
         "width",
@@ -604,7 +605,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=412,
+        line=413,
     ),
     "height": Symbol(
         "height",
@@ -613,7 +614,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=417,
+        line=418,
     ),
     "vertex": Symbol(
         "vertex",
@@ -622,7 +623,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=422,
+        line=423,
     ),
     "center": Symbol(
         "center",
@@ -631,7 +632,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=427,
+        line=428,
     ),
     "offset": Symbol(
         "offset",
@@ -639,7 +640,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=432,
+        line=433,
     ),
     "area": Symbol(
         "area",
@@ -648,7 +649,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=436,
+        line=437,
     ),
     "centroid": Symbol(
         "centroid",
@@ -657,6 +658,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=441,
+        line=442,
     ),
 }

@@ -249,7 +249,7 @@ class Scene:
         """Let all bodies that move attract each other, each pair by its masses (IM5).
 
         Raises:
-            InputError: the constant in m^3/(kg s^2) is no number, or was given before.
+            InputError: the constant in m^3/(kg s^2) is not positive, or was given before.
         """
         symbol, remedy = "gravitational_constant", "Give it in m^3/(kg s^2)."
         value = number(gravitational_constant, symbol, "the scene", remedy, at=(symbol,))
