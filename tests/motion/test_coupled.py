@@ -134,3 +134,11 @@ def test_a_stepped_scheme_feels_the_hit_too() -> None:
         errors.append(np.abs(times - true).max())
     assert errors[0] > 8 * errors[1] > 64 * errors[2]
     assert errors[2] < 1e-6
+
+
+def test_the_note_names_every_reason_for_the_reference() -> None:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1.0, position=(0, 0), linear_drag=0.5)
+    scene.add_field(force=("1[N/s]*time", 0.0))
+    (note, *_) = simulate(scene, duration=0.1).notes
+    assert "under linear drag and in a field" in note

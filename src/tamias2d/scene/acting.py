@@ -51,12 +51,12 @@ def _laws_on(scene: Scene, k: int) -> Iterator[tuple[int, Law]]:
 
 
 def varying_loads(scene: Scene) -> dict[int, str]:
-    """Return why the loads of a body vary during a run, for each body whose loads do."""
+    """Return why the loads of a body vary, all reasons, for each body whose loads do."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
-    found: dict[int, str] = {}
+    found: dict[int, dict[str, None]] = {}
     for k, why in _variations(scene, moving):
-        found.setdefault(k, why)
-    return {k: found[k] for k in moving if k in found}
+        found.setdefault(k, {})[why] = None
+    return {k: " and ".join(found[k]) for k in moving if k in found}
 
 
 def timed_loads(scene: Scene) -> set[int]:
