@@ -32,10 +32,12 @@ class _Commands(TyperGroup):
                 raise
             _stop(f"{fault.filename}: {fault.strerror}. Choose a place that can be used.", 2)
         except KeyboardInterrupt as stop:
-            from tamias2d.storage import results_path
-
             said = str(stop) or "Interrupted."
-            _stop(f"{said} Results of earlier checks are in {results_path()}.", INTERRUPTED)
+            if ctx.invoked_subcommand == "verify":
+                from tamias2d.storage import results_path
+
+                said += f" Results of earlier checks are in {results_path()}."
+            _stop(said, INTERRUPTED)
 
 
 def _stop(message: str, code: int) -> None:

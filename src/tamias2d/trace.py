@@ -5,7 +5,6 @@ what an item rests on and what depends on it; the table of the verification plan
 verdicts are rolled up.
 """
 
-import difflib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -13,7 +12,7 @@ from typing import Any
 
 from tamias2d.errors import InputError
 from tamias2d.verify import results
-from tamias2d.verify.items import Item, fingerprint, items, label_order, links
+from tamias2d.verify.items import Item, fingerprint, items, label_order, links, meant
 from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
 
 STALE = "stale"
@@ -77,8 +76,8 @@ def neighbourhood(id: str) -> Neighbourhood:
     """Return an item between what it rests on and what depends on it. Raises: InputError."""
     graph = Graph(items(), results.read())
     if id not in graph.items:
-        close = difflib.get_close_matches(id, graph.items, n=1)
-        hint = f"Did you mean '{close[0]}'?" if close else "Without an id all items are listed."
+        close = meant(id)
+        hint = f"Did you mean '{close}'?" if close else "Without an id all items are listed."
         raise InputError(f"trace: '{id}' is no item of the specification. {hint}")
     return Neighbourhood(
         graph.traced(id),

@@ -13,6 +13,7 @@ from typer.testing import CliRunner, Result
 from tamias2d import cli, motion
 from tamias2d.commands import run as run_command
 from tamias2d.commands.names import find_method
+from tamias2d.errors import RecordingError
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import Interrupted, simulate
 from tamias2d.verify import case, exact
@@ -115,18 +116,26 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
     ("words", "says"),
     [
         (["run", "tc33"], "SCENE: 'tc33': must be a name of the catalogue or a file (R1). Did you"),
-        (["run", "."], "SCENE: '.': must be"),
-        (["run", "no/such.yaml"], "SCENE: 'no/such.yaml': must be"),
+        (["run", "."], "SCENE: '.': is a directory"),
+        (["run", "no/such.yaml"], "SCENE: 'no/such.yaml': no such file"),
         (["run", "tc3", "--duration", "4 kg"], "--duration: '4 kg': must be a time"),
         (["run", "tc3", "--duration", "soon"], "--duration: 'soon': must be a time"),
         (["run", "tc3", "--duration", "-4 s"], "--duration: '-4 s': must be > 0"),
-        (["run", "tc3", "--duration", "nan"], "--duration: 'nan': must be > 0"),
-        (["run", "tc3", "--duration", "inf"], "--duration: 'inf': must be > 0"),
+        (["run", "tc3", "--duration", "nan"], "--duration: 'nan': must be finite"),
+        (["run", "tc3", "--duration", "inf"], "--duration: 'inf': must be finite"),
         (["run", "tc3", "--time-step", "0"], "--time-step: '0': must be > 0"),
         (["run", "tc3", "--time-step", "1 ms"], "takes no time step"),
-        (["run", "tc3", "--method", "runge-kutta-4"], "needs time step"),
+        (
+            ["run", "tc3", "--method", "runge-kutta-4"],
+            "for example --time-step 0.01.",
+        ),
         (["run", "driven", "--method", "closed-form"], "varies with time"),
-        (["run", "tc3", "--record", "run.txt"], ".rrd or .npz"),
+        (["run", "tc3", "--record", "run.txt"], "a recording is .rrd"),
+        (["run", "tc3", "--record", ""], "--record: '.': names no file"),
+        (["run", "tc3", "--plot", "no/such/run.png"], "there is no directory no/such"),
+        (["explain", "."], "SCENE: '.': is a directory"),
+        (["verify", "tc1"], "Did you mean 'TC1'?"),
+        (["trace", "a6"], "Did you mean 'A6'?"),
         (["run", "tc3", "--record", "no/such/run.npz"], "no/such/run.npz"),
         (["explain", "tc33"], "SCENE: 'tc33'"),
         (["verify", "TC99"], "'TC99' is no item"),
@@ -192,6 +201,63 @@ def test_an_interrupted_check_is_no_failed_one(
     assert str(tmp_path / "home") in result.stderr
 
 
+@pytest.mark.parametrize("words", [["--record", "no/x.rrd"], ["--plot", "no/x.png"]])
+def test_a_place_is_refused_before_the_run(
+    call: Call, monkeypatch: pytest.MonkeyPatch, words: list[str]
+) -> None:
+    monkeypatch.setattr(run_command, "simulate", lambda *_, **__: pytest.fail("simulated"))
+    assert "there is no directory no" in refused(call("run", "tc3", *words))
+
+
+def test_a_file_is_no_directory(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    assert "is no directory" in refused(call("run", "tc3", "--record", tmp_path / "file" / "x.npz"))
+
+
+def test_an_answer_outlives_a_disk_that_is_full(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: Any) -> None:
+        raise RecordingError("the disk is full")
+
+    monkeypatch.setattr(run_command._Files, "write", full)
+    result = call("run", "tc3", "--json", "--record", tmp_path / "x.npz")
+    assert result.exit_code == 2
+    assert json.loads(result.stdout)["final"]["bodies"][0]["position"] == [870, 50]
+
+
+def test_the_run_of_the_readme_tells_its_error(call: Call) -> None:
+    text = call("run", "galperin-100").stdout
+    assert "OB8b  velocity of large at the end" in text
+    assert "e-1" not in text.partition("point, m")[2].partition("Error")[0]  # rounding is 0
+
+
+def test_an_interrupted_run_says_nothing_of_checks(
+    call: Call, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stopped(*_: Any, **__: Any) -> None:
+        raise Interrupted(simulate(catalogue.load("tc3"), duration=1.0))
+
+    monkeypatch.setattr(run_command, "simulate", stopped)
+    assert "checks" not in call("run", "tc3").stderr
+
+
+def test_a_viewer_without_a_screen_names_the_file_of_the_user(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from tamias2d.record.rerun import program as viewer
+
+    def blind(*words: str) -> subprocess.CompletedProcess[str]:
+        said = "\x1b[31mError\x1b[0m: os error at /a/b.rs:765: no DISPLAY is set.\n"
+        return subprocess.CompletedProcess(words, int("--bind" in words), "", said)
+
+    path = tmp_path / "x.npz"
+    call("run", "tc3", "--record", path)
+    monkeypatch.setattr(viewer, "_run", blind)
+    says = refused(call("replay", path))
+    assert says.startswith(f"{path}: the viewer ended with code 1: no DISPLAY is set. It needs")
+
+
 # --- the others --------------------------------------------------------------------------------
 
 
@@ -225,6 +291,7 @@ def test_a_failed_case_fails_the_command(call: Call, monkeypatch: pytest.MonkeyP
 
 def test_trace_answers_every_item(call: Call) -> None:
     call("verify", "TC1")
+    assert "No results" not in call("trace", "TC1").stderr
     result = call("trace", "--json")
     assert result.exit_code == 1  # the other cases have not been run
     items = {item["id"]: item for item in json.loads(result.stdout)["items"]}
@@ -244,7 +311,11 @@ def test_trace_leads_from_a_requirement_to_the_line_of_its_code(call: Call) -> N
 
 
 def test_trace_of_an_item_shows_what_depends_on_it(call: Call) -> None:
-    text = call("trace", "A6").stdout
+    result = call("trace", "A6")
+    text = result.stdout
+    assert result.exit_code == 1
+    assert "run `tamias2d verify`" in result.stderr  # nothing has been run
+    assert max(map(len, text.splitlines())) < 200
     assert "A6 rests on: nothing" in text
     assert "R8 " in text.partition("What depends on A6")[2]
 

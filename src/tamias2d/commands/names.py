@@ -4,6 +4,7 @@ Serves: the commands that take a scene. Hides: how a name is told from a file, a
 """
 
 import difflib
+import math
 from pathlib import Path
 
 from tamias2d import motion
@@ -22,6 +23,10 @@ def find_scene(text: str) -> Scene:
         return catalogue.load(text)
     if Path(text).is_file():
         return load(Path(text))
+    if Path(text).is_dir():
+        raise InputError(f"SCENE: {text!r}: is a directory (R1). Name a scene file in it.")
+    if Path(text).suffix in (".yaml", ".yml"):
+        raise InputError(f"SCENE: {text!r}: no such file (R1). Give the path of a scene in YAML.")
     near = difflib.get_close_matches(text, names, n=3)
     hint = f"Did you mean {' or '.join(near)}? " if near else ""
     raise InputError(
@@ -60,9 +65,28 @@ def seconds(text: str | None, *, option: str, symbol: str) -> float | None:
         if quantity.dimension != parse_unit("s").dimension:
             raise InputError(f"{option}: {text!r}: {rule}. Use a unit of time.") from None
         value = quantity.value
+    if not math.isfinite(value):
+        raise InputError(f"{option}: {text!r}: must be finite (symbol {symbol}). Give such a time.")
     if not SYMBOLS[symbol].admits(value):
         raise InputError(f"{option}: {text!r}: {SYMBOLS[symbol].rule}. Give such a time.")
     return value
+
+
+def step_for(method: motion.Method | None, text: str | None) -> float | None:
+    """The time step that was typed; InputError if the method needs one, or takes none."""
+    step = seconds(text, option="--time-step", symbol="time_step")
+    if step is None and method is not None and method.stepped:
+        raise InputError(
+            f"--time-step: found none: {method} needs one (R5). "
+            "Give it, for example --time-step 0.01."
+        )
+    if step is not None and (method is None or not method.stepped):
+        chosen = "without --method the way" if method is None else str(method)
+        raise InputError(
+            f"--time-step: {text!r}: {chosen} chooses its own steps and takes no time step (R5). "
+            "Leave it out, or choose a stepped --method."
+        )
+    return step
 
 
 def share(text: str | None, *, option: str) -> float | None:

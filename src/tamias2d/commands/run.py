@@ -3,6 +3,7 @@
 Serves: the command `run`. Hides: the form of its answer, for people and as JSON.
 """
 
+import math
 import shlex
 import sys
 from dataclasses import dataclass
@@ -10,13 +11,15 @@ from pathlib import Path
 from typing import Any
 
 from tamias2d.commands.exact import KnownError, known_errors
-from tamias2d.commands.names import find_method, find_scene, seconds, share, span_of
+from tamias2d.commands.names import find_method, find_scene, share, span_of, step_for
 from tamias2d.commands.output import command, error_text, figure, pair, print_json, print_table, say
-from tamias2d.errors import SimulationError, TamiasError
+from tamias2d.errors import InputError, SimulationError, TamiasError
+from tamias2d.record.files import refuse_file
 from tamias2d.run import Run
 from tamias2d.simulate import Interrupted, simulate
 
 _SHOWN = 5  # impacts
+_ROUNDING = 1e-12  # of a place, relative to the size of a body
 
 
 @dataclass(frozen=True)
@@ -25,6 +28,21 @@ class _Files:
 
     record: Path | None
     plot: Path | None
+
+    def check(self) -> None:
+        """Refuse what cannot be written, before anything is computed."""
+        for option, path in (("--record", self.record), ("--plot", self.plot)):
+            if path is not None and not path.name:
+                raise InputError(
+                    f"{option}: {str(path)!r}: names no file (R5). Give one, for example "
+                    f"{option} {'run.rrd' if option == '--record' else 'run.png'}."
+                )
+        if self.record:
+            refuse_file(self.record)
+        if self.plot:
+            from tamias2d.record.plot import refuse_picture
+
+            refuse_picture(self.plot)
 
     def write(self, run: Run) -> None:
         if self.record:
@@ -50,12 +68,15 @@ def run_scene(
     """Do what `tamias2d run` promises; raises as `simulate` and `Run.save` do."""
     scene = find_scene(name)
     files = _Files(record, plot)
+    files.check()
+    way = None if method is None else find_method(method)
+    step = step_for(way, time_step)
     try:
         run = simulate(
             scene,
             duration=span_of(scene, name, duration),
-            method=None if method is None else find_method(method),
-            time_step=seconds(time_step, option="--time-step", symbol="time_step"),
+            method=way,
+            time_step=step,
             tolerance=share(tolerance, option="--tolerance"),
             progress=sys.stderr.isatty(),
         )
@@ -68,8 +89,8 @@ def run_scene(
         run = certify(run)
     errors = known_errors(run, name)
     if as_json:
-        files.write(run)
         print_json(_as_json(run, name, errors, files))
+        files.write(run)  # last: a full disk loses no answer
         return
     _print(run, name, errors)
     files.write(run)
@@ -134,11 +155,19 @@ def _print_impacts(run: Run) -> None:
                     figure(impact["time"]),
                     " and ".join(impact["bodies"]),
                     figure(impact["impulse"]),
-                    pair(impact["point"]),
+                    pair(_seen(run, k)),
                 )
-                for impact in _impacts(run)[:_SHOWN]
+                for k, impact in enumerate(_impacts(run)[:_SHOWN])
             ),
         )
+
+
+def _seen(run: Run, k: int) -> list[float]:
+    """Where the bodies of impact k touched; 0 for what is rounding beside their size."""
+    shapes = (run.scene.bodies[i].shape for i in run.impacts.bodies[k])
+    sizes = (shape.bounding_radius for shape in shapes if shape is not None)
+    size = min(filter(math.isfinite, sizes), default=0.0)
+    return [0.0 if abs(x) < _ROUNDING * size else float(x) for x in run.impacts.point[k]]
 
 
 def _print_errors(errors: list[KnownError]) -> None:

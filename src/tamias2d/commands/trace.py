@@ -3,11 +3,13 @@
 Serves: the command `trace`. Hides: how the graph is laid out as rows.
 """
 
+import sys
 from collections.abc import Iterable, Iterator
 from typing import TypeAlias
 
-from tamias2d.commands.output import print_json, print_table, say
+from tamias2d.commands.output import command, print_json, print_table, say
 from tamias2d.trace import Traced, exit_code, neighbourhood, trace
+from tamias2d.verify import results
 
 _LISTED = 6  # cases in one row
 _Row: TypeAlias = tuple[str, str, str, str]
@@ -22,6 +24,9 @@ def trace_items(id: str | None, *, as_json: bool) -> int:
         _print_all(items)
     else:
         _print_around(id)
+    if not results.read():
+        hint = f"No results are there yet: run `{command()} verify`, then trace again."
+        print(hint, file=sys.stderr)
     return exit_code(items)
 
 
@@ -45,7 +50,7 @@ def _print_all(items: list[Traced]) -> None:
 
 def _print_around(id: str) -> None:
     near = neighbourhood(id)
-    _print([_row(near.item, listed=None), *_code(near.item)])
+    _print([_row(near.item), *_code(near.item)])
     for head, items in (
         (f"{id} rests on", near.rests_on),
         (f"What depends on {id}", near.depended_on_by),
@@ -59,9 +64,9 @@ def _print(rows: Iterable[_Row]) -> None:
     print_table(("item", "where", "cases", "verdict"), rows)
 
 
-def _row(item: Traced, indent: str = "", listed: int | None = _LISTED) -> _Row:
-    cases = " ".join(item.cases[:listed])
-    more = len(item.cases) - len(item.cases[:listed])
+def _row(item: Traced, indent: str = "") -> _Row:
+    cases = " ".join(item.cases[:_LISTED])
+    more = len(item.cases) - len(item.cases[:_LISTED])
     return (
         f"{indent}{item.id} {item.title}",
         f"{item.file}:{item.line}",

@@ -16,6 +16,16 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
+def refuse_place(path: Path) -> None:
+    """Raise `RecordingError` if no file can be at this path."""
+    if path.is_dir():
+        raise RecordingError(f"{path}: is a directory. Give the name of a file in it.")
+    if path.parent.exists() and not path.parent.is_dir():
+        raise RecordingError(f"{path}: {path.parent} is no directory. Choose another place.")
+    if not path.parent.is_dir():
+        raise RecordingError(f"{path}: there is no directory {path.parent}. Make it first.")
+
+
 @contextmanager
 def aside(path: Path) -> Iterator[Path]:
     """Give a path to write to, which takes the place of `path` when the block ends well.
@@ -23,10 +33,7 @@ def aside(path: Path) -> Iterator[Path]:
     Raises:
         RecordingError: the directory is missing, or the file cannot be written (a full disk).
     """
-    if path.is_dir():
-        raise RecordingError(f"{path}: is a directory. Give the name of a file in it.")
-    if not path.parent.is_dir():
-        raise RecordingError(f"{path}: there is no directory {path.parent}. Make it first.")
+    refuse_place(path)
     try:
         with storage.aside(path) as draft:
             yield draft

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from tamias2d.errors import InputError, RecordingError
 from tamias2d.record import history
+from tamias2d.record.aside import refuse_place
 
 if TYPE_CHECKING:
     from tamias2d.record.header import Header
@@ -26,6 +27,12 @@ def save(run: Run, path: str | Path) -> None:
         RecordingError: the file cannot be written, or rerun is not installed.
     """
     _kind(Path(path)).write(run, Path(path))
+
+
+def refuse_file(path: Path) -> None:
+    """Raise as `save` would, where that can be known before there is a run."""
+    _kind(path)
+    refuse_place(path)
 
 
 def load(path: str | Path) -> Run:

@@ -12,7 +12,7 @@ import numpy as np
 
 from tamias2d.errors import InputError, RecordingError
 from tamias2d.record import drawing
-from tamias2d.record.aside import aside
+from tamias2d.record.aside import aside, refuse_place
 from tamias2d.record.kinetic import kinetic_energy
 from tamias2d.scene import HalfPlane
 
@@ -36,6 +36,22 @@ def plot(run: Run, path: str | Path) -> None:
         RecordingError: matplotlib is not installed, or the file cannot be written.
     """
     path = Path(path)
+    figure = _checked_figure(path)
+    grid = figure.add_gridspec(2, 2, width_ratios=[3, 2])
+    _world(figure.add_subplot(grid[:, 0]), run)
+    _heights(figure.add_subplot(grid[0, 1]), run)
+    _energy(figure.add_subplot(grid[1, 1]), run)
+    with aside(path) as draft:
+        figure.savefig(draft, format=path.suffix[1:], dpi=120)
+
+
+def refuse_picture(path: Path) -> None:
+    """Raise as `plot` would, where that can be known before there is a run."""
+    _checked_figure(path)
+    refuse_place(path)
+
+
+def _checked_figure(path: Path) -> Any:
     figure = _figure(path)
     kinds = figure.canvas.get_supported_filetypes()
     if path.suffix[1:] not in kinds:
@@ -43,12 +59,7 @@ def plot(run: Run, path: str | Path) -> None:
             f"{path}: suffix {path.suffix!r}: a picture is one of {', '.join(sorted(kinds))}. "
             "Give it such a name, .png for one."
         )
-    grid = figure.add_gridspec(2, 2, width_ratios=[3, 2])
-    _world(figure.add_subplot(grid[:, 0]), run)
-    _heights(figure.add_subplot(grid[0, 1]), run)
-    _energy(figure.add_subplot(grid[1, 1]), run)
-    with aside(path) as draft:
-        figure.savefig(draft, format=path.suffix[1:], dpi=120)
+    return figure
 
 
 def _figure(path: Path) -> Any:

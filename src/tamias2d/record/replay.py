@@ -98,9 +98,9 @@ def replay(path: str | Path) -> None:
     path = Path(path)
     files.stored(path)  # so that a damaged file is told here, not by an empty window
     if path.suffix == ".rrd":
-        files.rerun(path).view(path)
+        files.rerun(path).view(path, named=path)
         return
     with tempfile.TemporaryDirectory(prefix="tamias2d-") as folder:
         shown = Path(folder, f"{path.stem}.rrd")
         files.save(files.load(path), shown)
-        files.rerun(path).view(shown)
+        files.rerun(path).view(shown, named=path)

@@ -3,7 +3,6 @@
 Serves: `verify`. Hides: the order of the cases and which comparison belongs to which key.
 """
 
-import difflib
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
@@ -24,7 +23,7 @@ from tamias2d.verify import (
     values,
 )
 from tamias2d.verify.case import Case
-from tamias2d.verify.items import items, label_order, links
+from tamias2d.verify.items import items, label_order, links, meant
 from tamias2d.verify.outcome import Outcome
 
 Comparison = Callable[[Case, Mapping[str, Any]], Iterator[Outcome]]
@@ -84,8 +83,8 @@ def judge(case: Case) -> list[Outcome]:
 
 def _named(id: str, every: Iterable[str]) -> list[str]:
     if id not in items():
-        close = difflib.get_close_matches(id, items(), n=1)
-        hint = f"Did you mean '{close[0]}'?" if close else "`trace` lists all items."
+        close = meant(id)
+        hint = f"Did you mean '{close}'?" if close else "`trace` lists all items."
         raise InputError(f"verify: '{id}' is no item of the specification. {hint}")
     if items()[id]["kind"] == "case":
         return [id]

@@ -19,7 +19,7 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
     impacts = case.run.impacts
     if "count" in given:
         error = abs(len(impacts) - int(given["count"]))
-        yield case.outcome(given, "count of impacts", error, f"{len(impacts)} impacts")
+        yield case.outcome(given, "count of impacts", error, f"found {len(impacts)}")
     if "times" in given:
         times = np.array([instant(text) for text in given["times"]])
         yield case.outcome(given, _first("times", times), _early(impacts.time, times))

@@ -4,6 +4,7 @@ Service: items by id. Secret: the file they are in, and
 what a verdict rests on.
 """
 
+import difflib
 import hashlib
 import json
 import re
@@ -21,6 +22,13 @@ def items() -> dict[str, Item]:
     """Return all items of srs/ by id, in reading order."""
     text = (files("tamias2d.generated") / "srs.json").read_text(encoding="utf-8")
     return {item["id"]: item for item in json.loads(text)["items"]}
+
+
+def meant(id: str) -> str | None:
+    """Return the id that was probably meant by one that does not exist; None if none is near."""
+    known = {each.casefold(): each for each in items()}
+    close = difflib.get_close_matches(id.casefold(), known, n=1)
+    return known[close[0]] if close else None
 
 
 def links(item: Item) -> tuple[str, ...]:

@@ -23,7 +23,7 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
         scene, duration = scene_of(name), float(measure(text, "duration"))
         run = simulate(scene, duration=duration)
         events = simulate_by_events(scene, duration=duration)
-        note = f"{len(events.time)} impacts"
+        note = f"compared {len(events.time)}"
         yield case.outcome(given, f"{name}: times of impacts", _times(run, events), note)
         yield case.outcome(given, f"{name}: state at the end", _off(run, events))
         yield case.outcome(given, f"{name}: overlap", _overlap(run))

@@ -6,6 +6,7 @@ Serves: replay, and the check of damaged files. Hides: how the program is starte
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -44,15 +45,25 @@ def damaged(path: Path) -> RecordingError:
     )
 
 
-def view(path: Path) -> None:
-    """Open the viewer, without a port open to the network, and wait until it is closed."""
+def view(path: Path, *, named: Path) -> None:
+    """Open the viewer, without a port open to the network, and wait until it is closed.
+
+    `named` is the user's file, for messages.
+    """
     done = _run(str(path.absolute()), "--bind", "127.0.0.1")
     if done.returncode:
-        why = next((line for line in done.stderr.splitlines() if "rror" in line), "").strip()
         raise RecordingError(
-            f"{path}: the viewer ended with code {done.returncode}: {why} It needs a screen and a "
-            "graphics driver; `tamias2d replay --check` needs neither."
+            f"{named}: the viewer ended with code {done.returncode}{_why(done.stderr)}. It needs a "
+            "screen and a graphics driver; `tamias2d replay --check` needs neither."
         )
+
+
+def _why(said: str) -> str:
+    """The end of the viewer's first complaint: before it stand places in rerun's own source."""
+    plain = re.sub(r"\x1b\[[0-9;]*m", "", said)
+    complaint = next((line for line in plain.splitlines() if "rror" in line), "")
+    end = re.split(r"\.rs:\d+: ", complaint)[-1].strip().rstrip(".")
+    return f": {end}" if end else ""
 
 
 def _run(*arguments: str) -> subprocess.CompletedProcess[str]:

@@ -13,7 +13,7 @@ import rerun as rr
 
 from tamias2d.errors import RecordingError
 from tamias2d.record import document, drawing, header as headers, history
-from tamias2d.record.aside import aside
+from tamias2d.record.aside import aside, refuse_place
 from tamias2d.record.kinetic import kinetic_energy
 from tamias2d.record.rerun import layout
 from tamias2d.scene import scene_text
@@ -39,6 +39,7 @@ def write(run: Run, path: Path) -> None:
 
     While it is written it takes about ten times the memory of its positions and velocities.
     """
+    refuse_place(path)  # before rerun holds data: dropping them it prints a warning
     clock = _nanoseconds(run.times, path)
     timeline = layout.TIME if np.all(np.diff(clock) > 0) else layout.STEP
     rr.set_strict_mode(True)  # else a bad shape is only a warning, and the data are gone
