@@ -136,7 +136,8 @@ def _cheapest(points: Sequence[dict[str, Any]], tolerance: float) -> str:
     best = min(own, key=_cost)
     forces = best["cost"]["force_evaluations"]
     way = f"{best['method']} {best['setting']}".strip()
-    return f"{way}: {forces}, {best['seconds']['minimum'] * 1e3:.2g} ms"
+    milliseconds = float(f"{best['seconds']['minimum'] * 1e3:.2g}")
+    return f"{way}: {forces}, {milliseconds:g} ms"
 
 
 def _error(point: dict[str, Any]) -> float:
