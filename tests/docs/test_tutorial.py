@@ -33,7 +33,14 @@ class Block:
     line: int
 
 
-PAGES = ("docs/tutorial.md", "docs/own_force.md", "docs/index.md", "README.md")
+PAGES = (
+    "docs/tutorial.md",
+    "docs/own_force.md",
+    "docs/choosing.md",
+    "docs/certificates.md",
+    "docs/index.md",
+    "README.md",
+)
 
 
 @pytest.mark.parametrize("page", PAGES)

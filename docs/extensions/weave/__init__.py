@@ -11,7 +11,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.errors import SphinxError
 
 from tamias2d.errors import SpecError
-from weave import gallery
+from weave import fronts, gallery
 from weave.chapter import IndicesDirective, ItemDirective, SymbolsDirective, item_kinds
 from weave.checks import on_build_finished
 from weave.guide import CodesDirective, GuideDirective, InterfaceDirective, RefusalsDirective
@@ -31,6 +31,8 @@ _TABLES = {
     "survey": SurveyDirective,
     "plan-table": PlanTableDirective,
     "gallery": gallery.GalleryDirective,
+    "front": fronts.FrontDirective,
+    "cheapest": fronts.CheapestDirective,
     "module-guide": GuideDirective,
     "interface": InterfaceDirective,
     "refusals": RefusalsDirective,
@@ -60,6 +62,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("builder-inited", _read)
     app.connect("builder-inited", on_builder_inited)
     app.connect("builder-inited", gallery.on_builder_inited)
+    app.connect("builder-inited", fronts.on_builder_inited)
     app.connect("env-get-outdated", _all_pages)
     app.connect("build-finished", on_build_finished)
     for kind in item_kinds():

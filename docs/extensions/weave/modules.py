@@ -18,7 +18,18 @@ _GUIDE = re.compile(
 )
 
 
-PARTS = ("", "scene", "motion", "contact", "record", "verify", "spec", "generated")
+PARTS = (
+    "",
+    "scene",
+    "motion",
+    "contact",
+    "kernels",
+    "study",
+    "record",
+    "verify",
+    "spec",
+    "generated",
+)
 
 
 @dataclass(frozen=True)
