@@ -47,7 +47,7 @@ def separation(first, second) -> float:
 
 
 @settings(
-    max_examples=1500, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
+    max_examples=2000, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
 )
 @given(
     shapes,
