@@ -4,13 +4,14 @@ Serves: `tamias2d.simulate`, the one door to a run. Hides: which way is taken, a
 are put together.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import NamedTuple
 
 import numpy as np
 
 from tamias2d.balance import balance
-from tamias2d.contact import Hit, Located, Refusal, refuse_contact
+from tamias2d.contact import Hit, Located, RangeError, Refusal, refuse_contact
 from tamias2d.cost import Cost
 from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Legacy2018, Method, Motion, Reference, Tally
@@ -26,6 +27,7 @@ from tamias2d.scene.rules import number, sequence
 from tamias2d.state import Array, History
 
 _FRAMES = 60  # samples in a second, where nothing else is asked
+_MOST = 2**30  # bytes that a history, or the times of all steps, may take
 
 
 class Interrupted(KeyboardInterrupt):
@@ -67,11 +69,12 @@ def simulate(
     runs, and the run has a certificate (`recommend` says what is bounded).
 
     Raises:
-        InputError: an argument breaks a rule.
+        InputError: an argument breaks a rule, or the history would take more than 1 GiB.
         SceneError: bodies overlap at the start, or a pair that meets has no restitution.
         SimulationError: the answer is not unique, or not within the models; the message says
             when, and the error's `run` is the history up to there.
         ToleranceError: no method meets the tolerance; it says what can be met.
+        RangeError: a number of the run, or its energy or momentum, is beyond float64.
         StabilityError: the method is unstable at the time step; told before it runs.
         StepSizeError: no step that float64 can take meets an adaptive method's tolerance.
         Interrupted: the user stopped it; likewise with its `run`.
@@ -79,6 +82,30 @@ def simulate(
     plan = _plan(scene, duration, method, time_step, times)
     if tolerance is not None:
         return _within(plan, tolerance, chosen=method, progress=progress)
+    with _within_range(plan.duration):
+        return _run(plan, progress)
+
+
+@contextmanager
+def _within_range(duration: float) -> Iterator[None]:
+    """Turn what float64 cannot hold into a refusal, without warnings before it."""
+    with np.errstate(all="ignore"):
+        try:
+            yield
+        except OverflowError:
+            raise RangeError(_beyond(f"run of {duration!r} s: a number"), time=0.0) from None
+
+
+def _beyond(what: str) -> str:
+    return (
+        f"{what} is beyond what float64 holds, about 1e308 (R4). Give smaller values, or a "
+        "shorter duration."
+    )
+
+
+def _run(plan: _Plan, progress: bool) -> Run:
+    scene = plan.scene
+    _refuse_beyond(np.zeros(1), *balance(scene, _start(scene)))
     if isinstance(plan.method, Legacy2018):
         return _legacy(plan)
     motion = plan.method.motion(scene, plan.duration, plan.time_step or plan.duration)
@@ -94,6 +121,25 @@ def simulate(
     except KeyboardInterrupt:
         raise Interrupted(_collected(plan, motion, located)) from None
     return _collected(plan, motion, located)
+
+
+def _start(scene: Scene) -> History:
+    return History(
+        np.array([[body.position for body in scene.bodies]]).reshape(1, -1, 2),
+        np.array([[body.orientation for body in scene.bodies]]),
+        np.array([[body.velocity for body in scene.bodies]]).reshape(1, -1, 2),
+        np.array([[body.angular_velocity for body in scene.bodies]]),
+    )
+
+
+def _refuse_beyond(times: Array, *found: Array) -> None:
+    """Raise `RangeError` at the first time whose energy or momenta are not finite."""
+    names = ("energy", "momentum", "angular momentum")
+    for name, values in zip(names, found, strict=True):
+        bad = ~np.isfinite(values.reshape(len(times), -1)).all(axis=1)
+        if bad.any():
+            time = float(times[np.argmax(bad)])
+            raise RangeError(_beyond(f"run at {time!r} s: its {name}"), time=time)
 
 
 def _within(plan: _Plan, tolerance: float, *, chosen: Method | None, progress: bool) -> Run:
@@ -142,8 +188,30 @@ def _plan(
         raise InputError(f"time_step {time_step!r}: {chosen} {need} time step (R5). {remedy}")
     if time_step is not None:
         time_step = number(time_step, "time_step", "the run", "Give it in s.", at=("time_step",))
+    _refuse_endless(scene, duration, time_step, kept=times is None)
     steps = grid(duration, time_step or 1 / _FRAMES) if times is None else _samples(times, duration)
     return _Plan(scene, chosen, duration, time_step, steps, (note,))
+
+
+def _refuse_endless(scene: Scene, duration: float, time_step: float | None, *, kept: bool) -> None:
+    """Refuse more steps or samples than memory should be asked for."""
+    if time_step is None and not kept:
+        return
+    count = duration / time_step if time_step else duration * _FRAMES
+    size = count * 8 * (6 * len(scene.bodies) + 5 if kept else 1)
+    if size <= _MOST:
+        return
+    what = f"time_step {time_step!r} s" if time_step else f"duration {duration!r} s"
+    makes = "steps" if time_step else f"samples, {_FRAMES} a second"
+    remedy = (
+        "a larger time_step, `times` of the samples"
+        if time_step and kept
+        else ("a larger time_step" if time_step else "`times` of the samples")
+    )
+    raise InputError(
+        f"{what} of the run: found {count:.3g} {makes}, which take {size / 2**30:.3g} GiB: must "
+        f"take at most {_MOST / 2**30:g} GiB (R5). Give {remedy}, or a shorter duration."
+    )
 
 
 def _method(scene: Scene, method: Method | None) -> tuple[Method, str]:
@@ -183,6 +251,12 @@ def _samples(times: Iterable[float], duration: float) -> Array:
 
 def _legacy(plan: _Plan) -> Run:
     times, history = legacy_history(plan.scene, plan.duration, plan.time_step or plan.duration)
+    if not np.array_equal(times, plan.times):
+        raise InputError(
+            f"times of the run: found {len(plan.times)} of them beside {plan.method}: it knows its "
+            "states at the ends of its steps only (R5). Leave times out."
+        )
+    _refuse_beyond(times, *balance(plan.scene, history))
     refuse_contact(plan.scene, times, history)
     taken = len(times) - 1
     tally = Tally(steps=taken, force_evaluations=taken)
@@ -213,6 +287,7 @@ def _finished(
     plan: _Plan, history: History, impacts: Impacts, notes: tuple[str, ...], tally: Tally
 ) -> Run:
     energy, momentum, angular_momentum = balance(plan.scene, history)
+    _refuse_beyond(plan.times, energy, momentum, angular_momentum)
     return Run(
         scene=plan.scene,
         method=plan.method,

@@ -11,6 +11,7 @@ from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
     LastingContactError,
     OverlapError,
+    RangeError,
     Refusal,
     SimultaneousImpactsError,
     UndecidedContactError,
@@ -22,6 +23,7 @@ __all__ = [
     "LastingContactError",
     "Located",
     "OverlapError",
+    "RangeError",
     "Refusal",
     "SimultaneousImpactsError",
     "UndecidedContactError",

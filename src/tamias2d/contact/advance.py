@@ -12,7 +12,7 @@ for a disc over a half-plane under constant force, in one step.
 import math
 from collections.abc import Sequence
 
-from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.core import Core, Placed, place, rounded
 from tamias2d.contact.gap import Axis, Gap, axes, gaps, resolution
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.path import Bounds, Piece
@@ -80,9 +80,10 @@ class Pair:
         far, step = self._far_step(a, b, time, end)
         if far:
             return step
-        found = axes(a, b)
         if self._kept:
             return self._step_beside(a, b, time, end)
+        step = max(step, self._round_step(a, b, time, end))
+        found = axes(a, b)
         largest = max(axis.gap for axis in found)
         steps = []
         for axis in found:
@@ -123,6 +124,20 @@ class Pair:
         middle, deviation = _relative(*self._bounds(time, end))
         bend = ux * middle[0] + uy * middle[1] - deviation
         return distance > 1.1 * radius, _root(distance - radius, rate, bend)
+
+    def _round_step(self, a: Placed, b: Placed, time: float, end: float) -> float:
+        """Return how long the circles around bodies that turn often stay apart, or 0.
+
+        Without it, every turn on the way would be looked at.
+        """
+        often = [abs(body.state.angular_velocity) * (end - time) > math.tau for body in (a, b)]
+        if not any(often):
+            return 0.0
+        a, b = (rounded(x) if turns else x for x, turns in zip((a, b), often, strict=True))
+        axis = max(axes(a, b), key=lambda each: each.gap)
+        if axis.gap <= 0:
+            return 0.0
+        return self._step_along(axis, gaps(a, b, axis), a, b, time, end)
 
     def _step_along(
         self, axis: Axis, near: list[Gap], a: Placed, b: Placed, time: float, end: float

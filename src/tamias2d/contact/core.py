@@ -4,6 +4,7 @@ Serves: gaps and manifolds. Hides: that all shapes are one: corners with a radiu
 """
 
 import math
+from copy import copy
 from typing import NamedTuple
 
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
@@ -101,6 +102,16 @@ def place(core: Core, state: State) -> Placed:
     c, s = math.cos(angle), math.sin(angle)
     corners = tuple([(c * x - s * y, s * x + c * y) for x, y in core.corners])
     return Placed(core, state, c, s, corners)
+
+
+def rounded(body: Placed) -> Placed:
+    """Return the disc around a body, about its centre of mass; of a half-plane there is none."""
+    if body.core.endless:
+        return body
+    core = copy(body.core)
+    core.radius, core.sides = core.bounding_radius, ()
+    core.corners, core.reaches = ((0.0, 0.0),), (0.0,)
+    return Placed(core, body.state, 1.0, 0.0, core.corners)
 
 
 def _sides(vertices: tuple[Vector, ...]) -> tuple[Side, ...]:

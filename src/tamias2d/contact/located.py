@@ -5,6 +5,7 @@ Serves: `simulate`. Hides: how bodies change paths, and when they rest.
 
 import heapq
 import math
+from collections import Counter
 from collections.abc import Callable, Iterable
 
 from tamias2d.contact.advance import Pair
@@ -45,6 +46,7 @@ class Located:
         self._version = [0 for _ in self._cores]
         self._events: list[tuple[float, int, int, int, int]] = []
         self._stuck = [0 for _ in self._cores]
+        self._repeats: tuple[float, Counter[PairOf]] = (0.0, Counter())
         self._swept = Swept(self._cores)
         self._forecasts = Forecasts()
         self._approached: dict[PairOf, tuple[int, int]] = {}
@@ -144,8 +146,22 @@ class Located:
             return
         known = i == j or self._approached.get((i, j)) == (version_i, version_j)
         if known or not self._approach(time, i, j, end):
+            self._refuse_repeated(time, i, j)
             self.time = time
             self._happens(time, [i] if i == j else [i, j], end)
+
+    def _refuse_repeated(self, time: float, i: int, j: int) -> None:
+        """Refuse a pair that meets again and again at one instant, changed or not."""
+        if time > self._repeats[0]:
+            self._repeats = (time, Counter())
+        self._repeats[1][i, j] += 1
+        if self._repeats[1][i, j] > _TRIES:
+            raise UndecidedContactError(
+                f"{named(*(self._cores[k].name for k in dict.fromkeys((i, j))))} at {time!r} s: "
+                "they meet again and again without getting on (R7). End the run before, or change "
+                "the scene a little.",
+                time=time,
+            )
 
     def _approach(self, time: float, i: int, j: int, end: float) -> bool:
         """Lay better paths for a meeting, if there are any; it is then found again on them."""

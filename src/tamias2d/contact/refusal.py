@@ -45,6 +45,12 @@ class UnlocatedContactError(Refusal):
     code = "unlocated-contact"
 
 
+class RangeError(Refusal):
+    """A state, or what is summed up from states, is beyond the numbers of float64."""
+
+    code = "out-of-range"
+
+
 class OverlapError(SceneError):
     """Bodies overlap at the start of a run."""
 
