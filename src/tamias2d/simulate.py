@@ -279,6 +279,9 @@ def _collected(plan: _Plan, motion: Motion, located: Located) -> Run:
     """Return the run up to the time that was reached."""
     reached = plan.times[plan.times <= located.time]
     plan = plan._replace(times=reached if len(reached) else plan.times[:1])
+    if not all(located.tracks):  # it did not get as far as a first path
+        plan = plan._replace(times=np.zeros(1))
+        return _finished(plan, _start(plan.scene), _impacts([]), motion.notes, motion.tally)
     history, impacts = sample(located.tracks, plan.times), _impacts(located.hits)
     return _finished(plan, history, impacts, motion.notes + located.notes, motion.tally)
 

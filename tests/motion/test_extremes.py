@@ -9,6 +9,7 @@ import tamias2d as t2
 from tamias2d.contact import RangeError, located
 from tamias2d.contact.refusal import UndecidedContactError
 from tamias2d.errors import InputError
+from tamias2d.simulate import Interrupted
 
 
 def drifting(position: float = 0.0, velocity: float = 1e-9) -> t2.Scene:
@@ -90,3 +91,14 @@ def test_a_pair_that_meets_without_end_is_refused(monkeypatch):
     monkeypatch.setattr(located.Located, "_happens", lambda self, *_: self._predict([0, 1]))
     with pytest.raises(UndecidedContactError, match="again and again"):
         t2.simulate(spinning(1.0), duration=2.0)
+
+
+def test_an_interrupt_before_the_first_path_gets_through(monkeypatch):
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(located, "refuse_overlap", stop)
+    with pytest.raises(Interrupted) as stopped:
+        t2.simulate(spinning(1.0), duration=2.0)
+    assert stopped.value.run.times.tolist() == [0.0]
+    assert stopped.value.run.position[0, 1].tolist() == [0.0, 2.0]
