@@ -39,14 +39,15 @@ def test_simulating_pulls_in_neither_viewer_nor_plots() -> None:
     assert not set(loaded.split()) & (set(HEAVY) - {"scipy"})
 
 
-def test_import_is_quick() -> None:
+def test_import_is_quick_because_it_loads_almost_nothing() -> None:
+    """Counted, not timed: a clock also tells what else the machine does."""
     code = """
-    import time
-    start = time.perf_counter()
+    import sys
+    before = set(sys.modules)
     import tamias2d
-    print(time.perf_counter() - start)
+    print(len(set(sys.modules) - before))
     """
-    assert min(float(python(code)) for _ in range(3)) < 0.3
+    assert int(python(code)) < 20
 
 
 @pytest.mark.parametrize("name", sorted(tamias2d._HOME_OF))
