@@ -16,6 +16,7 @@ from tamias2d.cost import Cost
 from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Legacy2018, Method, Motion, Reference, Tally
 from tamias2d.motion.legacy import legacy_history
+from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.motion.reference import NoStepError
 from tamias2d.motion.stepped import grid
 from tamias2d.motion.track import sample
@@ -105,6 +106,7 @@ def _beyond(what: str) -> str:
 
 def _run(plan: _Plan, progress: bool) -> Run:
     scene = plan.scene
+    _refuse_singular(scene)
     _refuse_beyond(np.zeros(1), *balance(scene, _start(scene)))
     if isinstance(plan.method, Legacy2018):
         return _legacy(plan)
@@ -130,6 +132,14 @@ def _start(scene: Scene) -> History:
         np.array([[body.velocity for body in scene.bodies]]).reshape(1, -1, 2),
         np.array([[body.angular_velocity for body in scene.bodies]]),
     )
+
+
+def _refuse_singular(scene: Scene) -> None:
+    """Raise an error that names the force, where one has no finite value at the start."""
+    moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+    start = start_states(scene)
+    states = [start[i] for i in moving]
+    Loads(scene).field(moving, [None] * len(moving))(0.0, *coordinates(states))
 
 
 def _refuse_beyond(times: Array, *found: Array) -> None:
