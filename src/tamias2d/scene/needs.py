@@ -74,6 +74,7 @@ class _Inquiry:
         yield Need("orientation, angular velocity", "state", *self.turns())
 
     def terms(self) -> Iterator[Need]:
+        """The forces that act, and those that do not."""
         gravity = self.scene.gravity != (0, 0)
         felt = gravity and bool(self.moving)
         why = "no body moves" if gravity else "the scene has no gravity"
@@ -166,6 +167,7 @@ class _Inquiry:
         return count > 0, f"{count} of {len(self.scene)} bodies can move"
 
     def turns(self) -> tuple[bool, str]:
+        """Whether anything can turn a body, and what."""
         twisted = {k for s in self.scene.springs for k, anchor in s.ends if anchor != (0, 0)}
         for field in self.scene.fields:
             if field.torque != 0:

@@ -41,6 +41,7 @@ class _Reader:
         self.faults.append(fault)
 
     def read(self) -> Specification:
+        """All chapters, checked in this order: form, links, sources, formulas."""
         chapters = [
             read_chapter(path, self.name(path)) for path in sorted(self.folder.rglob("*.md"))
         ]
@@ -77,6 +78,7 @@ class _Reader:
         return not errors
 
     def assemble(self, items: Iterable[Item], chapters: list[Chapter]) -> Specification:
+        """Items by id and the symbol table; what is declared twice is reported."""
         by_id: dict[str, Item] = {}
         symbols: dict[str, Symbol] = {}
         indices: dict[str, Index] = {}
@@ -109,6 +111,7 @@ class _Reader:
                 found[name] = make(item, name, data)
 
     def symbol(self, item: Item, name: str, data: dict[str, Any]) -> Symbol:
+        """One symbol with its unit and range; where these are at fault it gets plain ones."""
         unit, limits = "1", Range()
         try:
             unit = parse_unit(data["unit"]).text
@@ -133,6 +136,7 @@ class _Reader:
         return Index(name, data["tex"], data["says"], data.get("place", "sub"))
 
     def check_links(self, specification: Specification) -> None:
+        """Report each id, in a fence or in the prose, that leads to no item."""
         known = specification.items
         for item in known.values():
             for key, ids in specification.links(item).items():

@@ -115,6 +115,7 @@ class _Printer:
         self.table = table
 
     def print(self, node: Node) -> str:
+        """The TeX of any node: one case for each kind of it."""
         match node:
             case Number(value=value):
                 return self.number(value)
@@ -144,6 +145,7 @@ class _Printer:
         raise TypeError(node)
 
     def name(self, name: str) -> str:
+        """A symbol's letter with its indices below and above."""
         reference = self.table.resolve(name)
         letter = reference.symbol.tex or rf"\mathrm{{{name}}}"
         below = ",".join(index.tex for index in reference.indices if index.place == "sub")
