@@ -97,6 +97,18 @@ def test_pair_restitution_is_dd17(**given: Value) -> None:
     agrees(definitions.pair_restitution, "min(restitution_a, restitution_b)", given)
 
 
+@given(normal=values("normal"))
+def test_tangent_is_dd22(**given: Value) -> None:
+    """DD22, srs/definitions.md:307."""
+    agrees(definitions.tangent, "perp(normal)", given)
+
+
+@given(friction_a=values("friction_a"), friction_b=values("friction_b"))
+def test_pair_friction_is_dd23(**given: Value) -> None:
+    """DD23, srs/definitions.md:319."""
+    agrees(definitions.pair_friction, "sqrt(friction_a*friction_b)", given)
+
+
 @given(
     mass=values("mass"),
     velocity=values("velocity"),
@@ -104,7 +116,7 @@ def test_pair_restitution_is_dd17(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_kinetic_energy_is_dd15(**given: Value) -> None:
-    """DD15, srs/definitions.md:307."""
+    """DD15, srs/definitions.md:339."""
     agrees(
         definitions.kinetic_energy,
         "mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2",
@@ -114,7 +126,7 @@ def test_kinetic_energy_is_dd15(**given: Value) -> None:
 
 @given(mass=values("mass"), gravity=values("gravity"), position=values("position"))
 def test_potential_energy_is_dd16(**given: Value) -> None:
-    """DD16, srs/definitions.md:321."""
+    """DD16, srs/definitions.md:353."""
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 

@@ -118,15 +118,41 @@ def test_range_of_pair_restitution() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
 
 
+def test_range_of_friction() -> None:
+    """srs/symbols.md:85: >= 0."""
+    symbol = SYMBOLS["friction"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_pair_friction() -> None:
+    """srs/symbols.md:94: >= 0."""
+    symbol = SYMBOLS["pair_friction"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
 def test_range_of_gravitational_constant() -> None:
-    """srs/symbols.md:174: > 0."""
+    """srs/symbols.md:188: > 0."""
     symbol = SYMBOLS["gravitational_constant"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_linear_drag() -> None:
-    """srs/symbols.md:198: >= 0."""
+    """srs/symbols.md:212: >= 0."""
     symbol = SYMBOLS["linear_drag"]
     assert all(
         symbol.admits(value)
@@ -139,7 +165,7 @@ def test_range_of_linear_drag() -> None:
 
 
 def test_range_of_quadratic_drag() -> None:
-    """srs/symbols.md:204: >= 0."""
+    """srs/symbols.md:218: >= 0."""
     symbol = SYMBOLS["quadratic_drag"]
     assert all(
         symbol.admits(value)
@@ -151,8 +177,34 @@ def test_range_of_quadratic_drag() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
 
 
+def test_range_of_angular_drag() -> None:
+    """srs/symbols.md:234: >= 0."""
+    symbol = SYMBOLS["angular_drag"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_angular_drag_rate() -> None:
+    """srs/symbols.md:244: >= 0."""
+    symbol = SYMBOLS["angular_drag_rate"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
 def test_range_of_drag_rate() -> None:
-    """srs/symbols.md:220: >= 0."""
+    """srs/symbols.md:251: >= 0."""
     symbol = SYMBOLS["drag_rate"]
     assert all(
         symbol.admits(value)
@@ -165,7 +217,7 @@ def test_range_of_drag_rate() -> None:
 
 
 def test_range_of_speed() -> None:
-    """srs/symbols.md:225: >= 0."""
+    """srs/symbols.md:256: >= 0."""
     symbol = SYMBOLS["speed"]
     assert all(
         symbol.admits(value)
@@ -178,14 +230,14 @@ def test_range_of_speed() -> None:
 
 
 def test_range_of_stiffness() -> None:
-    """srs/symbols.md:230: > 0."""
+    """srs/symbols.md:261: > 0."""
     symbol = SYMBOLS["stiffness"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_rest_length() -> None:
-    """srs/symbols.md:236: >= 0."""
+    """srs/symbols.md:267: >= 0."""
     symbol = SYMBOLS["rest_length"]
     assert all(
         symbol.admits(value)
@@ -198,7 +250,7 @@ def test_range_of_rest_length() -> None:
 
 
 def test_range_of_damping() -> None:
-    """srs/symbols.md:242: >= 0."""
+    """srs/symbols.md:273: >= 0."""
     symbol = SYMBOLS["damping"]
     assert all(
         symbol.admits(value)
@@ -211,7 +263,7 @@ def test_range_of_damping() -> None:
 
 
 def test_range_of_distance() -> None:
-    """srs/symbols.md:258: >= 0."""
+    """srs/symbols.md:289: >= 0."""
     symbol = SYMBOLS["distance"]
     assert all(
         symbol.admits(value)
@@ -224,7 +276,7 @@ def test_range_of_distance() -> None:
 
 
 def test_range_of_spring_energy() -> None:
-    """srs/symbols.md:285: >= 0."""
+    """srs/symbols.md:316: >= 0."""
     symbol = SYMBOLS["spring_energy"]
     assert all(
         symbol.admits(value)
@@ -237,21 +289,21 @@ def test_range_of_spring_energy() -> None:
 
 
 def test_range_of_angular_frequency() -> None:
-    """srs/symbols.md:290: > 0."""
+    """srs/symbols.md:321: > 0."""
     symbol = SYMBOLS["angular_frequency"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_inverse_effective_mass() -> None:
-    """srs/symbols.md:346: > 0."""
+    """srs/symbols.md:392: > 0."""
     symbol = SYMBOLS["inverse_effective_mass"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_impulse() -> None:
-    """srs/symbols.md:357: >= 0."""
+    """srs/symbols.md:403: >= 0."""
     symbol = SYMBOLS["impulse"]
     assert all(
         symbol.admits(value)
@@ -264,7 +316,7 @@ def test_range_of_impulse() -> None:
 
 
 def test_range_of_contact_force() -> None:
-    """srs/symbols.md:367: >= 0."""
+    """srs/symbols.md:417: >= 0."""
     symbol = SYMBOLS["contact_force"]
     assert all(
         symbol.admits(value)
@@ -277,7 +329,7 @@ def test_range_of_contact_force() -> None:
 
 
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:390: >= 0."""
+    """srs/symbols.md:444: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -290,28 +342,28 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:408: > 0."""
+    """srs/symbols.md:462: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:413: > 0."""
+    """srs/symbols.md:467: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:418: > 0."""
+    """srs/symbols.md:472: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:437: > 0."""
+    """srs/symbols.md:491: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

@@ -1,11 +1,12 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Momentum;
-Restitution of a pair; Kinetic energy; Potential energy.
+Restitution of a pair; Tangential velocity of a contact; Friction of a pair; Kinetic energy;
+Potential energy.
 
 Generated from srs/definitions.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, least, total
+from tamias2d.spec.functions import Scalar, Vector, least, sqrt, total
 
 
 def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> Vector:
@@ -198,6 +199,36 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
     return least(restitution_a, restitution_b)
 
 
+def tangent(normal: Vector) -> Vector:
+    """Unit tangent of a contact, the normal turned left by a quarter turn (1).
+
+    tangent = perp(normal)
+
+    Args:
+        normal: Unit normal of a contact, from body A to body B, 1
+
+    Source: DD22, srs/definitions.md:313.
+    """
+    normal_x, normal_y = normal
+    return (-normal_y, normal_x)
+
+
+def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
+    """The coefficient of friction that holds between two bodies (1).
+
+    pair_friction = sqrt(friction_a*friction_b)
+
+    Args:
+        friction_a: Coefficient of dry friction: how much of the normal force the surface can
+            hold along itself; of body A, 1
+        friction_b: Coefficient of dry friction: how much of the normal force the surface can
+            hold along itself; of body B, 1
+
+    Source: DD23, srs/definitions.md:326.
+    """
+    return sqrt(friction_a * friction_b)
+
+
 def kinetic_energy(
     mass: Scalar, velocity: Vector, inertia: Scalar, angular_velocity: Scalar
 ) -> Scalar:
@@ -211,7 +242,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:312.
+    Source: DD15, srs/definitions.md:344.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -230,7 +261,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:326.
+    Source: DD16, srs/definitions.md:358.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position

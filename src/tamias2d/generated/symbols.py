@@ -102,6 +102,26 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=80,
     ),
+    "friction": Symbol(
+        "friction",
+        "1",
+        "coefficient of dry friction: how much of the normal force the surface can hold along itself",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\mu",
+        typical="0.5",
+        uncertainty="10 %",
+        file="srs/symbols.md",
+        line=85,
+    ),
+    "pair_friction": Symbol(
+        "pair_friction",
+        "1",
+        "the coefficient of friction that holds between two bodies",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\mu",
+        file="srs/symbols.md",
+        line=94,
+    ),
     "position": Symbol(
         "position",
         "m",
@@ -111,7 +131,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0.412 m, 0.502 m]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=94,
+        line=108,
     ),
     "displacement": Symbol(
         "displacement",
@@ -120,7 +140,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=101,
+        line=115,
     ),
     "velocity": Symbol(
         "velocity",
@@ -131,7 +151,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[2.51 m/s, 0 m/s]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=106,
+        line=120,
     ),
     "acceleration": Symbol(
         "acceleration",
@@ -140,7 +160,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=113,
+        line=127,
     ),
     "orientation": Symbol(
         "orientation",
@@ -150,7 +170,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="90 deg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=118,
+        line=132,
     ),
     "angular_displacement": Symbol(
         "angular_displacement",
@@ -158,7 +178,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of orientation since the start",
         tex="\\theta",
         file="srs/symbols.md",
-        line=126,
+        line=140,
     ),
     "angular_velocity": Symbol(
         "angular_velocity",
@@ -168,7 +188,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="2.1 rad/s",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=130,
+        line=144,
     ),
     "angular_acceleration": Symbol(
         "angular_acceleration",
@@ -176,7 +196,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the angular velocity",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=136,
+        line=150,
     ),
     "point_velocity": Symbol(
         "point_velocity",
@@ -185,7 +205,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}^P",
         file="srs/symbols.md",
-        line=140,
+        line=154,
     ),
     "force": Symbol(
         "force",
@@ -196,7 +216,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[98.1 N, 0 N]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=154,
+        line=168,
     ),
     "torque": Symbol(
         "torque",
@@ -206,7 +226,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="200 N*m",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=161,
+        line=175,
     ),
     "gravity": Symbol(
         "gravity",
@@ -217,7 +237,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0 m/s^2, -9.81 m/s^2]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=167,
+        line=181,
     ),
     "gravitational_constant": Symbol(
         "gravitational_constant",
@@ -227,7 +247,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
-        line=174,
+        line=188,
     ),
     "attraction": Symbol(
         "attraction",
@@ -236,7 +256,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=189,
+        line=203,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -244,7 +264,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=194,
+        line=208,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -254,7 +274,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=198,
+        line=212,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -264,7 +284,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=204,
+        line=218,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -273,7 +293,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=210,
+        line=224,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -282,7 +302,34 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=215,
+        line=229,
+    ),
+    "angular_drag": Symbol(
+        "angular_drag",
+        "kg*m^2/s",
+        "coefficient of the drag that grows with the angular velocity",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="c_\\omega",
+        typical="0.1 kg*m^2/s",
+        file="srs/symbols.md",
+        line=234,
+    ),
+    "angular_drag_torque": Symbol(
+        "angular_drag_torque",
+        "N*m",
+        "torque of angular drag on a body",
+        tex="\\tau^{\\mathrm{lin}}",
+        file="srs/symbols.md",
+        line=240,
+    ),
+    "angular_drag_rate": Symbol(
+        "angular_drag_rate",
+        "1/s",
+        "share of its angular velocity that a body loses to angular drag per unit of time",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\gamma_\\omega",
+        file="srs/symbols.md",
+        line=244,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -291,7 +338,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=220,
+        line=251,
     ),
     "speed": Symbol(
         "speed",
@@ -300,7 +347,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=225,
+        line=256,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -310,7 +357,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=230,
+        line=261,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -320,7 +367,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=236,
+        line=267,
     ),
     "damping": Symbol(
         "damping",
@@ -330,7 +377,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=242,
+        line=273,
     ),
     "point": Symbol(
         "point",
@@ -339,7 +386,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=248,
+        line=279,
     ),
     "span": Symbol(
         "span",
@@ -348,7 +395,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=253,
+        line=284,
     ),
     "distance": Symbol(
         "distance",
@@ -357,7 +404,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=258,
+        line=289,
     ),
     "axis": Symbol(
         "axis",
@@ -366,7 +413,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=263,
+        line=294,
     ),
     "extension": Symbol(
         "extension",
@@ -374,7 +421,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=268,
+        line=299,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -382,7 +429,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=272,
+        line=303,
     ),
     "tension": Symbol(
         "tension",
@@ -390,7 +437,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=276,
+        line=307,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -399,7 +446,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=280,
+        line=311,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -408,7 +455,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=285,
+        line=316,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -417,7 +464,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=290,
+        line=321,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -426,7 +473,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=295,
+        line=326,
     ),
     "field_force": Symbol(
         "field_force",
@@ -435,7 +482,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=300,
+        line=331,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -443,7 +490,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=305,
+        line=336,
     ),
     "normal": Symbol(
         "normal",
@@ -452,7 +499,16 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=318,
+        line=349,
+    ),
+    "tangent": Symbol(
+        "tangent",
+        "1",
+        "unit tangent of a contact, the normal turned left by a quarter turn",
+        shape="vector",
+        tex="\\boldsymbol{t}",
+        file="srs/symbols.md",
+        line=354,
     ),
     "direction": Symbol(
         "direction",
@@ -460,7 +516,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=323,
+        line=359,
     ),
     "arm": Symbol(
         "arm",
@@ -469,7 +525,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=327,
+        line=363,
     ),
     "separation": Symbol(
         "separation",
@@ -477,7 +533,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=332,
+        line=368,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -485,7 +541,15 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=336,
+        line=372,
+    ),
+    "tangential_velocity": Symbol(
+        "tangential_velocity",
+        "m/s",
+        "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
+        tex="v_t",
+        file="srs/symbols.md",
+        line=378,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -493,7 +557,15 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=342,
+        line=384,
+    ),
+    "tangential_acceleration": Symbol(
+        "tangential_acceleration",
+        "m/s^2",
+        "rate of change of the tangential velocity of a contact that lasts",
+        tex="a_t",
+        file="srs/symbols.md",
+        line=388,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -502,7 +574,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=346,
+        line=392,
     ),
     "coupling": Symbol(
         "coupling",
@@ -510,7 +582,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=351,
+        line=397,
     ),
     "impulse": Symbol(
         "impulse",
@@ -519,7 +591,15 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=357,
+        line=403,
+    ),
+    "tangential_impulse": Symbol(
+        "tangential_impulse",
+        "N*s",
+        "impulse of a contact on body B along its tangent",
+        tex="j_t",
+        file="srs/symbols.md",
+        line=408,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -528,7 +608,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=362,
+        line=412,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -537,7 +617,15 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=367,
+        line=417,
+    ),
+    "friction_force": Symbol(
+        "friction_force",
+        "N",
+        "force of friction on body B along the tangent",
+        tex="N_t",
+        file="srs/symbols.md",
+        line=422,
     ),
     "overlap": Symbol(
         "overlap",
@@ -545,7 +633,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=372,
+        line=426,
     ),
     "momentum": Symbol(
         "momentum",
@@ -554,7 +642,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=381,
+        line=435,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -562,7 +650,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=386,
+        line=440,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -571,7 +659,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=390,
+        line=444,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -579,7 +667,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=395,
+        line=449,
     ),
     "energy": Symbol(
         "energy",
@@ -587,7 +675,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=399,
+        line=453,
     ),
     "radius": Symbol(
         "radius",
@@ -596,7 +684,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=408,
+        line=462,
     ),
     "width": Symbol(
         "width",
@@ -605,7 +693,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=413,
+        line=467,
     ),
     "height": Symbol(
         "height",
@@ -614,7 +702,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=418,
+        line=472,
     ),
     "vertex": Symbol(
         "vertex",
@@ -623,7 +711,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=423,
+        line=477,
     ),
     "center": Symbol(
         "center",
@@ -632,7 +720,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=428,
+        line=482,
     ),
     "offset": Symbol(
         "offset",
@@ -640,7 +728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=433,
+        line=487,
     ),
     "area": Symbol(
         "area",
@@ -649,7 +737,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=437,
+        line=491,
     ),
     "centroid": Symbol(
         "centroid",
@@ -658,6 +746,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=442,
+        line=496,
     ),
 }
