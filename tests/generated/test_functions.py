@@ -69,9 +69,55 @@ def test_centroid_polygon_is_dd18(**given: Value) -> None:
     )
 
 
+@given(radius=values("radius"))
+def test_area_disc_is_dd24(**given: Value) -> None:
+    """DD24, srs/definitions.md:144."""
+    agrees(definitions.area_disc, "pi*radius**2", given)
+
+
+@given(width=values("width"), height=values("height"))
+def test_area_box_is_dd24(**given: Value) -> None:
+    """DD24, srs/definitions.md:144."""
+    agrees(definitions.area_box, "width*height", given)
+
+
+@given(length=values("length"), radius=values("radius"))
+def test_area_capsule_is_dd24(**given: Value) -> None:
+    """DD24, srs/definitions.md:144."""
+    agrees(definitions.area_capsule, "2*radius*length + pi*radius**2", given)
+
+
+@given(mass=values("mass"), length=values("length"))
+def test_inertia_segment_is_dd24(**given: Value) -> None:
+    """DD24, srs/definitions.md:144."""
+    agrees(definitions.inertia_segment, "mass*length**2/12", given)
+
+
+@given(mass=values("mass"), length=values("length"), radius=values("radius"))
+def test_inertia_capsule_is_dd24(**given: Value) -> None:
+    """DD24, srs/definitions.md:144."""
+    agrees(
+        definitions.inertia_capsule,
+        "mass*(length**3/6 + 2*radius**2*length + pi*radius*(radius**2/2 + length**2/4))/(2*length + pi*radius)",
+        given,
+    )
+
+
+@given(area_i=values("area_i"), position_i=values("position_i"))
+def test_position_compound_is_dd25(**given: Value) -> None:
+    """DD25, srs/definitions.md:188."""
+    agrees(definitions.position_compound, "sum(area_i*position_i)/sum(area_i)", given)
+
+
+@given(inertia_i=values("inertia_i"), mass_i=values("mass_i"), arm_i=values("arm_i"))
+def test_inertia_compound_is_dd25(**given: Value) -> None:
+    """DD25, srs/definitions.md:188."""
+    agrees(definitions.inertia_compound, "sum(inertia_i + mass_i*dot(arm_i, arm_i))", given)
+
+
 @given(mass=values("mass"), velocity=values("velocity"))
 def test_momentum_is_dd21(**given: Value) -> None:
-    """DD21, srs/definitions.md:192."""
+    """DD21, srs/definitions.md:260."""
     agrees(definitions.momentum, "mass*velocity", given)
 
 
@@ -83,7 +129,7 @@ def test_momentum_is_dd21(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_angular_momentum_is_dd21(**given: Value) -> None:
-    """DD21, srs/definitions.md:192."""
+    """DD21, srs/definitions.md:260."""
     agrees(
         definitions.angular_momentum,
         "mass*cross(position, velocity) + inertia*angular_velocity",
@@ -93,19 +139,19 @@ def test_angular_momentum_is_dd21(**given: Value) -> None:
 
 @given(restitution_a=values("restitution_a"), restitution_b=values("restitution_b"))
 def test_pair_restitution_is_dd17(**given: Value) -> None:
-    """DD17, srs/definitions.md:288."""
+    """DD17, srs/definitions.md:356."""
     agrees(definitions.pair_restitution, "min(restitution_a, restitution_b)", given)
 
 
 @given(normal=values("normal"))
 def test_tangent_is_dd22(**given: Value) -> None:
-    """DD22, srs/definitions.md:307."""
+    """DD22, srs/definitions.md:375."""
     agrees(definitions.tangent, "perp(normal)", given)
 
 
 @given(friction_a=values("friction_a"), friction_b=values("friction_b"))
 def test_pair_friction_is_dd23(**given: Value) -> None:
-    """DD23, srs/definitions.md:319."""
+    """DD23, srs/definitions.md:387."""
     agrees(definitions.pair_friction, "sqrt(friction_a*friction_b)", given)
 
 
@@ -116,7 +162,7 @@ def test_pair_friction_is_dd23(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_kinetic_energy_is_dd15(**given: Value) -> None:
-    """DD15, srs/definitions.md:339."""
+    """DD15, srs/definitions.md:407."""
     agrees(
         definitions.kinetic_energy,
         "mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2",
@@ -126,7 +172,7 @@ def test_kinetic_energy_is_dd15(**given: Value) -> None:
 
 @given(mass=values("mass"), gravity=values("gravity"), position=values("position"))
 def test_potential_energy_is_dd16(**given: Value) -> None:
-    """DD16, srs/definitions.md:353."""
+    """DD16, srs/definitions.md:421."""
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 

@@ -1,12 +1,12 @@
-"""Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Momentum;
-Restitution of a pair; Tangential velocity of a contact; Friction of a pair; Kinetic energy;
-Potential energy.
+"""Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
+of a capsule; Bodies of several parts; Momentum; Restitution of a pair; Tangential velocity of a
+contact; Friction of a pair; Kinetic energy; Potential energy.
 
 Generated from srs/definitions.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, least, sqrt, total
+from tamias2d.spec.functions import Scalar, Vector, least, pi, sqrt, total
 
 
 def point_velocity(velocity: Vector, angular_velocity: Scalar, arm: Vector) -> Vector:
@@ -49,7 +49,7 @@ def inertia_disc(mass: Scalar, radius: Scalar) -> Scalar:
 
     Args:
         mass: Mass of a body, kg
-        radius: Radius of a disc, m
+        radius: Radius of a disc, or of the round ends of a capsule, m
 
     Source: DD18, srs/definitions.md:116.
     """
@@ -147,6 +147,124 @@ def centroid_polygon(vertex_i: Vector, vertex_j: Vector) -> Vector:
     )
 
 
+def area_disc(radius: Scalar) -> Scalar:
+    """Area of a shape; of a uniform disc (m^2).
+
+    area_disc = pi*radius**2
+
+    Args:
+        radius: Radius of a disc, or of the round ends of a capsule, m
+
+    Source: DD24, srs/definitions.md:150.
+    """
+    return pi * radius * radius
+
+
+def area_box(width: Scalar, height: Scalar) -> Scalar:
+    """Area of a shape; of a uniform box (m^2).
+
+    area_box = width*height
+
+    Args:
+        width: Extent of a box along its own x axis, m
+        height: Extent of a box along its own y axis, m
+
+    Source: DD24, srs/definitions.md:151.
+    """
+    return width * height
+
+
+def area_capsule(length: Scalar, radius: Scalar) -> Scalar:
+    """Area of a shape; of a uniform capsule (m^2).
+
+    area_capsule = 2*radius*length + pi*radius**2
+
+    Args:
+        length: Distance between the middles of a capsule's round ends, or between the ends of a
+            segment, m
+        radius: Radius of a disc, or of the round ends of a capsule, m
+
+    Source: DD24, srs/definitions.md:152.
+    """
+    return 2 * radius * length + pi * radius * radius
+
+
+def inertia_segment(mass: Scalar, length: Scalar) -> Scalar:
+    """Moment of inertia about the centre of mass; of a uniform segment (kg*m^2).
+
+    inertia_segment = mass*length**2/12
+
+    Args:
+        mass: Mass of a body, kg
+        length: Distance between the middles of a capsule's round ends, or between the ends of a
+            segment, m
+
+    Source: DD24, srs/definitions.md:153.
+    """
+    return mass * length * length / 12
+
+
+def inertia_capsule(mass: Scalar, length: Scalar, radius: Scalar) -> Scalar:
+    """Moment of inertia about the centre of mass; of a uniform capsule (kg*m^2).
+
+    inertia_capsule = mass*(length**3/6 + 2*radius**2*length + pi*radius*(radius**2/2 +
+    length**2/4))/(2*length + pi*radius)
+
+    Args:
+        mass: Mass of a body, kg
+        length: Distance between the middles of a capsule's round ends, or between the ends of a
+            segment, m
+        radius: Radius of a disc, or of the round ends of a capsule, m
+
+    Source: DD24, srs/definitions.md:154.
+    """
+    return (
+        mass
+        * (
+            length * length * length / 6
+            + 2 * radius * radius * length
+            + pi * radius * (radius * radius / 2 + length * length / 4)
+        )
+        / (2 * length + pi * radius)
+    )
+
+
+def position_compound(area_i: Scalar, position_i: Vector) -> Vector:
+    """Position of the centre of mass; of a body of several parts (m).
+
+    position_compound = sum(area_i*position_i)/sum(area_i)
+
+    Args:
+        area_i: Area of a shape; of each particle, body or vertex in turn, m^2
+        position_i: Position of the centre of mass; of each particle, body or vertex in turn, m
+
+    Source: DD25, srs/definitions.md:194.
+    """
+    position_i_x, position_i_y = position_i
+    return (
+        total(area_i * position_i_x) / total(area_i),
+        total(area_i * position_i_y) / total(area_i),
+    )
+
+
+def inertia_compound(inertia_i: Scalar, mass_i: Scalar, arm_i: Vector) -> Scalar:
+    """Moment of inertia about the centre of mass; of a body of several parts (kg*m^2).
+
+    inertia_compound = sum(inertia_i + mass_i*dot(arm_i, arm_i))
+
+    Args:
+        inertia_i: Moment of inertia about the centre of mass; of each particle, body or vertex
+            in turn, kg*m^2
+        mass_i: Mass of a body; of each particle, body or vertex in turn, kg
+        arm_i: Lever arm, from the centre of mass to the contact point; of each particle, body
+            or vertex in turn, m
+
+    Source: DD25, srs/definitions.md:195.
+    """
+    arm_i_x, arm_i_y = arm_i
+    return total(inertia_i + mass_i * (arm_i_x * arm_i_x + arm_i_y * arm_i_y))
+
+
 def momentum(mass: Scalar, velocity: Vector) -> Vector:
     """Mass times velocity (kg*m/s).
 
@@ -156,7 +274,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:198.
+    Source: DD21, srs/definitions.md:266.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -176,7 +294,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:199.
+    Source: DD21, srs/definitions.md:267.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -194,7 +312,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:294.
+    Source: DD17, srs/definitions.md:362.
     """
     return least(restitution_a, restitution_b)
 
@@ -207,7 +325,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:313.
+    Source: DD22, srs/definitions.md:381.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -224,7 +342,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:326.
+    Source: DD23, srs/definitions.md:394.
     """
     return sqrt(friction_a * friction_b)
 
@@ -242,7 +360,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:344.
+    Source: DD15, srs/definitions.md:412.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -261,7 +379,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:358.
+    Source: DD16, srs/definitions.md:426.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position

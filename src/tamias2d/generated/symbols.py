@@ -680,11 +680,20 @@ SYMBOLS: dict[str, Symbol] = {
     "radius": Symbol(
         "radius",
         "m",
-        "radius of a disc",
+        "radius of a disc, or of the round ends of a capsule",
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
         line=462,
+    ),
+    "length": Symbol(
+        "length",
+        "m",
+        "distance between the middles of a capsule's round ends, or between the ends of a segment",
+        range=Range("> 0", low=0.0),
+        tex="D",
+        file="srs/symbols.md",
+        line=467,
     ),
     "width": Symbol(
         "width",
@@ -693,7 +702,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=467,
+        line=474,
     ),
     "height": Symbol(
         "height",
@@ -702,7 +711,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=472,
+        line=479,
     ),
     "vertex": Symbol(
         "vertex",
@@ -711,7 +720,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=477,
+        line=484,
     ),
     "center": Symbol(
         "center",
@@ -720,7 +729,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=482,
+        line=489,
     ),
     "offset": Symbol(
         "offset",
@@ -728,7 +737,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=487,
+        line=494,
     ),
     "area": Symbol(
         "area",
@@ -737,7 +746,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=491,
+        line=498,
     ),
     "centroid": Symbol(
         "centroid",
@@ -746,6 +755,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=496,
+        line=503,
     ),
 }

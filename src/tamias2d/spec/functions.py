@@ -14,6 +14,8 @@ Scalar = Any  # a float, or an array of floats
 Truth = Any  # a truth value, or an array of them
 Vector = tuple[Any, Any]  # two components, each a float or an array
 
+pi = math.pi
+
 
 def _either(scalar: Callable[..., float], array: Callable[..., Any]) -> Callable[..., Scalar]:
     def apply(*operands: Scalar) -> Scalar:

@@ -74,6 +74,7 @@ class PythonPrinter:
             case Measure(value=value, unit=unit):
                 return repr(float(value) * unit.factor)
             case Name(name=name):
+                self.helpers |= {"pi"} & {name}
                 return name
             case Negative(operand=operand):
                 return f"-{self.tight(operand)}"
