@@ -1,6 +1,8 @@
 """The expression language: what it reads, what it refuses, and that its printers agree."""
 
 import math
+import pickle
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 import numpy as np
@@ -8,7 +10,7 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 
 from tamias2d.spec.derivative import differentiate
-from tamias2d.spec.evaluate import evaluate
+from tamias2d.spec.evaluate import Program, evaluate
 from tamias2d.spec.expression import ARITY, Node, names, parse
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.symbols import table_from
@@ -165,6 +167,30 @@ def test_arrays_give_the_same_bits_as_floats() -> None:
     many = evaluate(tree, {"a": a, "b": b})
     single = [evaluate(tree, {"a": float(p), "b": float(q)}) for p, q in zip(a, b, strict=True)]
     assert many.tolist() == single
+
+
+class _Counted(Mapping[str, float]):
+    """A value for each name, and how often it was asked for."""
+
+    asked = 0
+
+    def __getitem__(self, name: str) -> float:
+        self.asked += 1
+        return float(len(name))
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(())
+
+    def __len__(self) -> int:
+        return 0
+
+
+def test_what_is_written_twice_is_computed_once() -> None:
+    program, values = Program(parse("sin(time)*sin(time) + cos(time)/sin(time)")), _Counted()
+    s, c = math.sin(4.0), math.cos(4.0)
+    assert program(values) == s * s + c / s
+    assert values.asked == 1
+    assert pickle.loads(pickle.dumps(program))(values) == s * s + c / s  # scenes are copied
 
 
 @settings(deadline=None)  # sums of fractions

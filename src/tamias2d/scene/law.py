@@ -17,7 +17,7 @@ from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number
 from tamias2d.spec.check import Type, expect
-from tamias2d.spec.evaluate import evaluate
+from tamias2d.spec.evaluate import Program
 from tamias2d.spec.expression import Call, Node, names, parse, walk
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.symbols import SymbolTable, table_from
@@ -48,6 +48,10 @@ class StateLaw:
         """Whether the law can change during a run."""
         return bool(self.names & set(VARYING))
 
+    @cached_property
+    def _program(self) -> Program:
+        return Program(self.node)
+
     def __call__(self, state: Mapping[str, Value]) -> Value:
         """Return the value in SI units for given `names`: one, or one a body where these are.
 
@@ -56,7 +60,7 @@ class StateLaw:
         """
         try:
             with np.errstate(all="ignore"):
-                value = evaluate(self.node, state)
+                value = self._program(state)
         except (ArithmeticError, ValueError):
             value = math.nan
         except KeyError as missing:

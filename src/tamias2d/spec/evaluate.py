@@ -1,7 +1,7 @@
-"""Numbers from an expression: the tree is walked with given values.
+"""Numbers from an expression, for given values.
 
 Serves: forces that depend on time, oracles, checks of derivations. Hides: whether a value is a
-float or an array. A vector is a pair (x, y).
+float or an array, and in which order the parts are computed. A vector is a pair (x, y).
 """
 
 import math
@@ -27,29 +27,75 @@ from tamias2d.spec.expression import (
 Value = Any  # a float, an array, a pair of these, or a truth value
 
 
+class Program:
+    """An expression made ready to be evaluated many times: what is written twice is done once."""
+
+    def __init__(self, node: Node) -> None:
+        """Take a tree. Raises: KeyError: a part of it, such as a derivative, has no value."""
+        self._node = node
+        self._place: dict[Node, int] = {}
+        self._names: list[tuple[int, str]] = []
+        self._start: list[Value] = []
+        self._steps: list[tuple[int, Callable[..., Value], tuple[int, ...]]] = []
+        self._last = self._put(node)
+
+    def __call__(self, values: Mapping[str, Value]) -> Value:
+        """Return the value in SI units; raise `KeyError` for a name without one."""
+        found = self._start.copy()
+        for place, name in self._names:
+            found[place] = values[name]
+        for place, function, arguments in self._steps:
+            found[place] = function(*[found[k] for k in arguments])
+        return found[self._last]
+
+    def __reduce__(self) -> tuple[type["Program"], tuple[Node]]:
+        return Program, (self._node,)
+
+    def _put(self, node: Node) -> int:
+        """Return where the value of a part will be, the same place for equal parts."""
+        if node in self._place:
+            return self._place[node]
+        constant: Value = None
+        match node:
+            case Number() | Measure():
+                constant = node.number
+            case Name(name="pi"):
+                constant = math.pi
+            case Name(name=name):
+                self._names.append((len(self._start), name))
+            case _:
+                function, parts = _operation(node)
+                arguments = tuple([self._put(part) for part in parts])
+                self._steps.append((len(self._start), function, arguments))
+        self._start.append(constant)
+        self._place[node] = len(self._start) - 1
+        return self._place[node]
+
+
 def evaluate(node: Node, values: Mapping[str, Value]) -> Value:
     """The value of an expression, in SI units; names are looked up in `values`.
 
     Raises:
         KeyError: a name has no value.
     """
+    return Program(node)(values)
+
+
+def _operation(node: Node) -> tuple[Callable[..., Value], tuple[Node, ...]]:
+    """Return what to do with the values of which parts."""
     match node:
-        case Number() | Measure():
-            return node.number
-        case Name(name=name):
-            return math.pi if name == "pi" else values[name]
         case Negative(operand=operand):
-            return _each(lambda a: -a, evaluate(operand, values))
+            return lambda a: _each(operator.neg, a), (operand,)
         case Binary(operator=sign, left=left, right=right):
-            return _BINARY[sign](evaluate(left, values), evaluate(right, values))
+            return _BINARY[sign], (left, right)
         case Power(base=base, exponent=exponent):
-            return _power(evaluate(base, values), exponent)
+            return lambda a: _power(a, exponent), (base,)
         case Relation(operator=sign, left=left, right=right):
-            return _RELATION[sign](evaluate(left, values), evaluate(right, values))
+            return _RELATION[sign], (left, right)
         case Both(parts=conditions):
-            return all(evaluate(condition, values) for condition in conditions)
+            return lambda *truths: all(truths), conditions
         case Call(function=function, arguments=arguments) if function in _CALL:
-            return _CALL[function](*(evaluate(argument, values) for argument in arguments))
+            return _CALL[function], arguments
     raise KeyError(f"{node} has no value of its own")
 
 
