@@ -204,6 +204,14 @@ def replay(
 
 
 @app.command()
+def warm() -> None:
+    """Compile ahead, once for this machine, what runs would otherwise wait for."""
+    from tamias2d.commands.warm import warm_up
+
+    warm_up()
+
+
+@app.command()
 def tradeoff(
     scene: _Scene,
     duration: Annotated[

@@ -34,7 +34,7 @@ def home() -> Path:
             )
         return path
     path = platformdirs.user_cache_path("tamias2d", appauthor=False)
-    return path if _writable(path) else _temporary()
+    return path if _writable(path) else temporary()
 
 
 def results_path() -> Path:
@@ -73,6 +73,7 @@ def _writable(path: Path) -> bool:
 
 
 @cache
-def _temporary() -> Path:
+def temporary() -> Path:
+    """A directory that lasts as long as the system lets it, made once for this process."""
     # Not a fixed name: compiled code will be cached here, and another user could have laid it out.
     return Path(tempfile.mkdtemp(prefix="tamias2d-"))

@@ -28,7 +28,7 @@ def test_without_a_cache_directory_a_temporary_one_serves(
     monkeypatch.delenv("TAMIAS2D_HOME", raising=False)
     monkeypatch.setattr(storage.platformdirs, "user_cache_path", lambda *_, **__: tmp_path / "file")
     monkeypatch.setattr(storage.tempfile, "tempdir", str(tmp_path))
-    storage._temporary.cache_clear()
+    storage.temporary.cache_clear()
     place = storage.home()
     assert place.parent == tmp_path
     assert place.is_dir()

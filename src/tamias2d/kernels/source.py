@@ -4,7 +4,6 @@ Serves: what `explain --source` shows, and what is compiled. Hides: the layout o
 equation is written here: steps and forces are those of the generated modules.
 """
 
-import ast
 import re
 import textwrap
 from collections.abc import Callable, Iterator
@@ -12,8 +11,9 @@ from typing import Any
 
 from tamias2d.generated import drag, rotation, schemes, translation
 from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.kernels.copied import copied
 from tamias2d.kernels.demand import Demand
-from tamias2d.kernels.step import function_of, statements
+from tamias2d.kernels.step import statements
 from tamias2d.spec import functions as elementary
 from tamias2d.spec.expression import parse
 from tamias2d.spec.python import PythonPrinter
@@ -80,7 +80,7 @@ def source(demand: Demand, *, compiled: bool = True) -> str:
     """Return the source of the kernel for a demand, for numba or as plain Python."""
     body = re.sub(r"(\w+)\[i\]", r"block_\1[i]", "\n".join(_body(demand)))
     decorator = _DECORATOR if compiled else ""
-    copies = "".join(f"{decorator}{_copied(f)}\n\n\n" for f in _functions(body))
+    copies = "".join(f"{decorator}{copied(f, {})}\n\n\n" for f in _functions(body))
     imports = ["from math import sqrt"] if "sqrt(" in body + copies else []
     imports += ["from numba import njit"] if compiled else []
     return _TEMPLATE.format(
@@ -110,18 +110,6 @@ def _functions(body: str) -> list[Callable[..., Any]]:
         *_DRAGS.values(),
     )
     return [f for f in known if re.search(rf"(?<![\w.]){f.__name__}\(", body)]
-
-
-def _copied(function: Callable[..., Any]) -> str:
-    """The source of a function without types; its docstring keeps the source and first line."""
-    tree = function_of(function)
-    says = (ast.get_docstring(tree) or "").splitlines()
-    origin = [line for line in says if line.startswith("Source: ")]
-    tree.body[0] = ast.Expr(ast.Constant(" ".join([says[0], *origin])))
-    tree.returns = None
-    for argument in tree.args.args:
-        argument.annotation = None
-    return ast.unparse(tree)
 
 
 def _body(demand: Demand) -> Iterator[str]:

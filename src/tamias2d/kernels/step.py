@@ -5,10 +5,11 @@ by axis, with the accelerations that it asks for put in front of the statement t
 """
 
 import ast
-import inspect
 from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from typing import Any
+
+from tamias2d.kernels.copied import function_of
 
 Pull = Callable[[str], Iterator[str]]
 """Statements that set an acceleration of some name from `at_time`, `at_position_x` and so on."""
@@ -29,14 +30,6 @@ def statements(scheme: Callable[..., Any], axes: Sequence[str], pull: Pull) -> I
             for state, end in zip(("position", "velocity"), statement.value.elts, strict=True):
                 if _name(end) != state:
                     yield from _along(axes, state, end)
-
-
-def function_of(function: Callable[..., Any]) -> ast.FunctionDef:
-    """Return the syntax tree of a generated function."""
-    tree = ast.parse(inspect.getsource(function)).body[0]
-    if not isinstance(tree, ast.FunctionDef):
-        raise TypeError(function)
-    return tree
 
 
 def _name(node: ast.expr) -> str:

@@ -1,0 +1,19 @@
+"""`tamias2d warm`: compile ahead what runs would otherwise wait for.
+
+Serves: the command `warm`. Hides: how it is told whether something was compiled.
+"""
+
+import time
+
+from tamias2d.commands.output import say
+from tamias2d.stepped.menu import MENU
+from tamias2d.storage import home
+
+
+def warm_up() -> None:
+    """Compile every engine on the menu, or find it compiled, and say how long that took."""
+    for engine in MENU:
+        start = time.perf_counter()
+        engine.compiled()
+        say(f"{engine.name}: ready in {time.perf_counter() - start:.1f} s")
+    say(f"{len(MENU)} of {len(MENU)} compiled, in {home() / 'kernels'}")

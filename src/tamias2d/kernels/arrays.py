@@ -1,0 +1,45 @@
+"""Types of a kernel's arguments, for readers, for the type checker and for the compiler.
+
+Serves: the entry functions of kernels. Hides: what the compiler calls them. All arrays are
+contiguous, with the last axis fastest.
+"""
+
+import typing
+from collections.abc import Callable
+from typing import Annotated, Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats: TypeAlias = Annotated[NDArray[np.float64], "float64[::1]"]
+FloatRows: TypeAlias = Annotated[NDArray[np.float64], "float64[:, ::1]"]
+FloatBlocks: TypeAlias = Annotated[NDArray[np.float64], "float64[:, :, ::1]"]
+Bytes: TypeAlias = Annotated[NDArray[np.int8], "int8[::1]"]
+Indices: TypeAlias = Annotated[NDArray[np.int32], "int32[::1]"]
+IndexRows: TypeAlias = Annotated[NDArray[np.int32], "int32[:, ::1]"]
+Places: TypeAlias = Annotated[NDArray[np.uint32], "uint32[::1]"]
+PlaceRows: TypeAlias = Annotated[NDArray[np.uint32], "uint32[:, ::1]"]
+Ranks: TypeAlias = Annotated[NDArray[np.int64], "int64[::1]"]
+RankRows: TypeAlias = Annotated[NDArray[np.int64], "int64[:, ::1]"]
+Masks: TypeAlias = Annotated[NDArray[np.uint64], "uint64[::1]"]
+
+_SCALARS = {float: "float64", int: "int64", bool: "boolean"}
+
+
+def signature(function: Callable[..., Any]) -> str:
+    """Return what the compiler calls the types of a function's arguments, in brackets.
+
+    Raises TypeError, which names the argument, for a type that is none of this module.
+    """
+    hints = typing.get_type_hints(function, include_extras=True)
+    hints.pop("return", None)
+    found = []
+    for name, hint in hints.items():
+        named = _SCALARS.get(hint) or next(iter(getattr(hint, "__metadata__", ())), None)
+        if not isinstance(named, str):
+            raise TypeError(
+                f"{function.__module__}.{function.__name__}: argument '{name}': an entry of a "
+                f"kernel takes float, int, bool or the arrays of {__name__}. Give it one of them."
+            )
+        found.append(named)
+    return f"({', '.join(found)},)" if len(found) == 1 else f"({', '.join(found)})"

@@ -1,0 +1,132 @@
+"""One source that stands alone, assembled from plain functions and all that they use.
+
+Serves: engines, whose modules run as they are and are compiled as one. Hides: how what a function
+uses is found, named and put in order. Nothing is looked up elsewhere when the source runs, so its
+text decides what it does, and a change in any function is a change of the text.
+"""
+
+import ast
+import builtins
+import math
+from collections.abc import Callable, Hashable
+from types import FunctionType, ModuleType
+from typing import Any
+
+from tamias2d.kernels.arrays import signature
+from tamias2d.kernels.copied import Function, copied, references
+from tamias2d.spec import functions as elementary
+
+_HEAD = '''"""{says}
+
+Assembled by tamias2d.kernels from plain functions, which are to be edited in their own modules.
+"""
+'''
+_HELPER = '@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)'
+_ENTRY = '@njit("{signature}", cache=True, error_model="numpy", nogil=True, no_cfunc_wrapper=True)'
+_SAME: dict[Any, Any] = {
+    getattr(elementary, name): getattr(math, name)
+    for name in ("sqrt", "sin", "cos", "tan", "exp", "log", "atan2")
+} | {elementary.least: min, elementary.largest: max}
+"""What elementary functions are on numbers. The compiler knows these, to the bit: of two equal
+numbers, zeros of both signs too, and where one is no number, min and max return the first."""
+
+
+def assembled(*entries: Function, says: str) -> str:
+    """Return the source of a module with some functions and all that they use.
+
+    The functions are defined at the level of modules of this package, and so is what they call;
+    the entries state their types by `tamias2d.kernels.arrays`. Their other names are whole or real
+    constants, or functions of `math`. A generated function is named after its module as well.
+
+    Raises:
+        TypeError: a function uses something else, or a name would have two meanings; says where.
+    """
+    parts = _Parts(entries)
+    for entry in entries:
+        parts.add(entry)
+    imports = [f"from math import {', '.join(sorted(parts.imports))}"] if parts.imports else []
+    constants = [f"{name} = {value!r}" for name, value in parts.constants.items()]
+    head = [_HEAD.format(says=says), *imports, "from numba import njit"]
+    if constants:
+        head += ["", *constants]
+    return "\n\n\n".join(["\n".join(head), *parts.texts]) + "\n"
+
+
+class _Parts:
+    """What has been collected, each after what it uses."""
+
+    def __init__(self, entries: tuple[Function, ...]) -> None:
+        self.entries = entries
+        self.imports: set[str] = set()
+        self.constants: dict[str, float] = {}
+        self.texts: list[str] = []
+        self.meanings: dict[str, Any] = {}
+
+    def add(self, function: Function) -> str:
+        """Add a function, unless it is there, and what it uses; return its name here."""
+        name = _name(function)
+        if self.meanings.get(name) is function:
+            return name
+        self._claim(name, function, function)
+        names = {}
+        for node in references(function):
+            names[ast.unparse(node)] = self._use(function, node)
+        text = copied(function, names).replace(f"def {function.__name__}(", f"def {name}(", 1)
+        entry = function in self.entries
+        decorator = _ENTRY.format(signature=signature(function)) if entry else _HELPER
+        self.texts.append(f"{decorator}\n{text}")
+        return name
+
+    def _use(self, function: Function, node: ast.Name | ast.Attribute) -> str:
+        """Add what a function means by a name; return the name here."""
+        written, value = ast.unparse(node), _value(function, node)
+        name = written.rpartition(".")[2]
+        if isinstance(value, Hashable) and value in _SAME:
+            value = _SAME[value]
+            name = value.__name__
+        if type(value) in (int, float, bool) and math.isfinite(value):
+            self._claim(name, value, function)
+            self.constants[name] = value
+        elif getattr(math, name, None) is value:
+            self.imports.add(name)
+        elif isinstance(value, FunctionType) and value.__module__.startswith("tamias2d."):
+            name = self.add(value)
+        elif getattr(builtins, name, None) is not value:
+            raise _refusal(
+                function,
+                f"'{written}' is {type(value).__name__}: must be a function "
+                "of this package or of math, or a number. Use one of them.",
+            )
+        if name in function.__code__.co_varnames:
+            raise _refusal(function, f"'{name}' is also a variable. Rename the variable.")
+        return name
+
+    def _claim(self, name: str, value: Any, function: Function) -> None:
+        known = self.meanings.setdefault(name, value)
+        same = known is value or (type(known) is type(value) is not FunctionType and known == value)
+        if not same:
+            raise _refusal(function, f"'{name}' has two meanings in one kernel. Rename one.")
+
+
+def _name(function: Function) -> str:
+    package, _, module = function.__module__.rpartition(".")
+    generated = package == "tamias2d.generated"
+    return f"{module}_{function.__name__}" if generated else function.__name__
+
+
+def _value(function: Function, node: ast.Name | ast.Attribute) -> Any:
+    known = function.__globals__
+    if isinstance(node, ast.Name):
+        if node.id in known:
+            return known[node.id]
+        if hasattr(builtins, node.id):
+            return getattr(builtins, node.id)
+    elif isinstance(node.value, ast.Name):
+        module = known.get(node.value.id)
+        if isinstance(module, ModuleType) and hasattr(module, node.attr):
+            return getattr(module, node.attr)
+    raise _refusal(function, f"'{ast.unparse(node)}' is not known. Define it in a module.")
+
+
+def _refusal(function: Callable[..., Any], what: str) -> TypeError:
+    return TypeError(f"{function.__module__}.{function.__name__}: {what}")

@@ -1,0 +1,111 @@
+"""A function's own text, ready for a source that stands alone.
+
+Serves: the makers of sources. Hides: how types, most of the docstring and the names of other
+modules are cut out of a text whose layout and comments stay.
+"""
+
+import ast
+import inspect
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+Function = Callable[..., Any]
+_Edit = tuple[int, int, str]  # from, to (bytes of the source), and what stands there then
+
+
+def function_of(function: Function) -> ast.FunctionDef:
+    """Return the syntax tree of a module-level function."""
+    tree = ast.parse(inspect.getsource(function)).body[0]
+    if not isinstance(tree, ast.FunctionDef):
+        raise TypeError(function)
+    return tree
+
+
+def references(function: Function) -> Iterator[ast.Name | ast.Attribute]:
+    """Yield the names that a function reads and does not set, types apart.
+
+    A dotted name is yielded as a whole.
+    """
+    own = set(function.__code__.co_varnames)
+    yield from _read(function_of(function), own)
+
+
+def copied(function: Function, names: Mapping[str, str]) -> str:
+    """Return the text of a function without types and with other names for what it reads.
+
+    Of its docstring the first line and the source stay.
+    """
+    source = inspect.getsource(function).encode()
+    tree = function_of(function)
+    text = _Text(source)
+    edits = [*_signature(tree, text), *_docstring(tree, text), *_typed(tree, text)]
+    for node in references(function):
+        old = ast.unparse(node)
+        if names.get(old, old) != old:
+            edits.append((*text.span(node), names[old]))
+    for first, last, new in sorted(edits, reverse=True):
+        source = source[:first] + new.encode() + source[last:]
+    return source.decode().rstrip()
+
+
+def _read(node: ast.AST, own: set[str]) -> Iterator[ast.Name | ast.Attribute]:
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+        if node.value.id not in own:
+            yield node
+        return
+    if isinstance(node, ast.Name):
+        if node.id not in own:
+            yield node
+        return
+    for name, value in ast.iter_fields(node):
+        if name in ("annotation", "returns"):
+            continue
+        for child in value if isinstance(value, list) else [value]:
+            if isinstance(child, ast.AST):
+                yield from _read(child, own)
+
+
+class _Text:
+    """Where the nodes of a tree lie in its source."""
+
+    def __init__(self, source: bytes) -> None:
+        self.source = source
+        self.starts = [0]
+        for line in source.splitlines(keepends=True):
+            self.starts.append(self.starts[-1] + len(line))
+
+    def start(self, node: ast.expr | ast.stmt | ast.arg) -> int:
+        return self.starts[node.lineno - 1] + node.col_offset
+
+    def end(self, node: ast.expr | ast.stmt | ast.arg) -> int:
+        if node.end_lineno is None or node.end_col_offset is None:
+            raise TypeError(node)
+        return self.starts[node.end_lineno - 1] + node.end_col_offset
+
+    def span(self, node: ast.expr | ast.stmt) -> tuple[int, int]:
+        return self.start(node), self.end(node)
+
+
+def _signature(tree: ast.FunctionDef, text: _Text) -> Iterator[_Edit]:
+    for argument in tree.args.args:
+        if argument.annotation is not None:
+            name_end = text.start(argument) + len(argument.arg.encode())
+            yield name_end, text.end(argument.annotation), ""
+    if tree.returns is not None:
+        arrow = text.source.rindex(b" ->", 0, text.start(tree.returns))
+        yield arrow, text.end(tree.returns), ""
+
+
+def _docstring(tree: ast.FunctionDef, text: _Text) -> Iterator[_Edit]:
+    says = (ast.get_docstring(tree) or "").splitlines()
+    if not says:
+        return
+    origin = [f"\n\n    {line}\n    " for line in says if line.startswith("Source: ")]
+    yield (*text.span(tree.body[0]), f'"""{says[0]}{"".join(origin)}"""')
+
+
+def _typed(tree: ast.FunctionDef, text: _Text) -> Iterator[_Edit]:
+    """Without the types of variables."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.AnnAssign):
+            yield text.end(node.target), text.end(node.annotation), ""

@@ -1,0 +1,78 @@
+"""Engines: plain functions that are compiled together as one kernel.
+
+Serves: the stepped way, and `tamias2d warm`. Hides: assembling and compiling, and what a person who
+waits for it is told.
+"""
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any
+
+from tamias2d.kernels.assembled import assembled
+from tamias2d.kernels.compiled import loaded
+from tamias2d.kernels.copied import Function
+
+_PACE = 1800  # bytes of source a second, to say about how long it takes
+
+
+@dataclass(frozen=True)
+class Engine:
+    """Functions, by a name, that are compiled together."""
+
+    name: str
+    """What people are told is compiled, such as 'contact engine'."""
+    entries: tuple[Function, ...]
+    """What is called from outside; their types are those of `tamias2d.kernels.arrays`."""
+
+    def source(self) -> str:
+        """Return the source that is compiled, with all that the entries use."""
+        return assembled(*self.entries, says=f"The {self.name} of Tamias2D.")
+
+    def plain(self) -> SimpleNamespace:
+        """Return the entries by their names as they are, to look into and to compare with."""
+        return SimpleNamespace(**{entry.__name__: entry for entry in self.entries})
+
+    def compiled(self) -> SimpleNamespace:
+        """Return the entries by their names, compiled; says so where that takes a while.
+
+        Their bits are those of the plain ones.
+        """
+        text = self.source()
+        with _told(self.name, len(text) / _PACE):
+            module = loaded(text)
+        names = [entry.__name__ for entry in self.entries]
+        return SimpleNamespace(**{name: getattr(module, name) for name in names})
+
+
+@contextmanager
+def _told(name: str, seconds: float) -> Iterator[None]:
+    """Say on standard error that an engine is compiled, if that happens meanwhile.
+
+    The compiler itself reports it: whether compiled code can be used again, only it knows.
+    """
+    from numba.core import event
+    from rich.console import Console
+
+    console = Console(stderr=True)
+
+    class Teller(event.Listener):
+        started: float | None = None
+
+        def on_start(self, event: Any) -> None:  # noqa: ARG002
+            if self.started is None:
+                self.started = time.perf_counter()
+                console.print(
+                    f"Compiling the {name}, about {seconds:.0f} s, once for this machine ..."
+                )
+
+        def on_end(self, event: Any) -> None:
+            """Nothing: functions within functions end as well."""
+
+    teller = Teller()
+    with event.install_listener("numba:compile", teller):
+        yield
+    if teller.started is not None:
+        console.print(f"Compiled in {time.perf_counter() - teller.started:.1f} s.")

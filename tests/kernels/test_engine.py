@@ -1,0 +1,237 @@
+"""Engines: plain functions and what is compiled from them agree, and nothing stale is run."""
+
+import ast
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, strategies as st
+
+from tamias2d.kernels import Engine
+from tamias2d.kernels.arrays import Floats
+from tamias2d.kernels.assembled import assembled
+from tamias2d.kernels.compiled import loaded
+from tamias2d.spec.functions import largest, least, total
+from tests.kernels import plain_parts
+
+NUMBER = st.floats(width=64)
+
+
+def as_engine(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function as if it were in a module of the package, which others are not assembled from."""
+    function.__module__ = "tamias2d.stepped.test"
+    return function
+
+
+for part in (plain_parts.halved, plain_parts.clamped, plain_parts.pushed, plain_parts.fallen):
+    as_engine(part)
+ENGINE = Engine("engine of the tests", (plain_parts.pushed, plain_parts.fallen))
+
+
+def test_compiled_and_plain_engines_have_the_same_bits() -> None:
+    rows = np.random.default_rng(1).normal(size=(7, 48))
+    with np.errstate(all="ignore"):
+        results = []
+        for made in (ENGINE.plain(), ENGINE.compiled()):
+            work = rows.copy()
+            value = made.pushed(work, 7)
+            made.fallen(work, 0.3)
+            results.append((value, work.tobytes()))
+    assert results[0] == results[1]
+
+
+def lesser(first: float, second: float) -> float:
+    return least(first, second)
+
+
+def greater(first: float, second: float) -> float:
+    return largest(first, second)
+
+
+EXTREMES = Engine("extremes", (as_engine(lesser), as_engine(greater)))
+
+
+@given(NUMBER, NUMBER)
+def test_least_and_largest_agree_on_zeros_and_on_what_is_no_number(
+    first: float, second: float
+) -> None:
+    for pair in [(first, second), (first, -first), (0.0, -0.0), (-0.0, 0.0)]:
+        for name in ("lesser", "greater"):
+            plain, compiled = (
+                np.float64(getattr(made, name)(*pair)).tobytes()
+                for made in (EXTREMES.plain(), EXTREMES.compiled())
+            )
+            assert plain == compiled, (name, pair)
+
+
+def test_a_source_stands_alone_and_reads_in_order() -> None:
+    text = ENGINE.source()
+    tree = ast.parse(text)
+    heads = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    assert [head.name for head in heads] == [
+        "halved", "impact_impulse", "clamped", "pushed", "translation_acceleration", "fallen",
+    ]  # fmt: skip
+    modules = {node.module for node in tree.body if isinstance(node, ast.ImportFrom)}
+    assert modules == {"math", "numba"}
+    assert "a comment stays" in text
+    assert "Source: IM3" in text
+    assert "not copied" not in text
+    assert not re.search(r"Scalar|: float|-> ", text)
+    assert {"LANES = 16", "HALF = 0.5"} <= set(text.splitlines())
+
+
+def module(name: str, text: str) -> ModuleType:
+    """A module of the package, from a text that can be looked up."""
+    import linecache
+
+    made = ModuleType(f"tamias2d.stepped.{name}")
+    file = f"<{name} {abs(hash(text))}>"
+    linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
+    sys.modules[made.__name__] = made
+    exec(compile(text, file, "exec"), made.__dict__)
+    return made
+
+
+HELPER = "def factor(x: float) -> float:\n    return {} * x\n"
+CALLER = """
+from tamias2d.stepped.helper import factor
+def twice(x: float) -> float:
+    return factor(x)
+"""
+
+
+def test_a_changed_helper_in_another_module_is_compiled_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
+    answers = []
+    for number in ("2.0", "4.0"):
+        module("helper", HELPER.format(number))
+        made = module("caller", CALLER)
+        answers.append(Engine("caller", (made.twice,)).compiled().twice(1.0))
+    assert answers == [2.0, 4.0]
+    assert len(list((tmp_path / "kernels").glob("*.py"))) == 2
+
+
+def unknown(x: float) -> float:
+    return x + missing  # type: ignore[name-defined]  # noqa: F821
+
+
+def array_function(x: Floats) -> float:
+    return float(np.sum(x))
+
+
+def summed(x: Floats) -> float:
+    return float(total(x))
+
+
+def shadowed(x: float) -> float:
+    LANES = plain_parts.LANES  # noqa: N806
+    return x + LANES
+
+
+def untyped(x: np.ndarray[Any, Any]) -> float:
+    return float(x[0])
+
+
+HALF = 2
+
+
+def two_halves(x: float) -> float:
+    return x + HALF + plain_parts.HALF
+
+
+@pytest.mark.parametrize(
+    ("function", "says"),
+    [
+        (unknown, r"stepped\.test\.unknown: 'missing' is not known"),
+        (
+            array_function,
+            r"array_function: 'np.sum' is .*: must be a function of this package",
+        ),
+        (summed, r"functions\.total: 'np.sum' is"),
+        (shadowed, "'LANES' is also a variable"),
+        (untyped, "argument 'x': an entry of a kernel takes"),
+        (two_halves, "'HALF' has two meanings"),
+    ],
+    ids=lambda case: getattr(case, "__name__", ""),
+)
+def test_what_cannot_be_compiled_is_refused_by_name(
+    function: Callable[..., Any], says: str
+) -> None:
+    with pytest.raises(TypeError, match=says):
+        assembled(as_engine(function), says="Refused.")
+
+
+def test_who_waits_is_told_and_only_then(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
+    loaded.cache_clear()
+    ENGINE.compiled()
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert re.search(
+        r"Compiling the engine of the tests, about \d+ s, once for this machine", told.err
+    )
+    loaded.cache_clear()
+    ENGINE.compiled()
+    assert capsys.readouterr().err == ""
+
+
+TWICE = """
+import numpy as np
+from tests.kernels.test_engine import ENGINE
+made = ENGINE.compiled()
+print(made.pushed(np.ones((1, 48)), 1), len(made.pushed.stats.cache_hits))
+"""
+
+
+def run(home: Path) -> subprocess.Popen[str]:
+    environment = {"TAMIAS2D_HOME": str(home), "PATH": "", "PYTHONPATH": ":".join(sys.path)}
+    return subprocess.Popen(
+        [sys.executable, "-c", TWICE],
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=Path(__file__).parents[2],
+    )
+
+
+def test_two_processes_compile_at_once_and_a_third_finds_it(tmp_path: Path) -> None:
+    both = [run(tmp_path), run(tmp_path)]
+    said = [process.communicate()[0].split() for process in both]
+    third, told = run(tmp_path).communicate()
+    assert said[0][0] == said[1][0] == third.split()[0]
+    assert third.split()[1] == "1"
+    assert told == ""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="directories without leave to write")
+def test_kernels_that_cannot_be_written_go_to_a_temporary_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
+    (tmp_path / "kernels").write_text("in the way")  # a directory without leave stops no superuser
+    loaded.cache_clear()
+    made = ENGINE.compiled()
+    assert made.pushed(np.ones((1, 48)), 1) == ENGINE.plain().pushed(np.ones((1, 48)), 1)
+    assert not made.pushed.__code__.co_filename.startswith(str(tmp_path))
+    loaded.cache_clear()
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes that fork")
+def test_a_forked_process_goes_on_with_what_was_compiled() -> None:
+    made = ENGINE.compiled()
+    child = os.fork()
+    if child == 0:
+        os._exit(0 if made.pushed(np.ones((1, 48)), 1) >= 0 else 1)
+    assert os.waitpid(child, 0)[1] == 0
