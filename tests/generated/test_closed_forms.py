@@ -15,14 +15,26 @@ from tests.support import Value, close, only, solve, values
     acceleration=values("acceleration"),
     drag_rate=values("drag_rate"),
     time=values("time"),
+    orientation_start=values("orientation_start"),
+    angular_velocity_start=values("angular_velocity_start"),
+    angular_acceleration=values("angular_acceleration"),
+    angular_drag_rate=values("angular_drag_rate"),
 )
 def test_im6_closed_form_solves_its_equations(**given: Value) -> None:
     """IM6, srs/models/drag.md:18."""
     solution = solve(
-        {"position": "velocity", "velocity": "acceleration - drag_rate*velocity"}, given
+        {
+            "position": "velocity",
+            "velocity": "acceleration - drag_rate*velocity",
+            "orientation": "angular_velocity",
+            "angular_velocity": "angular_acceleration - angular_drag_rate*angular_velocity",
+        },
+        given,
     )
     close(drag.position(**only(given, drag.position)), solution["position"])
     close(drag.velocity(**only(given, drag.velocity)), solution["velocity"])
+    close(drag.orientation(**only(given, drag.orientation)), solution["orientation"])
+    close(drag.angular_velocity(**only(given, drag.angular_velocity)), solution["angular_velocity"])
 
 
 @given(

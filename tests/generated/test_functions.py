@@ -9,6 +9,7 @@ from tamias2d.generated import (
     definitions,
     detection,
     drag,
+    friction,
     gravitation,
     impact,
     rest,
@@ -216,6 +217,18 @@ def test_drag_rate_is_im6(**given: Value) -> None:
     agrees(drag.drag_rate, "linear_drag/mass", given)
 
 
+@given(angular_drag=values("angular_drag"), angular_velocity=values("angular_velocity"))
+def test_angular_drag_torque_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(drag.angular_drag_torque, "-angular_drag*angular_velocity", given)
+
+
+@given(angular_drag=values("angular_drag"), inertia=values("inertia"))
+def test_angular_drag_rate_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(drag.angular_drag_rate, "angular_drag/inertia", given)
+
+
 @given(
     position_start=values("position_start"),
     velocity_start=values("velocity_start"),
@@ -245,6 +258,282 @@ def test_velocity_is_im6(**given: Value) -> None:
         "velocity_start*exp(-drag_rate*time) + acceleration*time*phi1(-drag_rate*time)",
         given,
     )
+
+
+@given(
+    orientation_start=values("orientation_start"),
+    angular_velocity_start=values("angular_velocity_start"),
+    angular_acceleration=values("angular_acceleration"),
+    angular_drag_rate=values("angular_drag_rate"),
+    time=values("time"),
+)
+def test_orientation_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(
+        drag.orientation,
+        "orientation_start + angular_velocity_start*time*phi1(-angular_drag_rate*time) + angular_acceleration*time**2*phi2(-angular_drag_rate*time)",
+        given,
+    )
+
+
+@given(
+    angular_velocity_start=values("angular_velocity_start"),
+    angular_acceleration=values("angular_acceleration"),
+    angular_drag_rate=values("angular_drag_rate"),
+    time=values("time"),
+)
+def test_angular_velocity_is_im6(**given: Value) -> None:
+    """IM6, srs/models/drag.md:18."""
+    agrees(
+        drag.angular_velocity,
+        "angular_velocity_start*exp(-angular_drag_rate*time) + angular_acceleration*time*phi1(-angular_drag_rate*time)",
+        given,
+    )
+
+
+@given(
+    velocity_a=values("velocity_a"),
+    angular_velocity_a=values("angular_velocity_a"),
+    arm_a=values("arm_a"),
+    velocity_b=values("velocity_b"),
+    angular_velocity_b=values("angular_velocity_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+)
+def test_tangential_velocity_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.tangential_velocity,
+        "dot(velocity_b + cross(angular_velocity_b, arm_b) - velocity_a - cross(angular_velocity_a, arm_a), perp(normal))",
+        given,
+    )
+
+
+@given(
+    inverse_inertia_a=values("inverse_inertia_a"),
+    arm_a=values("arm_a"),
+    inverse_inertia_b=values("inverse_inertia_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+)
+def test_cross_coupling_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.cross_coupling,
+        "inverse_inertia_a*cross(arm_a, normal)*cross(arm_a, perp(normal)) + inverse_inertia_b*cross(arm_b, normal)*cross(arm_b, perp(normal))",
+        given,
+    )
+
+
+@given(
+    inverse_mass_a=values("inverse_mass_a"),
+    inverse_inertia_a=values("inverse_inertia_a"),
+    arm_a=values("arm_a"),
+    inverse_mass_b=values("inverse_mass_b"),
+    inverse_inertia_b=values("inverse_inertia_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+)
+def test_inverse_tangential_mass_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.inverse_tangential_mass,
+        "inverse_mass_a + inverse_inertia_a*cross(arm_a, perp(normal))**2 + inverse_mass_b + inverse_inertia_b*cross(arm_b, perp(normal))**2",
+        given,
+    )
+
+
+@given(
+    inverse_mass_a=values("inverse_mass_a"),
+    inverse_inertia_a=values("inverse_inertia_a"),
+    arm_a=values("arm_a"),
+    inverse_mass_b=values("inverse_mass_b"),
+    inverse_inertia_b=values("inverse_inertia_b"),
+    arm_b=values("arm_b"),
+    inverse_effective_mass=values("inverse_effective_mass"),
+)
+def test_inverse_sliding_mass_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.inverse_sliding_mass,
+        "((inverse_mass_a + inverse_mass_b)*(inverse_mass_a + inverse_mass_b + inverse_inertia_a*dot(arm_a, arm_a) + inverse_inertia_b*dot(arm_b, arm_b)) + inverse_inertia_a*inverse_inertia_b*cross(arm_a, arm_b)**2)/inverse_effective_mass",
+        given,
+    )
+
+
+@given(
+    tangential_velocity=values("tangential_velocity"),
+    cross_coupling=values("cross_coupling"),
+    normal_velocity=values("normal_velocity"),
+    inverse_effective_mass=values("inverse_effective_mass"),
+)
+def test_tangential_velocity_closest_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.tangential_velocity_closest,
+        "tangential_velocity - cross_coupling*normal_velocity/inverse_effective_mass",
+        given,
+    )
+
+
+@given(
+    tangential_velocity_closest=values("tangential_velocity_closest"),
+    inverse_sliding_mass=values("inverse_sliding_mass"),
+)
+def test_sticking_impulse_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(friction.sticking_impulse, "-tangential_velocity_closest/inverse_sliding_mass", given)
+
+
+@given(
+    cross_coupling=values("cross_coupling"),
+    sticking_impulse=values("sticking_impulse"),
+    inverse_effective_mass=values("inverse_effective_mass"),
+)
+def test_normal_change_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(friction.normal_change, "-cross_coupling*sticking_impulse/inverse_effective_mass", given)
+
+
+@given(
+    pair_friction=values("pair_friction"),
+    impulse=values("impulse"),
+    sticking_impulse=values("sticking_impulse"),
+    normal_change=values("normal_change"),
+)
+def test_share_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.share,
+        "pair_friction*impulse/max(abs(sticking_impulse) - pair_friction*normal_change, pair_friction*impulse)",
+        given,
+    )
+
+
+@given(impulse=values("impulse"), share=values("share"), normal_change=values("normal_change"))
+def test_normal_impulse_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(friction.normal_impulse, "impulse + share*normal_change", given)
+
+
+@given(share=values("share"), sticking_impulse=values("sticking_impulse"))
+def test_tangential_impulse_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(friction.tangential_impulse, "share*sticking_impulse", given)
+
+
+@given(
+    normal_impulse=values("normal_impulse"),
+    tangential_impulse=values("tangential_impulse"),
+    normal=values("normal"),
+)
+def test_impulse_vector_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.impulse_vector, "normal_impulse*normal + tangential_impulse*perp(normal)", given
+    )
+
+
+@given(
+    velocity_a=values("velocity_a"),
+    inverse_mass_a=values("inverse_mass_a"),
+    impulse_vector=values("impulse_vector"),
+)
+def test_velocity_a_after_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(friction.velocity_a_after, "velocity_a - inverse_mass_a*impulse_vector", given)
+
+
+@given(
+    angular_velocity_a=values("angular_velocity_a"),
+    inverse_inertia_a=values("inverse_inertia_a"),
+    arm_a=values("arm_a"),
+    impulse_vector=values("impulse_vector"),
+)
+def test_angular_velocity_a_after_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.angular_velocity_a_after,
+        "angular_velocity_a - inverse_inertia_a*cross(arm_a, impulse_vector)",
+        given,
+    )
+
+
+@given(
+    velocity_b=values("velocity_b"),
+    inverse_mass_b=values("inverse_mass_b"),
+    impulse_vector=values("impulse_vector"),
+)
+def test_velocity_b_after_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(friction.velocity_b_after, "velocity_b + inverse_mass_b*impulse_vector", given)
+
+
+@given(
+    angular_velocity_b=values("angular_velocity_b"),
+    inverse_inertia_b=values("inverse_inertia_b"),
+    arm_b=values("arm_b"),
+    impulse_vector=values("impulse_vector"),
+)
+def test_angular_velocity_b_after_is_im9(**given: Value) -> None:
+    """IM9, srs/models/friction.md:57."""
+    agrees(
+        friction.angular_velocity_b_after,
+        "angular_velocity_b + inverse_inertia_b*cross(arm_b, impulse_vector)",
+        given,
+    )
+
+
+@given(
+    acceleration_a=values("acceleration_a"),
+    angular_acceleration_a=values("angular_acceleration_a"),
+    arm_a=values("arm_a"),
+    acceleration_b=values("acceleration_b"),
+    angular_acceleration_b=values("angular_acceleration_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+)
+def test_tangential_acceleration_is_gd8(**given: Value) -> None:
+    """GD8, srs/models/friction.md:320."""
+    agrees(
+        friction.tangential_acceleration,
+        "dot(acceleration_b + cross(angular_acceleration_b, arm_b) - acceleration_a - cross(angular_acceleration_a, arm_a), perp(normal))",
+        given,
+    )
+
+
+@given(
+    inverse_effective_mass=values("inverse_effective_mass"),
+    sense=values("sense"),
+    pair_friction=values("pair_friction"),
+    cross_coupling=values("cross_coupling"),
+)
+def test_inverse_pressed_mass_is_gd8(**given: Value) -> None:
+    """GD8, srs/models/friction.md:320."""
+    agrees(
+        friction.inverse_pressed_mass,
+        "inverse_effective_mass - sense*pair_friction*cross_coupling",
+        given,
+    )
+
+
+@given(
+    normal_acceleration=values("normal_acceleration"),
+    inverse_pressed_mass=values("inverse_pressed_mass"),
+)
+def test_contact_force_is_gd8(**given: Value) -> None:
+    """GD8, srs/models/friction.md:320."""
+    agrees(friction.contact_force, "-normal_acceleration/inverse_pressed_mass", given)
+
+
+@given(
+    sense=values("sense"),
+    pair_friction=values("pair_friction"),
+    contact_force=values("contact_force"),
+)
+def test_friction_force_is_gd8(**given: Value) -> None:
+    """GD8, srs/models/friction.md:320."""
+    agrees(friction.friction_force, "-sense*pair_friction*contact_force", given)
 
 
 @given(

@@ -315,8 +315,67 @@ def test_range_of_impulse() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
 
 
+def test_range_of_inverse_tangential_mass() -> None:
+    """srs/symbols.md:418: > 0."""
+    symbol = SYMBOLS["inverse_tangential_mass"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_inverse_sliding_mass() -> None:
+    """srs/symbols.md:423: > 0."""
+    symbol = SYMBOLS["inverse_sliding_mass"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_normal_impulse() -> None:
+    """srs/symbols.md:444: >= 0."""
+    symbol = SYMBOLS["normal_impulse"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_share() -> None:
+    """srs/symbols.md:449: [0, 1]."""
+    symbol = SYMBOLS["share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
+def test_range_of_sense() -> None:
+    """srs/symbols.md:456: [-1, 1]."""
+    symbol = SYMBOLS["sense"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            -1.0,
+            -0.9999999999999999,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(
+        symbol.admits(value) for value in (inf, -inf, nan, -1.0000000000000002, 1.0000000000000002)
+    )
+
+
 def test_range_of_contact_force() -> None:
-    """srs/symbols.md:417: >= 0."""
+    """srs/symbols.md:468: >= 0."""
     symbol = SYMBOLS["contact_force"]
     assert all(
         symbol.admits(value)
@@ -329,7 +388,7 @@ def test_range_of_contact_force() -> None:
 
 
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:444: >= 0."""
+    """srs/symbols.md:495: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -342,35 +401,35 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:462: > 0."""
+    """srs/symbols.md:513: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_length() -> None:
-    """srs/symbols.md:467: > 0."""
+    """srs/symbols.md:518: > 0."""
     symbol = SYMBOLS["length"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:474: > 0."""
+    """srs/symbols.md:525: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:479: > 0."""
+    """srs/symbols.md:530: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:498: > 0."""
+    """srs/symbols.md:549: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

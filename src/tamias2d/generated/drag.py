@@ -16,7 +16,7 @@ def linear_drag_force(linear_drag: Scalar, velocity: Vector) -> Vector:
         linear_drag: Coefficient of the drag that grows with the speed, kg/s
         velocity: Velocity of the centre of mass, m/s
 
-    Source: IM6, srs/models/drag.md:37.
+    Source: IM6, srs/models/drag.md:46.
     """
     velocity_x, velocity_y = velocity
     return ((-linear_drag) * velocity_x, (-linear_drag) * velocity_y)
@@ -32,7 +32,7 @@ def quadratic_drag_force(quadratic_drag: Scalar, velocity: Vector) -> Vector:
         quadratic_drag: Coefficient of the drag that grows with the square of the speed, kg/m
         velocity: Velocity of the centre of mass, m/s
 
-    Source: IM6, srs/models/drag.md:38.
+    Source: IM6, srs/models/drag.md:47.
     """
     velocity_x, velocity_y = velocity
     speed = sqrt(velocity_x * velocity_x + velocity_y * velocity_y)
@@ -48,9 +48,37 @@ def drag_rate(linear_drag: Scalar, mass: Scalar) -> Scalar:
         linear_drag: Coefficient of the drag that grows with the speed, kg/s
         mass: Mass of a body, kg
 
-    Source: IM6, srs/models/drag.md:39.
+    Source: IM6, srs/models/drag.md:48.
     """
     return linear_drag / mass
+
+
+def angular_drag_torque(angular_drag: Scalar, angular_velocity: Scalar) -> Scalar:
+    """Torque of angular drag on a body (N*m).
+
+    angular_drag_torque = -angular_drag*angular_velocity
+
+    Args:
+        angular_drag: Coefficient of the drag that grows with the angular velocity, kg*m^2/s
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+
+    Source: IM6, srs/models/drag.md:49.
+    """
+    return (-angular_drag) * angular_velocity
+
+
+def angular_drag_rate(angular_drag: Scalar, inertia: Scalar) -> Scalar:
+    """Share of its angular velocity that a body loses to angular drag per unit of time (1/s).
+
+    angular_drag_rate = angular_drag/inertia
+
+    Args:
+        angular_drag: Coefficient of the drag that grows with the angular velocity, kg*m^2/s
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+
+    Source: IM6, srs/models/drag.md:50.
+    """
+    return angular_drag / inertia
 
 
 def position(
@@ -65,8 +93,8 @@ def position(
     position = position_start + velocity_start*time*phi1(-drag_rate*time) +
     acceleration*time**2*phi2(-drag_rate*time)
 
-    Valid when the drag is linear, and gravity and the applied force, which together give the
-    acceleration, do not change with time.
+    Valid when the drag is linear, and gravity, the applied force and the applied torque, which
+    give the accelerations, do not change with time.
 
     Args:
         position_start: Position of the centre of mass; at the start, m
@@ -75,7 +103,7 @@ def position(
         drag_rate: Share of its velocity that a body loses to linear drag per unit of time, 1/s
         time: Time since the start of the simulation, s
 
-    Source: IM6, srs/models/drag.md:61.
+    Source: IM6, srs/models/drag.md:72.
     """
     position_start_x, position_start_y = position_start
     velocity_start_x, velocity_start_y = velocity_start
@@ -97,8 +125,8 @@ def velocity(
 
     velocity = velocity_start*exp(-drag_rate*time) + acceleration*time*phi1(-drag_rate*time)
 
-    Valid when the drag is linear, and gravity and the applied force, which together give the
-    acceleration, do not change with time.
+    Valid when the drag is linear, and gravity, the applied force and the applied torque, which
+    give the accelerations, do not change with time.
 
     Args:
         velocity_start: Velocity of the centre of mass; at the start, m/s
@@ -106,7 +134,7 @@ def velocity(
         drag_rate: Share of its velocity that a body loses to linear drag per unit of time, 1/s
         time: Time since the start of the simulation, s
 
-    Source: IM6, srs/models/drag.md:64.
+    Source: IM6, srs/models/drag.md:75.
     """
     velocity_start_x, velocity_start_y = velocity_start
     acceleration_x, acceleration_y = acceleration
@@ -116,3 +144,66 @@ def velocity(
         velocity_start_y * exp((-drag_rate) * time)
         + acceleration_y * time * phi1((-drag_rate) * time),
     )
+
+
+def orientation(
+    orientation_start: Scalar,
+    angular_velocity_start: Scalar,
+    angular_acceleration: Scalar,
+    angular_drag_rate: Scalar,
+    time: Scalar,
+) -> Scalar:
+    """Angle by which the body is turned counter-clockwise from its drawn position, unbounded
+    (rad).
+
+    orientation = orientation_start +
+    angular_velocity_start*time*phi1(-angular_drag_rate*time) +
+    angular_acceleration*time**2*phi2(-angular_drag_rate*time)
+
+    Valid when the drag is linear, and gravity, the applied force and the applied torque, which
+    give the accelerations, do not change with time.
+
+    Args:
+        orientation_start: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; at the start, rad
+        angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
+        angular_acceleration: Rate of change of the angular velocity, rad/s^2
+        angular_drag_rate: Share of its angular velocity that a body loses to angular drag per
+            unit of time, 1/s
+        time: Time since the start of the simulation, s
+
+    Source: IM6, srs/models/drag.md:78.
+    """
+    return (
+        orientation_start
+        + angular_velocity_start * time * phi1((-angular_drag_rate) * time)
+        + angular_acceleration * time * time * phi2((-angular_drag_rate) * time)
+    )
+
+
+def angular_velocity(
+    angular_velocity_start: Scalar,
+    angular_acceleration: Scalar,
+    angular_drag_rate: Scalar,
+    time: Scalar,
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise (rad/s).
+
+    angular_velocity = angular_velocity_start*exp(-angular_drag_rate*time) +
+    angular_acceleration*time*phi1(-angular_drag_rate*time)
+
+    Valid when the drag is linear, and gravity, the applied force and the applied torque, which
+    give the accelerations, do not change with time.
+
+    Args:
+        angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
+        angular_acceleration: Rate of change of the angular velocity, rad/s^2
+        angular_drag_rate: Share of its angular velocity that a body loses to angular drag per
+            unit of time, 1/s
+        time: Time since the start of the simulation, s
+
+    Source: IM6, srs/models/drag.md:82.
+    """
+    return angular_velocity_start * exp(
+        (-angular_drag_rate) * time
+    ) + angular_acceleration * time * phi1((-angular_drag_rate) * time)
