@@ -39,10 +39,14 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.scene import (
         Body as Body,
         Box as Box,
+        Capsule as Capsule,
+        Compound as Compound,
         Disc as Disc,
         HalfPlane as HalfPlane,
+        Part as Part,
         Polygon as Polygon,
         Scene as Scene,
+        Segment as Segment,
         catalogue as catalogue,
         load as load,
         needs as needs,
@@ -62,7 +66,8 @@ _HOMES = {
     "Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError VelocityVerlet "
     "Yoshida4",
     "run": "Impacts Run",
-    "scene": "Body Box Disc HalfPlane Polygon Scene catalogue load needs scene_text",
+    "scene": "Body Box Capsule Compound Disc HalfPlane Part Polygon Scene Segment catalogue load "
+    "needs scene_text",
     "simulate": "simulate",
     "study.certify": "certify",
     "study.recommend": "ToleranceError recommend",

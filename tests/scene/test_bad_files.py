@@ -111,7 +111,7 @@ BAD = [
     ("    shape: box\n", "", "6:3", "'shape' is missing"),
     ("gravity: [0 m/s^2, -9.81 m/s^2]\n", "", "1:1", "'gravity' is missing"),
     ("shape: box", "shape: boxx", "7:12", "did you mean 'box'"),
-    ("shape: box", "shape: circle", "7:12", "disc, box, polygon, half-plane, none"),
+    ("shape: box", "shape: circle", "7:12", "disc, box, polygon, capsule, segment"),
     ("shape: box", "shape: half-plane", "8:5", "width"),
     ("box\n    width: 2 m\n    height: 1 m", "none\n    torque: 1 N*m", "6:3", "inertia"),
     ("    offset: 0 m", "    offset: 0 m\n    mass: 1 kg", "25:5", "key 'mass'"),

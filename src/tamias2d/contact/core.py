@@ -7,7 +7,7 @@ import math
 from copy import copy
 from typing import NamedTuple
 
-from tamias2d.scene import Body, Disc, HalfPlane, Scene
+from tamias2d.scene import Body, Box, Disc, HalfPlane, Polygon, Scene
 from tamias2d.scene.acting import groups, timed_loads, varying_loads
 from tamias2d.state import State, Vector
 
@@ -58,7 +58,7 @@ class Core:
         elif isinstance(shape, HalfPlane):
             self.corners = ()
             self.sides = (Side(shape.normal, shape.offset, (-math.inf, math.inf)),)
-        elif shape is not None:
+        elif isinstance(shape, Box | Polygon):
             self.corners = shape.vertices
             self.sides = _sides(shape.vertices)
         self.reaches = tuple(math.hypot(x, y) for x, y in self.corners)

@@ -18,6 +18,7 @@ from tamias2d.contact.near import Swept
 from tamias2d.contact.overlap import refuse_overlap
 from tamias2d.contact.path import Motion, Piece
 from tamias2d.contact.refusal import UndecidedContactError, named
+from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.watch import Watch
 from tamias2d.scene import Scene
 from tamias2d.state import Hold, State
@@ -29,6 +30,7 @@ class Located:
     """The bodies of a scene under way: `go` to a time, then read `tracks` and `impacts`."""
 
     def __init__(self, scene: Scene, motion: Motion) -> None:
+        refuse_stepwise(scene)
         self._scene = scene
         self._motion = motion
         self._cores = cores_of(scene)

@@ -51,6 +51,12 @@ class RangeError(Refusal):
     code = "out-of-range"
 
 
+class StepwiseError(SceneError):
+    """A scene holds what only the stepped way knows."""
+
+    code = "stepwise"
+
+
 class OverlapError(SceneError):
     """Bodies overlap at the start of a run."""
 

@@ -5,28 +5,34 @@ Serves: users, and every part that computes. Hides: which file holds which conce
 
 from tamias2d.scene import catalogue
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.compound import Compound, Part, Shape, pieces_of
 from tamias2d.scene.fields import ForceField
 from tamias2d.scene.needs import Need, Needs, needs
 from tamias2d.scene.reading import load
 from tamias2d.scene.scene import Scene
-from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segment
 from tamias2d.scene.springs import Spring
 from tamias2d.scene.writing import scene_text
 
 __all__ = [
     "Body",
     "Box",
+    "Capsule",
+    "Compound",
     "Disc",
     "ForceField",
     "HalfPlane",
     "Need",
     "Needs",
+    "Part",
     "Polygon",
     "Scene",
+    "Segment",
     "Shape",
     "Spring",
     "catalogue",
     "load",
     "needs",
+    "pieces_of",
     "scene_text",
 ]

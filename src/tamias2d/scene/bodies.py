@@ -7,17 +7,19 @@ body.
 import math
 from dataclasses import dataclass
 
+from tamias2d.scene.compound import Shape
+from tamias2d.scene.filters import ALL
 from tamias2d.scene.law import Law, Value, value_at, varies
 from tamias2d.scene.rules import Vector
-from tamias2d.scene.shapes import Shape
 
 
 @dataclass(frozen=True, kw_only=True)
 class Body:
-    """One rigid body of a scene, checked; made by `Scene.add_body` and `Scene.add_static`.
+    """One rigid body of a scene, checked; made by `Scene.add_body` and its like.
 
-    A static body has infinite mass and inertia, so that both inverses are 0. So has, for its
-    rotation, a body without shape (a particle, which touches nothing) whose inertia is not stated.
+    A static body has infinite mass and inertia, so that both inverses are 0. So has a kinematic
+    one, which moves with the velocity that it is given, and, for its rotation, a body without shape
+    (a particle, which touches nothing) whose inertia is not stated.
     """
 
     name: str
@@ -43,20 +45,39 @@ class Body:
     """Drag force per velocity, kg/s."""
     quadratic_drag: float = 0.0
     """Drag force per squared speed, kg/m."""
+    angular_drag: float = 0.0
+    """Drag torque per angular velocity, kg m^2/s."""
     restitution: float | None = None
     """0 to 1, or None where only the other body of a pair or the scene says it."""
+    friction: float | None = None
+    """Coefficient of dry friction, or None where only the other body or the scene says it."""
     inertia_stated: bool = False
     """Whether the inertia was given, rather than found from mass and shape."""
+    kinematic: bool = False
+    """Whether it moves with a given velocity and angular velocity, whatever it meets."""
+    category: int = 1
+    """Bits of the kinds of bodies that it is."""
+    mask: int = ALL
+    """Bits of the kinds of bodies that it may touch."""
+    group: int = 0
+    """Those of one group always touch where it is positive, and never where it is negative."""
+    sensor: bool = False
+    """Whether it only tells what overlaps it, and pushes nothing."""
 
     @property
     def inverse_mass(self) -> float:
-        """1/mass, 1/kg; 0 for a static body."""
+        """1/mass, 1/kg; 0 for what nothing can push."""
         return 1 / self.mass
 
     @property
     def inverse_inertia(self) -> float:
         """1/inertia, 1/(kg m^2); 0 for what cannot be turned."""
         return 1 / self.inertia
+
+    @property
+    def static(self) -> bool:
+        """Whether it stands still whatever happens."""
+        return not (self.dynamic or self.kinematic)
 
     @property
     def constant(self) -> bool:

@@ -4,12 +4,14 @@ Serves: scenes and their reader. Hides: how each value is converted and judged.
 """
 
 import math
+from typing import get_args
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.compound import Shape
 from tamias2d.scene.law import Law, checked_law, first_value
-from tamias2d.scene.rules import RuleError, number, pair, shown
-from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+from tamias2d.scene.rules import RuleError, Vector, number, pair, shown, vector
+from tamias2d.scene.shapes import HalfPlane
 
 
 def checked_text(value: object, key: str) -> str:
@@ -34,6 +36,16 @@ def checked_angle(value: object, of: str) -> float:
     return number(value, "orientation", of, "Give it in rad.", at=("orientation",))
 
 
+def checked_velocity(value: object, of: str) -> Vector:
+    """Return a velocity, m/s."""
+    return vector(value, "velocity", of, "Give (x, y) in m/s.", at=("velocity",))
+
+
+def checked_spin(value: object, of: str) -> float:
+    """Return an angular velocity, rad/s."""
+    return number(value, "angular_velocity", of, "Give it in rad/s.", at=("angular_velocity",))
+
+
 def checked_restitution(value: object, of: str) -> float:
     """Return a restitution, 0 to 1."""
     return number(value, "restitution", of, "Give a number from 0 to 1.", at=("restitution",))
@@ -42,6 +54,17 @@ def checked_restitution(value: object, of: str) -> float:
 def optional_restitution(value: object, of: str) -> float | None:
     """Return a restitution, or None where none is stated."""
     return None if value is None else checked_restitution(value, of)
+
+
+def checked_friction(value: object, of: str) -> float:
+    """Return a coefficient of friction, which is not negative."""
+    remedy = "Give a number such as 0.5, or 0 for a smooth surface."
+    return number(value, "friction", of, remedy, at=("friction",))
+
+
+def optional_friction(value: object, of: str) -> float | None:
+    """Return a coefficient of friction, or None where none is stated."""
+    return None if value is None else checked_friction(value, of)
 
 
 def checked_force(value: object, of: str) -> tuple[Law, Law]:
@@ -54,7 +77,7 @@ def checked_force(value: object, of: str) -> tuple[Law, Law]:
 
 
 def checked_drag(value: object, symbol: str, of: str) -> float:
-    """Return the coefficient of linear or quadratic drag, which is not negative."""
+    """Return the coefficient of linear, quadratic or angular drag, which is not negative."""
     unit = SYMBOLS[symbol].unit
     return number(value, symbol, of, f"Give it in {unit}, 0 for none.", at=(symbol,))
 
@@ -89,18 +112,17 @@ def _invertible(value: float, key: str, unit: str, of: str) -> float:
     return value
 
 
-def refuse_shape(shape: object, of: str, *, static: bool) -> None:
-    """Refuse what is no shape, and a half-plane that should move."""
-    known = (Disc, Box, Polygon, HalfPlane)
+def refuse_shape(shape: object, of: str, *, static: bool = False, none: bool = False) -> None:
+    """Refuse what is no shape unless it is `none`, and a half-plane unless it is `static`."""
     if isinstance(shape, HalfPlane) and not static:
         raise RuleError(
             f"shape of {of}: found a half-plane: it cannot move (R4). Add it as a static body.",
             "shape",
         )
-    if not (isinstance(shape, known) or (shape is None and not static)):
+    if not (isinstance(shape, get_args(Shape)) or (shape is None and none)):
         raise RuleError(
-            f"shape of {of}: found {shown(shape)}: must be a shape (R4). "
-            "Give a Disc, Box, Polygon or, for a static body, a HalfPlane.",
+            f"shape of {of}: found {shown(shape)}: must be a shape (R4). Give a Disc, Box, "
+            "Polygon, Capsule, Segment, Compound or, for a static body, a HalfPlane.",
             "shape",
         )
 

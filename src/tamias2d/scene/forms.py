@@ -9,6 +9,9 @@ from contextlib import contextmanager
 
 from tamias2d.scene.rules import RuleError, shown
 
+SECTIONS = ("bodies", "kinematics", "statics")
+"""Where the bodies of a scene file stand, in the order in which they are added."""
+
 
 @contextmanager
 def within(*path: str | int) -> Iterator[None]:

@@ -25,6 +25,10 @@ Path = tuple[str | int, ...]
 
 def read_value(raw: object, key: str, path: Path) -> Any:
     """Return the value of a body's key as `Scene` takes it: number, pair, law or list of pairs."""
+    if key in ("category", "mask", "group"):
+        return _whole(raw, path)
+    if key == "sensor":
+        return _truth(raw, path)
     if key == "vertices":
         corners = _items(raw, "a list of corners", path)
         return [_pair(corner, SYMBOLS["vertex"], (*path, k)) for k, corner in enumerate(corners)]
@@ -38,6 +42,29 @@ def scalar_text(raw: object, path: Path) -> str:
         return raw
     found = "a list" if isinstance(raw, list) else "a mapping" if raw else "nothing"
     raise RuleError(f"{label(path[-1:])}: found {found}: must be one value (R2). Write one.", *path)
+
+
+def _whole(raw: object, path: Path) -> int:
+    """Return a whole number, which may be written like 0b101 or 0xff."""
+    text = scalar_text(raw, path)
+    try:
+        return int(text, 0)
+    except ValueError:
+        raise RuleError(
+            f"{label(path[-1:])}: found {shown(text)}: must be a whole number (R3). "
+            "Write it like 5 or 0b101.",
+            *path,
+        ) from None
+
+
+def _truth(raw: object, path: Path) -> bool:
+    text = scalar_text(raw, path)
+    if text not in ("true", "false"):
+        raise RuleError(
+            f"{label(path[-1:])}: found {shown(text)}: must be true or false (R3). Write one.",
+            *path,
+        )
+    return text == "true"
 
 
 def _items(raw: object, wanted: str, path: Path) -> list[object]:

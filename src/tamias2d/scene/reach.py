@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from tamias2d.generated import detection, translation
 from tamias2d.scene.acting import Load, steady_load, varying_loads
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.compound import pieces_of
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Disc, HalfPlane
@@ -41,10 +42,14 @@ class _Bounds:
 
 
 def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
-    """Return all pairs (i, j), i < j, of which one body moves and whose swept bounds meet."""
+    """Return all pairs (i, j), i < j, that may meet: one moves, and their swept bounds meet."""
     varying = varying_loads(scene)
     loads = {k: steady_load(scene, k) for k in range(len(scene)) if k not in varying}
-    bodies = [(k, body) for k, body in enumerate(scene.bodies) if body.shape is not None]
+    bodies = [
+        (k, body)
+        for k, body in enumerate(scene.bodies)
+        if body.shape is not None and not body.sensor
+    ]
     walls = [(k, body.shape) for k, body in bodies if isinstance(body.shape, HalfPlane)]
     bounded = [(k, body) for k, body in bodies if not isinstance(body.shape, HalfPlane)]
     found = {
@@ -55,7 +60,7 @@ def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
     }
     bounds = [_swept(k, body, scene.gravity, loads.get(k), duration) for k, body in bounded]
     found.update(pair for pair in _overlaps(bounds) if _moves(scene, pair))
-    return sorted(found)
+    return sorted(pair for pair in found if scene.collides(*pair))
 
 
 def _moves(scene: Scene, pair: tuple[int, int]) -> bool:
@@ -94,7 +99,7 @@ def _shadow(
 ) -> tuple[float, float]:
     """Return the interval of an axis over which a body sweeps; no `load` says that it varies."""
     below, above = _extent(body, load, axis)
-    if not body.dynamic:
+    if body.static:
         start = _dot(body.position, axis)
         margin = _MARGIN * (abs(start) + above - below)
         return start + below - margin, start + above + margin
@@ -110,7 +115,9 @@ def _shadow(
 def _path(body: Body, gravity: Vector, load: Load, duration: float, axis: Vector) -> list[float]:
     """Return where a centre starts, ends and turns back, along an axis."""
     start, speed = _dot(body.position, axis), _dot(body.velocity, axis)
-    push = _dot(translation.acceleration(gravity, load[:2], body.mass), axis)
+    push = 0.0
+    if body.dynamic:
+        push = _dot(translation.acceleration(gravity, load[:2], body.mass), axis)
     times = [0.0, duration]
     if push and 0 < -speed / push < duration:
         times.append(-speed / push)
@@ -122,15 +129,19 @@ def _path(body: Body, gravity: Vector, load: Load, duration: float, axis: Vector
 def _extent(body: Body, load: Load | None, axis: Vector) -> tuple[float, float]:
     """Return how far a shape reaches against and along an axis from its centre of mass."""
     shape = body.shape
-    if shape is None:
+    if shape is None or isinstance(shape, HalfPlane):
         return 0.0, 0.0
     turned = load is None or load[2] != 0 or body.angular_velocity != 0
     if isinstance(shape, Disc) or turned:
         return -shape.bounding_radius, shape.bounding_radius
     cos, sin = math.cos(body.orientation), math.sin(body.orientation)
     own = (cos * axis[0] + sin * axis[1], cos * axis[1] - sin * axis[0])
-    reaches = [_dot(vertex, own) for vertex in shape.vertices]
-    return min(reaches), max(reaches)
+    reaches = [
+        (_dot(corner, own), piece.shape.rounding)
+        for piece in pieces_of(shape)
+        for corner in piece.core
+    ]
+    return min(at - round_ for at, round_ in reaches), max(at + round_ for at, round_ in reaches)
 
 
 def _dot(a: Vector, b: Vector) -> float:

@@ -8,33 +8,33 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from tamias2d.errors import SceneError
-from tamias2d.scene.forms import likely, listed, mapping, two_names, within
+from tamias2d.scene.forms import SECTIONS, listed, mapping, two_names, within
 from tamias2d.scene.quantities import Path, read_quantity, read_value, scalar_text
 from tamias2d.scene.reading_acting import add_acting
+from tamias2d.scene.reading_shapes import read_shape, shape_keys
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene import Scene
-from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
 from tamias2d.spec.markup import MAX_SIZE, MarkupError, Place, compose
 
 _TOP_MAY = (
-    *("name", "says", "duration", "bodies", "statics", "restitution_of_pairs", "order"),
-    *("springs", "attraction", "fields"),
+    *("name", "says", "duration", *SECTIONS, "restitution_of_pairs", "friction_of_pairs"),
+    *("order", "springs", "attraction", "fields"),
 )
+_SURFACE = ("restitution", "friction", "category", "mask", "group", "sensor")
 _MAY = {
     "bodies": (
-        *("velocity", "orientation", "angular_velocity", "force", "torque"),
-        *("linear_drag", "quadratic_drag", "inertia", "restitution"),
+        *("velocity", "orientation", "angular_velocity", "force", "torque", "inertia"),
+        *("linear_drag", "quadratic_drag", "angular_drag", *_SURFACE),
     ),
-    "statics": ("position", "orientation", "restitution"),
+    "kinematics": ("velocity", "orientation", "angular_velocity", *_SURFACE),
+    "statics": ("position", "orientation", *_SURFACE),
 }
-_MUST = {"bodies": ("shape", "mass", "position"), "statics": ("shape",)}
-_SHAPE_MUST: dict[str, tuple[str, ...]] = {
-    "disc": ("radius",),
-    "box": ("width", "height"),
-    "polygon": ("vertices",),
-    "half-plane": ("normal", "offset"),
-    "none": (),
+_MUST = {
+    "bodies": ("shape", "mass", "position"),
+    "kinematics": ("shape", "position"),
+    "statics": ("shape",),
 }
+_WHAT = {"bodies": "body", "kinematics": "kinematic body", "statics": "static body"}
 
 
 def load(source: str | FilePath) -> Scene:
@@ -107,16 +107,18 @@ def _scene(tree: object, name: str) -> Scene:
     for section, body, raw in _in_order(top):
         with within(section, body):
             _add(scene, section, body, raw)
-    pairs = listed(top.get("restitution_of_pairs", []), "restitution_of_pairs")
-    with within("restitution_of_pairs"):
-        _set_pairs(scene, pairs)
+    for key in ("restitution", "friction"):
+        pairs = f"{key}_of_pairs"
+        entries = listed(top.get(pairs, []), pairs)
+        with within(pairs):
+            _set_pairs(scene, key, entries)
     add_acting(scene, top)
     return scene
 
 
 def _in_order(top: Mapping[str, object]) -> list[tuple[str, str, object]]:
     """Return section, name and value of all bodies: first what moves, unless `order` says else."""
-    sections = {key: mapping(top[key], f"'{key}'") for key in ("bodies", "statics") if key in top}
+    sections = {key: mapping(top[key], f"'{key}'") for key in SECTIONS if key in top}
     found = [(key, name, body) for key, part in sections.items() for name, body in part.items()]
     if "order" not in top:
         return found
@@ -131,52 +133,34 @@ def _in_order(top: Mapping[str, object]) -> list[tuple[str, str, object]]:
 
 
 def _add(scene: Scene, section: str, name: str, raw: object) -> None:
-    what = f"{'body' if section == 'bodies' else 'static body'} '{name}'"
-    form = _form(raw, what)
-    keys = _SHAPE_MUST[form]
+    what = f"{_WHAT[section]} '{name}'"
+    keys = shape_keys(raw, what)
     body = mapping(raw, what, must=(*_MUST[section], *keys), may=_MAY[section])
     values: dict[str, Any] = {
-        key: read_value(value, key, (key,)) for key, value in body.items() if key != "shape"
+        key: read_value(value, key, (key,))
+        for key, value in body.items()
+        if key not in ("shape", *keys)
     }
-    values["shape"] = _shape(form, {key: values.pop(key) for key in keys})
-    add = scene.add_body if section == "bodies" else scene.add_static
-    add(name=name, **values)
+    add = {
+        "bodies": scene.add_body,
+        "kinematics": scene.add_kinematic,
+        "statics": scene.add_static,
+    }[section]
+    add(read_shape(body, what), name=name, **values)  # type: ignore[operator]
 
 
-def _form(raw: object, what: str) -> str:
-    """Return which shape a body has, before its keys can be checked."""
-    form = scalar_text(mapping(raw, what, must=("shape",))["shape"], ("shape",))
-    if form not in _SHAPE_MUST:
-        raise RuleError(
-            f"shape of {what}: found {shown(form)}{likely(form, _SHAPE_MUST)}: "
-            f"must be one of {', '.join(_SHAPE_MUST)} (R2). Correct the word.",
-            "shape",
-        )
-    return form
-
-
-def _shape(form: str, values: dict[str, Any]) -> Shape | None:
-    match form:
-        case "disc":
-            return Disc(**values)
-        case "box":
-            return Box(**values)
-        case "polygon":
-            return Polygon(**values)
-        case "half-plane":
-            return HalfPlane(**values)
-    return None
-
-
-def _set_pairs(scene: Scene, entries: list[object]) -> None:
+def _set_pairs(scene: Scene, key: str, entries: list[object]) -> None:
+    """Set the restitution or the friction of pairs."""
+    known = getattr(scene, f"{key}_of_pairs")
     for k, entry in enumerate(entries):
         with within(k):
-            pair = mapping(entry, "a pair", must=("bodies", "restitution"), may=())
+            pair = mapping(entry, "a pair", must=("bodies", key), may=())
             first, second = two_names(pair["bodies"], "a pair")
             i, j = sorted((scene.index(first), scene.index(second)))
-            if (i, j) in scene.restitution_of_pairs:
+            if (i, j) in known:
                 raise RuleError(
                     f"pair '{first}' and '{second}': stands twice (R3). Remove one entry.", "bodies"
                 )
-            value = read_quantity(pair["restitution"], "restitution", ("restitution",))
-            scene.set_restitution(i, j, value)
+            known[i, j] = value = read_quantity(pair[key], key, (key,))
+            set_value = scene.set_restitution if key == "restitution" else scene.set_friction
+            set_value(i, j, value)

@@ -7,6 +7,7 @@ import hashlib
 from collections.abc import Iterator, Sequence
 from itertools import count
 from numbers import Integral
+from typing import Any
 
 from tamias2d.errors import SceneError
 from tamias2d.generated import definitions
@@ -17,20 +18,25 @@ from tamias2d.scene.checks import (
     checked_drag,
     checked_duration,
     checked_force,
+    checked_friction,
     checked_inertia,
     checked_mass,
     checked_restitution,
+    checked_spin,
     checked_text,
+    checked_velocity,
+    optional_friction,
     optional_restitution,
     refuse_placed_half_plane,
     refuse_shape,
     refuse_turning_particle,
     refuse_undefined_law,
 )
+from tamias2d.scene.compound import Shape
 from tamias2d.scene.fields import ForceField, checked_field, refuse_field
+from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole, may_touch
 from tamias2d.scene.law import checked_law
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, sequence, shown, vector
-from tamias2d.scene.shapes import Shape
 from tamias2d.scene.springs import Spring, checked_spring, refuse_spring
 
 _MAX_NAME = 100
@@ -56,6 +62,7 @@ class Scene:
         self._bodies: list[Body] = []
         self._index: dict[str, int] = {}
         self._of_pairs: dict[tuple[int, int], float] = {}
+        self._friction_of_pairs: dict[tuple[int, int], float] = {}
         self._springs: list[Spring] = []
         self._attraction: float | None = None
         self._fields: list[ForceField] = []
@@ -91,6 +98,11 @@ class Scene:
         return dict(sorted(self._of_pairs.items()))
 
     @property
+    def friction_of_pairs(self) -> dict[tuple[int, int], float]:
+        """The coefficients of friction that were set for pairs, likewise."""
+        return dict(sorted(self._friction_of_pairs.items()))
+
+    @property
     def springs(self) -> tuple[Spring, ...]:
         """All springs, in the order of adding."""
         return tuple(self._springs)
@@ -122,8 +134,14 @@ class Scene:
         torque: float | str = 0.0,
         linear_drag: float = 0.0,
         quadratic_drag: float = 0.0,
+        angular_drag: float = 0.0,
         inertia: float | None = None,
         restitution: float | None = None,
+        friction: float | None = None,
+        category: int = 1,
+        mask: int | None = None,
+        group: int = 0,
+        sensor: bool = False,
         name: str | None = None,
     ) -> int:
         """Add a body that moves, and return its index (R2).
@@ -132,14 +150,19 @@ class Scene:
         in N and N m, or expressions like ``"10[N]*sin(2[rad/s]*time)"`` of `time` and of the body's
         `position`, `velocity`, `orientation`, `angular_velocity` and `mass`. Drag slows it down by
         `linear_drag` (kg/s) times its velocity, and by `quadratic_drag` (kg/m) times the square of
-        its speed (IM6). The inertia in kg m^2 follows from mass and shape unless it is stated.
+        its speed (IM6); `angular_drag` (kg m^2/s) slows its turning. The inertia in kg m^2 follows
+        from mass and shape unless it is stated.
+
+        Restitution and friction are those of its surface, see `restitution` and `friction`. Whom it
+        may touch, `category`, `mask` (None for all) and `group` say, see `collides`. A `sensor`
+        tells what overlaps it and pushes nothing.
 
         Raises:
             InputError: a value breaks a rule (R4); the message names it.
         """
         name = self._free_name(name)
         of = f"body '{name}'"
-        refuse_shape(shape, of, static=False)
+        refuse_shape(shape, of, none=True)
         kilograms = checked_mass(mass, of)
         body = Body(
             name=name,
@@ -150,19 +173,14 @@ class Scene:
             inertia_stated=inertia is not None,
             position=vector(position, "position", of, "Give (x, y) in m.", at=("position",)),
             orientation=checked_angle(orientation, of),
-            velocity=vector(velocity, "velocity", of, "Give (x, y) in m/s.", at=("velocity",)),
-            angular_velocity=number(
-                angular_velocity,
-                "angular_velocity",
-                of,
-                "Give it in rad/s.",
-                at=("angular_velocity",),
-            ),
+            velocity=checked_velocity(velocity, of),
+            angular_velocity=checked_spin(angular_velocity, of),
             force=checked_force(force, of),
             torque=checked_law(torque, "torque", of, at=("torque",)),
             linear_drag=checked_drag(linear_drag, "linear_drag", of),
             quadratic_drag=checked_drag(quadratic_drag, "quadratic_drag", of),
-            restitution=optional_restitution(restitution, of),
+            angular_drag=checked_drag(angular_drag, "angular_drag", of),
+            **_surface(of, restitution, friction, category, mask, group, sensor),
         )
         refuse_turning_particle(body)
         refuse_undefined_law(body)
@@ -175,11 +193,17 @@ class Scene:
         position: VectorLike = (0.0, 0.0),
         orientation: float = 0.0,
         restitution: float | None = None,
+        friction: float | None = None,
+        category: int = 1,
+        mask: int | None = None,
+        group: int = 0,
+        sensor: bool = False,
         name: str | None = None,
     ) -> int:
         """Add a body that nothing moves, and return its index.
 
-        A half-plane says where it is by itself: it takes neither position nor orientation.
+        A half-plane says where it is by itself: it takes neither position nor orientation. The rest
+        is as in `add_body`.
 
         Raises:
             InputError: a value breaks a rule (R4); the message names it.
@@ -193,19 +217,61 @@ class Scene:
             dynamic=False,
             position=vector(position, "position", of, "Give (x, y) in m.", at=("position",)),
             orientation=checked_angle(orientation, of),
-            restitution=optional_restitution(restitution, of),
+            **_surface(of, restitution, friction, category, mask, group, sensor),
         )
         refuse_placed_half_plane(body)
         return self._append(body)
 
+    def add_kinematic(
+        self,
+        shape: Shape,
+        *,
+        position: VectorLike,
+        velocity: VectorLike = (0.0, 0.0),
+        orientation: float = 0.0,
+        angular_velocity: float = 0.0,
+        restitution: float | None = None,
+        friction: float | None = None,
+        category: int = 1,
+        mask: int | None = None,
+        group: int = 0,
+        sensor: bool = False,
+        name: str | None = None,
+    ) -> int:
+        """Add a body that moves as it is told, whatever it meets, and return its index.
+
+        Its velocity in m/s and angular velocity in rad/s stay as they are: a lift, or a drum that
+        turns. The rest is as in `add_body`.
+
+        Raises:
+            InputError: a value breaks a rule (R4); the message names it.
+        """
+        name = self._free_name(name)
+        of = f"kinematic body '{name}'"
+        refuse_shape(shape, of)
+        return self._append(
+            Body(
+                name=name,
+                shape=shape,
+                dynamic=False,
+                kinematic=True,
+                position=vector(position, "position", of, "Give (x, y) in m.", at=("position",)),
+                orientation=checked_angle(orientation, of),
+                velocity=checked_velocity(velocity, of),
+                angular_velocity=checked_spin(angular_velocity, of),
+                **_surface(of, restitution, friction, category, mask, group, sensor),
+            )
+        )
+
     def set_restitution(self, first: int | str, second: int | str, value: float) -> None:
         """Set the restitution of one pair of bodies, given by index or name (R3)."""
-        i, j = sorted((self.index(first), self.index(second)))
-        if i == j:
-            raise RuleError(
-                f"pair of '{self._bodies[i].name}' with itself (R3). Name two bodies.", "bodies"
-            )
+        i, j = self._two(first, second)
         self._of_pairs[i, j] = checked_restitution(value, f"the pair {self._pair(i, j)}")
+
+    def set_friction(self, first: int | str, second: int | str, value: float) -> None:
+        """Set the coefficient of friction of one pair of bodies, given by index or name (R3)."""
+        i, j = self._two(first, second)
+        self._friction_of_pairs[i, j] = checked_friction(value, f"the pair {self._pair(i, j)}")
 
     def add_spring(
         self,
@@ -305,6 +371,27 @@ class Scene:
             )
         return float(definitions.pair_restitution(stated[0], stated[-1]))
 
+    def friction(self, i: int, j: int) -> float:
+        """Return the coefficient of friction between bodies i and j.
+
+        It is what was set for the pair, else what their own make of it (`pair_friction`), else the
+        one that only one of them states, and 0 where nothing does.
+        """
+        if (set_for_pair := self._friction_of_pairs.get((min(i, j), max(i, j)))) is not None:
+            return set_for_pair
+        first, second = self._bodies[i].friction, self._bodies[j].friction
+        if first is None or second is None:
+            return first or second or 0.0
+        return float(definitions.pair_friction(first, second))
+
+    def collides(self, i: int, j: int) -> bool:
+        """Return whether bodies i and j may touch, by their groups, categories and masks.
+
+        Two of the same group, if that is not 0, do where it is positive and do not where it is
+        negative. Any others do if each one's category shares a bit with the other's mask.
+        """
+        return may_touch(self._bodies[i], self._bodies[j])
+
     def index(self, body: int | str) -> int:
         """Return the index of a body given by its index or name; raise `InputError` if none."""
         if isinstance(body, str):
@@ -339,6 +426,15 @@ class Scene:
     def __repr__(self) -> str:
         return f"<Scene {self.name!r} of {len(self)} bodies>"
 
+    def _two(self, first: int | str, second: int | str) -> tuple[int, int]:
+        """Return the indices of two bodies, the lower one first."""
+        i, j = sorted((self.index(first), self.index(second)))
+        if i == j:
+            raise RuleError(
+                f"pair of '{self._bodies[i].name}' with itself (R3). Name two bodies.", "bodies"
+            )
+        return i, j
+
     def _pair(self, i: int, j: int) -> str:
         return f"'{self._bodies[i].name}' and '{self._bodies[j].name}'"
 
@@ -363,3 +459,23 @@ class Scene:
                 "name",
             )
         return name
+
+
+def _surface(
+    of: str,
+    restitution: float | None,
+    friction: float | None,
+    category: int,
+    mask: int | None,
+    group: int,
+    sensor: bool,
+) -> dict[str, Any]:
+    """Return the checked values of a body that say what happens where it touches another."""
+    return {
+        "restitution": optional_restitution(restitution, of),
+        "friction": optional_friction(friction, of),
+        "category": checked_whole(category, "category", of),
+        "mask": checked_mask(mask, of),
+        "group": checked_whole(group, "group", of),
+        "sensor": checked_sensor(sensor, of),
+    }

@@ -1,10 +1,12 @@
-"""The shapes that a body can have.
+"""The shapes of one piece that a body can have; `compound` joins several.
 
 Serves: bodies, contacts and pictures. Hides: how vertices are kept and inertia is found.
 
 Every shape is given about its centre of mass, which the body's position then puts into the world.
-A shape knows its `vertices` (counter-clockwise, m; none for a disc or a half-plane), the radius of
-the circle that holds it at any orientation, and its inertia by the formula of the specification.
+A shape is its `core`, corners in m (counter-clockwise where there are three), and all that is no
+farther from it than its `rounding`, m. It knows the radius of the circle that holds it at any
+orientation, and its area and its inertia by the formulas of the specification. A half-plane has
+neither core nor area.
 """
 
 import math
@@ -35,9 +37,24 @@ class Disc:
         return ()
 
     @property
+    def core(self) -> tuple[Vector, ...]:
+        """Its centre."""
+        return ((0.0, 0.0),)
+
+    @property
+    def rounding(self) -> float:
+        """The radius, m."""
+        return self.radius
+
+    @property
     def bounding_radius(self) -> float:
         """The radius, m."""
         return self.radius
+
+    @property
+    def area(self) -> float:
+        """The area, m^2 (DD24)."""
+        return float(definitions.area_disc(self.radius))
 
     def inertia(self, mass: float) -> float:
         """Return the inertia about the centre of mass, kg m^2 (DD14)."""
@@ -48,6 +65,16 @@ class _Corners:
     """What all shapes with corners have in common."""
 
     vertices: tuple[Vector, ...]
+
+    @property
+    def core(self) -> tuple[Vector, ...]:
+        """The vertices."""
+        return self.vertices
+
+    @property
+    def rounding(self) -> float:
+        """None: the corners are sharp."""
+        return 0.0
 
     @property
     def bounding_radius(self) -> float:
@@ -68,6 +95,11 @@ class Box(_Corners):
         height = _length(self.height, "height", "a box")
         x, y = width / 2, height / 2
         _set(self, width=width, height=height, vertices=((-x, -y), (x, -y), (x, y), (-x, y)))
+
+    @property
+    def area(self) -> float:
+        """The area, m^2 (DD24)."""
+        return float(definitions.area_box(self.width, self.height))
 
     def inertia(self, mass: float) -> float:
         """Return the inertia about the centre of mass, kg m^2 (DD14)."""
@@ -93,10 +125,95 @@ class Polygon(_Corners):
         about_centroid, centroid = centred(outline)
         _set(self, outline=outline, vertices=about_centroid, centroid=centroid)
 
+    @property
+    def area(self) -> float:
+        """The area, m^2 (DD18)."""
+        return float(definitions.area_polygon(*edges(self.vertices)))
+
     def inertia(self, mass: float) -> float:
         """Return the inertia about the centre of mass, kg m^2 (DD14)."""
         with np.errstate(all="ignore"):  # what overflows is refused with the body
             return float(definitions.inertia_polygon(mass, *edges(self.vertices)))
+
+
+class _Line:
+    """What all shapes around a line along their own x axis have in common."""
+
+    length: float
+
+    @property
+    def vertices(self) -> tuple[Vector, ...]:
+        """Both ends of the line, the left one first, m."""
+        return (-self.length / 2, 0.0), (self.length / 2, 0.0)
+
+    @property
+    def core(self) -> tuple[Vector, ...]:
+        """Both ends of the line."""
+        return self.vertices
+
+
+@dataclass(frozen=True, kw_only=True)
+class Capsule(_Line):
+    """All that is within a `radius` of a line of a `length`, both in m, along its own x axis.
+
+    From end to end it measures ``length + 2*radius``.
+    """
+
+    length: float
+    radius: float
+
+    def __post_init__(self) -> None:
+        length = _length(self.length, "length", "a capsule")
+        _set(self, length=length, radius=_length(self.radius, "radius", "a capsule"))
+
+    @property
+    def rounding(self) -> float:
+        """The radius, m."""
+        return self.radius
+
+    @property
+    def bounding_radius(self) -> float:
+        """Half of what it measures from end to end, m."""
+        return self.length / 2 + self.radius
+
+    @property
+    def area(self) -> float:
+        """The area, m^2 (DD24)."""
+        return float(definitions.area_capsule(self.length, self.radius))
+
+    def inertia(self, mass: float) -> float:
+        """Return the inertia about the centre of mass, kg m^2 (DD14, DD24)."""
+        with np.errstate(all="ignore"):
+            return float(definitions.inertia_capsule(mass, self.length, self.radius))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Segment(_Line):
+    """A line of a `length` in m along its own x axis, solid from both sides."""
+
+    length: float
+
+    def __post_init__(self) -> None:
+        _set(self, length=_length(self.length, "length", "a segment"))
+
+    @property
+    def rounding(self) -> float:
+        """None: it has no thickness."""
+        return 0.0
+
+    @property
+    def bounding_radius(self) -> float:
+        """Half the length, m."""
+        return self.length / 2
+
+    @property
+    def area(self) -> float:
+        """None: it has no thickness."""
+        return 0.0
+
+    def inertia(self, mass: float) -> float:
+        """Return the inertia about the centre of mass, kg m^2 (DD14, DD24)."""
+        return float(definitions.inertia_segment(mass, self.length))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -136,7 +253,8 @@ class HalfPlane:
         return math.inf
 
 
-Shape: TypeAlias = Disc | Box | Polygon | HalfPlane
+Single: TypeAlias = Disc | Box | Polygon | Capsule | Segment
+"""The shapes that are of one piece and of which a circle holds all."""
 
 
 def _length(value: object, symbol: str, of: str) -> float:

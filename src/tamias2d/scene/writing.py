@@ -9,11 +9,14 @@ from collections.abc import Iterator
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.compound import Compound, Part, Shape
 from tamias2d.scene.fields import ForceField
+from tamias2d.scene.filters import ALL
+from tamias2d.scene.forms import SECTIONS
 from tamias2d.scene.law import Law
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.scene import Scene
-from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Shape
+from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segment
 from tamias2d.scene.springs import Spring
 
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
@@ -32,19 +35,25 @@ def _lines(scene: Scene) -> Iterator[str]:
     yield f"gravity: {_vector(scene.gravity, 'gravity')}"
     if scene.duration is not None:
         yield f"duration: {_quantity(scene.duration, 'duration')}"
-    moving = [body for body in scene.bodies if body.dynamic]
-    static = [body for body in scene.bodies if not body.dynamic]
-    for section, bodies in (("bodies", moving), ("statics", static)):
+    sections: dict[str, list[Body]] = {section: [] for section in SECTIONS}
+    for body in scene.bodies:
+        sections[_section(body)].append(body)
+    for section, bodies in sections.items():
         if bodies:
             yield f"{section}:"
         for body in bodies:
             yield f"  {_text(body.name)}:"
             yield from (f"    {line}" for line in _body(body))
-    yield from _pairs(scene)
+    yield from _pairs("restitution", scene, scene.restitution_of_pairs)
+    yield from _pairs("friction", scene, scene.friction_of_pairs)
     yield from _acting(scene)
-    if list(scene.bodies) != moving + static:
+    if list(scene.bodies) != [body for bodies in sections.values() for body in bodies]:
         names = ", ".join(_text(body.name) for body in scene.bodies)
         yield f"order: [{names}]"
+
+
+def _section(body: Body) -> str:
+    return "bodies" if body.dynamic else "kinematics" if body.kinematic else "statics"
 
 
 def _body(body: Body) -> Iterator[str]:
@@ -65,11 +74,21 @@ def _body(body: Body) -> Iterator[str]:
         yield _force(body.force)
     if body.torque:
         yield f"torque: {_law(body.torque, 'torque')}"
-    for key, drag in (("linear_drag", body.linear_drag), ("quadratic_drag", body.quadratic_drag)):
-        if drag:
+    for key in ("linear_drag", "quadratic_drag", "angular_drag"):
+        if drag := getattr(body, key):
             yield f"{key}: {_quantity(drag, key)}"
-    if body.restitution is not None:
-        yield f"restitution: {body.restitution!r}"
+    yield from _surface(body)
+
+
+def _surface(body: Body) -> Iterator[str]:
+    for key in ("restitution", "friction"):
+        if (value := getattr(body, key)) is not None:
+            yield f"{key}: {value!r}"
+    for key, usual in (("category", 1), ("mask", ALL), ("group", 0)):
+        if (bits := getattr(body, key)) != usual:
+            yield f"{key}: {bits}"
+    if body.sensor:
+        yield "sensor: true"
 
 
 def _shape(shape: Shape | None) -> Iterator[str]:
@@ -87,19 +106,40 @@ def _shape(shape: Shape | None) -> Iterator[str]:
             yield "shape: polygon"
             yield "vertices:"
             yield from (f"  - {_vector(vertex, 'vertex')}" for vertex in outline)
+        case Capsule(length=length, radius=radius):
+            yield "shape: capsule"
+            yield f"length: {_quantity(length, 'length')}"
+            yield f"radius: {_quantity(radius, 'radius')}"
+        case Segment(length=length):
+            yield "shape: segment"
+            yield f"length: {_quantity(length, 'length')}"
+        case Compound(parts=parts):
+            yield "shape: compound"
+            yield "parts:"
+            for part in parts:
+                first, *others = _part(part)
+                yield f"  - {first}"
+                yield from (f"    {line}" for line in others)
         case HalfPlane(normal=normal, offset=offset):
             yield "shape: half-plane"
             yield f"normal: {_vector(normal, 'normal')}"
             yield f"offset: {_quantity(offset, 'offset')}"
 
 
-def _pairs(scene: Scene) -> Iterator[str]:
-    pairs = scene.restitution_of_pairs
-    if pairs:
-        yield "restitution_of_pairs:"
-    for (i, j), restitution in pairs.items():
+def _part(part: Part) -> Iterator[str]:
+    yield from _shape(part.shape)
+    if any(part.position):
+        yield f"position: {_vector(part.position, 'position')}"
+    if part.orientation:
+        yield f"orientation: {_quantity(part.orientation, 'orientation')}"
+
+
+def _pairs(key: str, scene: Scene, values: dict[tuple[int, int], float]) -> Iterator[str]:
+    if values:
+        yield f"{key}_of_pairs:"
+    for (i, j), value in values.items():
         names = f"{_text(scene.bodies[i].name)}, {_text(scene.bodies[j].name)}"
-        yield f"  - {{bodies: [{names}], restitution: {restitution!r}}}"
+        yield f"  - {{bodies: [{names}], {key}: {value!r}}}"
 
 
 def _acting(scene: Scene) -> Iterator[str]:

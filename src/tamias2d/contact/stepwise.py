@@ -1,0 +1,29 @@
+"""What of a scene only the stepped way knows: the located way refuses it by name.
+
+Serves: the located way, and the choice of a way. Hides: which shapes and bodies these are.
+"""
+
+from tamias2d.contact.refusal import StepwiseError
+from tamias2d.scene import Body, Capsule, Compound, Scene, Segment
+
+
+def refuse_stepwise(scene: Scene) -> None:
+    """Raise `StepwiseError` if the located way cannot follow a body of a scene (R8)."""
+    for body in scene.bodies:
+        if what := beyond_location(body):
+            raise StepwiseError(
+                f"body '{body.name}': {what}: impacts are located only between discs, boxes, "
+                "polygons and half-planes that stand still or move freely (R8). "
+                "Step the scene: Simulator(scene).step()."
+            )
+
+
+def beyond_location(body: Body) -> str | None:
+    """Return what of a body the located way does not know, or None."""
+    if body.kinematic:
+        return "it is kinematic"
+    if body.sensor:
+        return "it is a sensor"
+    if isinstance(body.shape, Capsule | Segment | Compound):
+        return f"its shape is a {type(body.shape).__name__.lower()}"
+    return None

@@ -1,0 +1,160 @@
+"""Bodies of several shapes that move as one.
+
+Serves: bodies, contacts and pictures. Hides: where the common centre of mass lies.
+"""
+
+import math
+from dataclasses import dataclass, field
+from typing import TypeAlias, cast
+
+import numpy as np
+
+from tamias2d.generated import definitions
+from tamias2d.scene.rules import RuleError, Vector, number, sequence, shown, vector
+from tamias2d.scene.shapes import (
+    Box,
+    Capsule,
+    Disc,
+    HalfPlane,
+    Polygon,
+    Segment,
+    Single,
+)
+
+_SINGLES = (Disc, Box, Polygon, Capsule, Segment)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """One `shape` of a body: where its centre of mass is, m, and how it is turned, rad."""
+
+    shape: Single
+    position: Vector = (0.0, 0.0)
+    orientation: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.shape, _SINGLES):
+            raise RuleError(
+                f"shape of a part: found {shown(self.shape)}: must be of one piece and bounded "
+                "(R4). Give a Disc, Box, Polygon, Capsule or Segment.",
+                "shape",
+            )
+        position = vector(
+            self.position, "position", "a part", "Give (x, y) in m.", at=("position",)
+        )
+        angle = number(
+            self.orientation, "orientation", "a part", "Give it in rad.", at=("orientation",)
+        )
+        object.__setattr__(self, "position", position)
+        object.__setattr__(self, "orientation", angle)
+
+    @property
+    def core(self) -> tuple[Vector, ...]:
+        """The core of the shape where the part stands, m."""
+        x, y = self.position
+        if self.orientation == 0:  # what is not turned keeps all its bits
+            return tuple((x + p, y + q) for p, q in self.shape.core)
+        c, s = math.cos(self.orientation), math.sin(self.orientation)
+        return tuple((x + (c * p - s * q), y + (s * p + c * q)) for p, q in self.shape.core)
+
+
+@dataclass(frozen=True, init=False)
+class Compound:
+    """Several shapes that are one body; they may overlap, and what they share counts twice.
+
+    `parts` are as they were given, in any frame; `pieces` are the same about the common centre of
+    mass, to which each counts by its area, or, where none has one, by its length (DD25).
+    `centroid` is where that centre lies in the frame of the parts: a body put there stands where
+    they were drawn.
+    """
+
+    parts: tuple[Part, ...]
+    pieces: tuple[Part, ...] = field(compare=False, repr=False)
+    centroid: Vector = field(compare=False, repr=False)
+
+    def __init__(self, *, parts: object) -> None:
+        """Take one part or more; raise `InputError` naming the one at fault."""
+        given = _checked_parts(parts)
+        with np.errstate(all="ignore"):
+            center = definitions.position_compound(_shares(given), _columns(given))
+        x, y = (float(value) for value in center)
+        if not (math.isfinite(x) and math.isfinite(y)):
+            raise RuleError(
+                "parts of a compound: their centre of mass is not finite (R4). Give parts of a "
+                "size that float64 can square.",
+                "parts",
+            )
+        pieces = tuple(
+            Part(
+                shape=part.shape,
+                position=(part.position[0] - x, part.position[1] - y),
+                orientation=part.orientation,
+            )
+            for part in given
+        )
+        for name, value in (("parts", given), ("pieces", pieces), ("centroid", (x + 0.0, y + 0.0))):
+            object.__setattr__(self, name, value)
+
+    @property
+    def bounding_radius(self) -> float:
+        """The distance of the farthest point from the centre of mass, m."""
+        return max(
+            math.hypot(x, y) + piece.shape.rounding for piece in self.pieces for x, y in piece.core
+        )
+
+    @property
+    def area(self) -> float:
+        """The sum of the areas of the parts, m^2."""
+        return sum(part.shape.area for part in self.parts)
+
+    def inertia(self, mass: float) -> float:
+        """Return the inertia about the centre of mass, kg m^2 (DD14, DD25)."""
+        shares = _shares(self.pieces)
+        with np.errstate(all="ignore"):
+            masses = mass * (shares / shares.sum())
+            own = np.array(
+                [
+                    piece.shape.inertia(float(share))
+                    for piece, share in zip(self.pieces, masses, strict=True)
+                ]
+            )
+            return float(definitions.inertia_compound(own, masses, _columns(self.pieces)))
+
+
+Shape: TypeAlias = Single | HalfPlane | Compound
+"""All shapes that a body can have."""
+
+
+def pieces_of(shape: Single | Compound) -> tuple[Part, ...]:
+    """Return the parts of a bounded shape about its centre of mass: one, or those of a compound."""
+    return shape.pieces if isinstance(shape, Compound) else (Part(shape=shape),)
+
+
+def _checked_parts(parts: object) -> tuple[Part, ...]:
+    remedy = "Give a list such as [Part(shape=Disc(radius=1.0), position=(0, 2))]."
+    items = sequence(parts, "a compound", remedy, at=("parts",))
+    if not items:
+        raise RuleError(
+            f"parts of a compound: found none: must be 1 or more (R4). {remedy}", "parts"
+        )
+    for k, item in enumerate(items):
+        if not isinstance(item, Part):
+            raise RuleError(
+                f"parts[{k}] of a compound: found {shown(item)}: must be a Part (R4). {remedy}",
+                "parts",
+                k,
+            )
+    return cast("tuple[Part, ...]", items)
+
+
+def _shares(parts: tuple[Part, ...]) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    """Return what each part counts: its area or, where none has one, its length."""
+    areas = np.array([part.shape.area for part in parts])
+    if areas.any():
+        return areas
+    return np.array([2 * part.shape.bounding_radius for part in parts])
+
+
+def _columns(parts: tuple[Part, ...]) -> tuple[object, object]:
+    x, y = np.array([part.position for part in parts]).T
+    return x, y
