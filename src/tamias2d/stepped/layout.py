@@ -7,6 +7,20 @@ price. Body arrays have one row more than there are bodies, the idle one, all ze
 block that have no contact work on it.
 """
 
+from typing import Any, TypeAlias
+
+from numpy.typing import NDArray
+
+Whole: TypeAlias = NDArray[Any]
+"""An array of whole numbers."""
+
+# settings (5,), as numbers
+GRAVITY_X, GRAVITY_Y, TIME_STEP = 0, 1, 2
+
+# counts (16,), as whole numbers
+SUBSTEPS, SHAPES, PAIRS, SIDE, HORIZON, SINCE, BUILT, NEEDED, BLOCKS, STILL = range(10)
+LEAVES, HITS, ACTIVE, PHASE, STATIC_BLOCK = 10, 11, 12, 13, 14
+
 # pose (n+1, 3): m, m, rad
 X, Y, TURN = 0, 1, 2
 
@@ -14,20 +28,40 @@ X, Y, TURN = 0, 1, 2
 VX, VY, SPIN = 0, 1, 2
 DX, DY, DTURN = 4, 5, 6
 
+# body (n+1, 18): what does not change from step to step
+INVERSE_MASS, INVERSE_INERTIA = 0, 1
+REACH, INNER, ARM = 2, 3, 4  # radius around it, within it, and to its farthest corner, m
+FULL, SUB = 6, 12  # flow over a step and over a substep: six columns each
+DECAY, GAIN, LIFT = 0, 1, 2  # of a flow: v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a
+ANGULAR = 3  # columns from the flow of the velocity to that of the spin
+
+# home (n+1, 6): where the centre may be until pairs are looked for again, m; then its turn, rad
+LOW_X, LOW_Y, HIGH_X, HIGH_Y, HOME_TURN, TURN_ROOM = 0, 1, 2, 3, 4, 5
+
 # kind (n+1,)
 ABSENT, STATIC, KINEMATIC, DYNAMIC = 0, 1, 2, 3
 
 # shape_kind (m,)
 DISC, CAPSULE, POLYGON, HALF_PLANE = 0, 1, 2, 3
 
-# touch (p, 16): normal from a to b; two points from the centre of body A, m, with their
-# separations, m, and accumulated impulses, N s; then the cache of the narrow phase
+# surface (m, 3): friction, restitution (-1 where not stated), reach m
+FRICTION, RESTITUTION, SHAPE_REACH = 0, 1, 2
+
+# filter (m, 4): which shapes meet at all
+CATEGORY, MASK, GROUP, SENSOR = 0, 1, 2, 3
+
+# box (m, 8): low and high corner; as it is now, and with the room that its body has
+FAT = 4
+
+# touch (p, 18): normal from a to b; two points from the centre of body A, m, with their
+# separations, m, and accumulated impulses, N s; the cache of the narrow phase; the pair's surfaces
 NX, NY = 0, 1
 PX, PY, GAP = 2, 3, 4
 POINT = 3  # columns from a point to the next
 PUSH, RUB = 8, 9
 IMPULSE = 2  # columns from a point's impulses to the next one's
 CACHE = 12
+PAIR_FRICTION, PAIR_RESTITUTION = 16, 17
 
 # trace (p, 6)
 COUNT, FEATURE, TOUCHED, HINT = 0, 1, 3, 4

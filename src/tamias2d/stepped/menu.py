@@ -1,8 +1,10 @@
 """Which engines there are to compile; no scene ever needs another.
 
-Serves: `tamias2d warm`. Hides: nothing.
+Serves: the world, and `tamias2d warm`. Hides: nothing.
 """
 
 from tamias2d.kernels import Engine
+from tamias2d.stepped.step import step
 
-MENU: tuple[Engine, ...] = ()
+CONTACT = Engine("contact engine", (step,))
+MENU: tuple[Engine, ...] = (CONTACT,)

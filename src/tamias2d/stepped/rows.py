@@ -1,0 +1,195 @@
+"""Contacts as rows of blocks: in each block no body appears twice, so that all its lanes are one.
+
+Serves: the solver. Hides: the colours. Each contact takes the first colour that neither of its
+moving bodies has yet; contacts of one colour fill blocks of lanes. Where colours run out, a contact
+has a block for itself. Contacts with what does not move come last, because a stack rests on them.
+
+Source: Catto, Box2D v3 (2024), for colours; the layout is that of `SIZE` rows of lanes a point.
+"""
+
+from tamias2d.state import Array
+from tamias2d.stepped.layout import (
+    BLOCKS,
+    COUNT,
+    DYNAMIC,
+    GAP,
+    HITS,
+    IMPULSE,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    NX,
+    NY,
+    PAIR_FRICTION,
+    PAIR_RESTITUTION,
+    POINT,
+    PUSH,
+    PX,
+    PY,
+    RUB,
+    SHAPE_REACH,
+    SPIN,
+    STATIC_BLOCK,
+    VX,
+    VY,
+    Whole,
+    X,
+    Y,
+)
+from tamias2d.stepped.soft import row_mass, row_velocity
+
+LANES = 16
+MOVING = 40  # colours of contacts between two moving bodies, before those with one
+COLOURS = 60
+BODY_A, BODY_B, SLOT, FILLED, POINTS = 0, 16, 32, 48, 49  # columns of a block's lanes
+
+# a block: what its points share, then each point
+R_NX, R_NY, R_MASS_A, R_INERTIA_A, R_MASS_B, R_INERTIA_B = 0, 16, 32, 48, 64, 80
+R_FRICTION, R_ROUND_A, R_ROUND_B, R_LIMIT, R_RESTITUTION = 96, 112, 128, 144, 160
+SHARED = 176
+P_ARM_A, P_ARM_B, P_SIDE_A, P_SIDE_B, P_MASS, P_SIDE_MASS = 0, 16, 32, 48, 64, 80
+P_GAP, P_PUSH, P_RUB, P_TOTAL, P_BEFORE = 96, 112, 128, 144, 160
+SIZE = 176
+WIDTH = SHARED + 2 * SIZE
+
+
+def colour(
+    counts: Whole,
+    pair: Whole,
+    trace: Whole,
+    shape_body: Whole,
+    kind: Whole,
+    hits: Whole,
+    used: Whole,
+    fill: Whole,
+) -> int:
+    """Give each of the touching pairs a colour and a place in it; return how many blocks it takes.
+
+    `hits` (3, p) holds the touching pairs first; written are their colours and places. `used`
+    (n+1,) is for the colours of a body, `fill` (3, 128) for the sizes of the colours; a colour of
+    two-point contacts follows that of one-point contacts.
+    """
+    for k in range(128):
+        fill[0, k] = 0
+    for k in range(counts[HITS]):
+        p = hits[0, k]
+        used[shape_body[pair[p, 0]]] = 0
+        used[shape_body[pair[p, 1]]] = 0
+    for k in range(counts[HITS]):
+        p = hits[0, k]
+        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+        one, other = kind[i] == DYNAMIC, kind[j] == DYNAMIC
+        taken = (used[i] if one else 0) | (used[j] if other else 0)
+        c = 0 if one and other else MOVING
+        end = MOVING if one and other else COLOURS
+        while c < end and (taken >> c) & 1:
+            c += 1
+        if c == end:
+            c = COLOURS
+        else:
+            used[i] |= 1 << c
+            used[j] |= 1 << c
+        c = 2 * c + (trace[p, COUNT] - 1)
+        hits[1, k], hits[2, k] = c, fill[0, c]
+        fill[0, c] += 1
+    block = 0
+    for c in range(2 * COLOURS + 2):
+        if c == 2 * MOVING:
+            counts[STATIC_BLOCK] = block
+        fill[1, c] = block
+        block += fill[0, c] if c >= 2 * COLOURS else (fill[0, c] + LANES - 1) // LANES
+    counts[BLOCKS] = block
+    return block
+
+
+def clear_lanes(counts: Whole, idle: int, fill: Whole, rows: Array, lanes: Whole) -> None:
+    """Let the lanes work on the idle body, where the blocks of a colour are not full."""
+    for c in range(2 * COLOURS + 2):
+        single = c >= 2 * COLOURS
+        for m in range(fill[0, c] if single else (fill[0, c] + LANES - 1) // LANES):
+            b = fill[1, c] + m
+            filled = 1 if single else min(fill[0, c] - m * LANES, LANES)
+            lanes[b, FILLED], lanes[b, POINTS] = filled, 1 + c % 2
+            if filled < LANES:
+                for k in range(WIDTH):
+                    rows[b, k] = 0.0
+                for k in range(LANES):
+                    lanes[b, BODY_A + k] = lanes[b, BODY_B + k] = idle
+
+
+def fill_rows(
+    counts: Whole,
+    pair: Whole,
+    touch: Array,
+    shape_body: Whole,
+    shape_radius: Array,
+    pose: Array,
+    motion: Array,
+    body: Array,
+    hits: Whole,
+    fill: Whole,
+    rows: Array,
+    lanes: Whole,
+    fastest: float,
+    surface: Array,
+) -> None:
+    """Write the row of each touching pair.
+
+    `fastest` is how far an overlap is pushed apart in one second at most, relative to the smaller
+    body.
+    """
+    for k in range(counts[HITS]):
+        p, c, place = hits[0, k], hits[1, k], hits[2, k]
+        if c >= 2 * COLOURS:
+            b, m = fill[1, c] + place, 0
+        else:
+            b, m = fill[1, c] + place // LANES, place % LANES
+        s, t = pair[p, 0], pair[p, 1]
+        i, j = shape_body[s], shape_body[t]
+        lanes[b, BODY_A + m], lanes[b, BODY_B + m], lanes[b, SLOT + m] = i, j, p
+        row = rows[b]
+        normal_x, normal_y = touch[p, NX], touch[p, NY]
+        mass_a, inertia_a = body[i, INVERSE_MASS], body[i, INVERSE_INERTIA]
+        mass_b, inertia_b = body[j, INVERSE_MASS], body[j, INVERSE_INERTIA]
+        row[R_NX + m], row[R_NY + m] = normal_x, normal_y
+        row[R_MASS_A + m], row[R_INERTIA_A + m] = mass_a, inertia_a
+        row[R_MASS_B + m], row[R_INERTIA_B + m] = mass_b, inertia_b
+        row[R_FRICTION + m] = touch[p, PAIR_FRICTION]
+        row[R_RESTITUTION + m] = touch[p, PAIR_RESTITUTION]
+        row[R_ROUND_A + m], row[R_ROUND_B + m] = shape_radius[s], shape_radius[t]
+        row[R_LIMIT + m] = -fastest * min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        delta_x, delta_y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
+        for n in range(1 + c % 2):
+            at = SHARED + n * SIZE + m
+            x, y = touch[p, PX + POINT * n], touch[p, PY + POINT * n]
+            arm_a, side_a = x * normal_y - y * normal_x, x * normal_x + y * normal_y
+            x, y = x - delta_x, y - delta_y
+            arm_b, side_b = x * normal_y - y * normal_x, x * normal_x + y * normal_y
+            row[at + P_ARM_A], row[at + P_SIDE_A] = arm_a, side_a
+            row[at + P_ARM_B], row[at + P_SIDE_B] = arm_b, side_b
+            row[at + P_MASS] = row_mass(mass_a, inertia_a, arm_a, mass_b, inertia_b, arm_b)
+            row[at + P_SIDE_MASS] = row_mass(mass_a, inertia_a, side_a, mass_b, inertia_b, side_b)
+            row[at + P_GAP] = touch[p, GAP + POINT * n]
+            push = touch[p, PUSH + IMPULSE * n]
+            row[at + P_PUSH], row[at + P_RUB] = push, touch[p, RUB + IMPULSE * n]
+            row[at + P_TOTAL] = -push
+            row[at + P_BEFORE] = row_velocity(
+                (motion[i, VX], motion[i, VY]),
+                motion[i, SPIN],
+                arm_a,
+                (motion[j, VX], motion[j, VY]),
+                motion[j, SPIN],
+                arm_b,
+                (normal_x, normal_y),
+            )
+
+
+def keep_impulses(counts: Whole, rows: Array, lanes: Whole, touch: Array) -> None:
+    """Write the accumulated impulses back to their pairs."""
+    for b in range(counts[BLOCKS]):
+        row = rows[b]
+        for m in range(lanes[b, FILLED]):
+            p = lanes[b, SLOT + m]
+            for n in range(lanes[b, POINTS]):
+                at = SHARED + n * SIZE + m
+                touch[p, PUSH + IMPULSE * n] = row[at + P_PUSH]
+                touch[p, RUB + IMPULSE * n] = row[at + P_RUB]

@@ -1,0 +1,548 @@
+"""One step of all bodies: the stages in their order.
+
+Serves: the world, which calls it again with more room where it asks for it. Hides: what happens
+within a step.
+
+Who is near whom; who touches where; blocks of contacts; then substeps, each of which moves
+velocities by forces, applies what contacts did before, corrects it softly, moves bodies, and takes
+the softness out of the velocities again; then bouncing, and bodies that went far are stopped where
+they met something. Bodies that touch nothing go along their closed form instead (IM1, IM6).
+
+Cost: a substep visits each contact three times. Source: Macklin et al. (2019), Catto (2024).
+"""
+
+from tamias2d.kernels.arrays import (
+    Bytes,
+    FloatBlocks,
+    FloatRows,
+    Floats,
+    IndexBlocks,
+    Indices,
+    PlaceRows,
+    RankRows,
+    Ranks,
+)
+from tamias2d.state import Array
+from tamias2d.stepped.layout import (
+    ACTIVE,
+    ANGULAR,
+    BLOCKS,
+    DECAY,
+    DTURN,
+    DX,
+    DY,
+    DYNAMIC,
+    FULL,
+    GAIN,
+    GRAVITY_X,
+    GRAVITY_Y,
+    HITS,
+    HORIZON,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    KINEMATIC,
+    LIFT,
+    NEEDED,
+    PAIRS,
+    PHASE,
+    SENSOR,
+    SHAPE_REACH,
+    SIDE,
+    SINCE,
+    SPIN,
+    STATIC,
+    STATIC_BLOCK,
+    STILL,
+    SUB,
+    SUBSTEPS,
+    TIME_STEP,
+    TOUCHED,
+    TURN,
+    VX,
+    VY,
+    Whole,
+    X,
+    Y,
+)
+from tamias2d.stepped.manifold_tmp import collide
+from tamias2d.stepped.pairs import (
+    LONGEST,
+    fatten,
+    find_pairs,
+    left_home,
+    settle,
+    sort_pairs,
+    take_over,
+    turn_corners,
+)
+from tamias2d.stepped.rows import (
+    FILLED,
+    P_PUSH,
+    P_TOTAL,
+    POINTS,
+    SHARED,
+    SIZE,
+    SLOT,
+    clear_lanes,
+    colour,
+    fill_rows,
+    keep_impulses,
+)
+from tamias2d.stepped.soft import bias_rate, impulse_share, mass_share
+from tamias2d.stepped.solver import bounce, sweep, warm
+
+DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, NOT_FINITE = 0, 1, 2, 3, 4
+
+CLOSE = 0.02  # of the smaller reach: what is nearer is a contact already
+AHEAD = 0.1  # of the smaller reach: how far the motion of a step can make it one
+CIRCLE = 6.283185307179586
+HERTZ = 0.25  # of a contact's spring, in one substep
+DAMPING = 10.0  # of the contact's spring, where 1 is critical
+FIRMER = 2.0  # the spring against what does not move, to the others
+APART = 0.02  # of the smaller reach: how far an overlap is pushed apart in a substep, at most
+
+
+def step(
+    settings: Floats,
+    counts: Ranks,
+    pose: FloatRows,
+    motion: FloatRows,
+    load: FloatRows,
+    body: FloatRows,
+    home: FloatRows,
+    kind: Bytes,
+    used: Ranks,
+    ranked: RankRows,
+    shape_body: Indices,
+    shape_kind: Indices,
+    shape_first: Indices,
+    shape_count: Indices,
+    shape_radius: Floats,
+    surface: FloatRows,
+    filters: RankRows,
+    mixed: FloatRows,
+    corner: FloatRows,
+    turned: FloatRows,
+    box: FloatRows,
+    curve: RankRows,
+    node: FloatRows,
+    found: RankRows,
+    pairs: IndexBlocks,
+    touches: FloatBlocks,
+    traces: IndexBlocks,
+    hits: RankRows,
+    fill: RankRows,
+    rows: FloatRows,
+    lanes: PlaceRows,
+    bench: Floats,
+) -> int:
+    """Take one step, or say what there is too little room for; called again, it goes on."""
+    if counts[PHASE] == 0:
+        if not all_finite(pose, motion, load):
+            return NOT_FINITE
+        counts[PHASE] = 1
+        if left_home(kind, pose, home) or counts[STILL] == 0:
+            counts[PHASE] = 2
+    if counts[PHASE] == 2:
+        status = look_around(
+            settings,
+            counts,
+            pose,
+            motion,
+            body,
+            home,
+            kind,
+            ranked,
+            shape_body,
+            shape_kind,
+            shape_first,
+            shape_count,
+            shape_radius,
+            surface,
+            filters,
+            mixed,
+            corner,
+            turned,
+            box,
+            curve,
+            node,
+            found,
+            pairs,
+            touches,
+            traces,
+        )
+        if status != DONE:
+            return status
+        counts[PHASE] = 3
+    elif counts[PHASE] == 1:
+        turn_corners(
+            shape_body, shape_kind, shape_first, shape_count, kind, KINEMATIC, pose, corner, turned
+        )
+        counts[PHASE] = 3
+    side = counts[SIDE]
+    pair, touch, trace = pairs[side], touches[side], traces[side]
+    if counts[PHASE] == 3:
+        meet(
+            settings,
+            counts,
+            pose,
+            motion,
+            shape_body,
+            shape_kind,
+            shape_first,
+            shape_count,
+            shape_radius,
+            surface,
+            filters,
+            turned,
+            pair,
+            touch,
+            trace,
+            hits,
+        )
+        needed = colour(counts, pair, trace, shape_body, kind, hits, used, fill)
+        if needed > len(rows):
+            counts[NEEDED] = needed
+            return MORE_BLOCKS
+    clear_lanes(counts, len(pose) - 1, fill, rows, lanes)
+    fill_rows(
+        counts,
+        pair,
+        touch,
+        shape_body,
+        shape_radius,
+        pose,
+        motion,
+        body,
+        hits,
+        fill,
+        rows,
+        lanes,
+        APART * counts[SUBSTEPS] / settings[TIME_STEP],
+        surface,
+    )
+    solve(
+        settings,
+        counts,
+        pose,
+        motion,
+        load,
+        body,
+        kind,
+        used,
+        pair,
+        shape_body,
+        hits,
+        rows,
+        lanes,
+        bench,
+    )
+    keep_impulses(counts, rows, lanes, touch)
+    move(settings, counts, pose, motion, load, body, kind, used)
+    note_touches(counts, trace, rows, lanes)
+    counts[SINCE] += 1
+    counts[PHASE] = 0
+    return DONE
+
+
+def all_finite(pose: Array, motion: Array, load: Array) -> bool:
+    """Return whether what users can set are numbers."""
+    bad = 0
+    for i in range(len(pose)):
+        for k in range(3):
+            fine = (pose[i, k] - pose[i, k] == 0.0) & (load[i, k] - load[i, k] == 0.0)
+            bad += 0 if fine and motion[i, k] - motion[i, k] == 0.0 else 1
+    return bad == 0
+
+
+def look_around(
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    body: Array,
+    home: Array,
+    kind: Whole,
+    ranked: Whole,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    surface: Array,
+    filters: Whole,
+    mixed: Array,
+    corner: Array,
+    turned: Array,
+    box: Array,
+    curve: Whole,
+    node: Array,
+    found: Whole,
+    pairs: Whole,
+    touches: Array,
+    traces: Whole,
+) -> int:
+    """Make the list of pairs anew, for as many steps ahead as has been worth while."""
+    if counts[SINCE] > 0:
+        if counts[PAIRS] > 2 * len(shape_body):
+            counts[HORIZON] = max(counts[HORIZON] // 2, 2)
+        elif 2 * counts[SINCE] >= counts[HORIZON]:
+            counts[HORIZON] = min(2 * counts[HORIZON], LONGEST)
+        counts[SINCE] = 0
+    turn_corners(
+        shape_body, shape_kind, shape_first, shape_count, kind, STATIC, pose, corner, turned
+    )
+    settle(counts[HORIZON] * settings[TIME_STEP], kind, pose, motion, body, home)
+    fatten(
+        shape_body,
+        shape_kind,
+        shape_first,
+        shape_count,
+        shape_radius,
+        kind,
+        pose,
+        body,
+        home,
+        turned,
+        box,
+    )
+    total = find_pairs(
+        counts,
+        shape_kind,
+        shape_body,
+        surface,
+        filters,
+        kind,
+        ranked,
+        box,
+        curve,
+        node,
+        turned,
+        shape_first,
+        found,
+    )
+    if total > len(found):
+        counts[NEEDED] = total
+        return MORE_FOUND
+    sort_pairs(total, found, curve[3, : len(shape_body) + 1])
+    size = take_over(total, counts, ranked, found, surface, mixed, pairs, touches, traces)
+    if size > pairs.shape[1]:
+        counts[NEEDED] = size
+        return MORE_PAIRS
+    counts[STILL] = 1
+    return DONE
+
+
+def meet(
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    surface: Array,
+    filters: Whole,
+    turned: Array,
+    pair: Whole,
+    touch: Array,
+    trace: Whole,
+    hits: Whole,
+) -> None:
+    """Find the contacts of all pairs, and list the pairs that have some."""
+    total = 0
+    for p in range(counts[PAIRS]):
+        s, t = pair[p, 0], pair[p, 1]
+        i, j = shape_body[s], shape_body[t]
+        x, y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
+        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        by_x = motion[j, VX] - motion[i, VX]
+        by_y = motion[j, VY] - motion[i, VY]
+        speed = (abs(by_x) + abs(by_y)) * settings[TIME_STEP]
+        margin = CLOSE * reach + min(speed, AHEAD * reach)
+        count = collide(
+            p,
+            s,
+            t,
+            x,
+            y,
+            margin,
+            shape_kind,
+            shape_first,
+            shape_count,
+            shape_radius,
+            turned,
+            touch,
+            trace,
+        )
+        if count > 0 and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
+            hits[0, total] = p
+            total += 1
+    counts[HITS] = total
+
+
+def solve(
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    load: Array,
+    body: Array,
+    kind: Whole,
+    used: Whole,
+    pair: Whole,
+    shape_body: Whole,
+    hits: Whole,
+    rows: Array,
+    lanes: Whole,
+    bench: Array,
+) -> None:
+    """Take the substeps of all bodies with contacts, and let them bounce."""
+    active = mark_active(counts, kind, used, pair, shape_body, hits, motion)
+    if active == 0:
+        return
+    substeps = counts[SUBSTEPS]
+    blocks, still = counts[BLOCKS], counts[STATIC_BLOCK]
+    substep = settings[TIME_STEP] / substeps
+    rate = substeps / settings[TIME_STEP]
+    omega = CIRCLE * HERTZ * rate
+    bias = bias_rate(omega, DAMPING, substep)
+    share = mass_share(omega, DAMPING, substep)
+    keep = impulse_share(omega, DAMPING, substep)
+    omega = FIRMER * omega
+    firm_bias = bias_rate(omega, DAMPING, substep)
+    firm_share = mass_share(omega, DAMPING, substep)
+    firm_keep = impulse_share(omega, DAMPING, substep)
+    for _ in range(substeps):
+        hasten(settings, counts, motion, load, body, kind, hits)
+        warm(blocks, rows, lanes, motion, bench)
+        sweep(0, still, rows, lanes, motion, bench, rate, bias, share, keep)
+        sweep(still, blocks, rows, lanes, motion, bench, rate, firm_bias, firm_share, firm_keep)
+        for k in range(active):
+            i = hits[1, k]
+            motion[i, DX] += substep * motion[i, VX]
+            motion[i, DY] += substep * motion[i, VY]
+            motion[i, DTURN] += substep * motion[i, SPIN]
+        sweep(0, blocks, rows, lanes, motion, bench, rate, 0.0, 1.0, 0.0)
+    sum_up(blocks, rows, lanes)
+    slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
+    bounce(blocks, rows, lanes, motion, bench, slowest)
+
+
+def mark_active(
+    counts: Whole,
+    kind: Whole,
+    used: Whole,
+    pair: Whole,
+    shape_body: Whole,
+    hits: Whole,
+    motion: Array,
+) -> int:
+    """List the moving bodies that have contacts in the second row of `hits`; return how many.
+
+    Their colours, which are not needed any more, become marks.
+    """
+    for i in range(len(used)):
+        used[i] = 0
+    active = 0
+    for k in range(counts[HITS]):
+        p = hits[0, k]
+        for n in range(2):
+            i = shape_body[pair[p, n]]
+            if used[i] == 0 and kind[i] >= KINEMATIC:
+                used[i] = 1
+                hits[1, active] = i
+                active += 1
+                motion[i, DX] = motion[i, DY] = motion[i, DTURN] = 0.0
+    counts[ACTIVE] = active
+    return active
+
+
+def hasten(
+    settings: Array,
+    counts: Whole,
+    motion: Array,
+    load: Array,
+    body: Array,
+    kind: Whole,
+    hits: Whole,
+) -> None:
+    """Let gravity, forces and drag change velocities for a substep."""
+    for k in range(counts[ACTIVE]):
+        i = hits[1, k]
+        if kind[i] == DYNAMIC:
+            mass = body[i, INVERSE_MASS]
+            by_x, by_y = (
+                settings[GRAVITY_X] + mass * load[i, 0],
+                settings[GRAVITY_Y] + mass * load[i, 1],
+            )
+            motion[i, VX] = body[i, SUB + DECAY] * motion[i, VX] + body[i, SUB + GAIN] * by_x
+            motion[i, VY] = body[i, SUB + DECAY] * motion[i, VY] + body[i, SUB + GAIN] * by_y
+            motion[i, SPIN] = body[i, SUB + ANGULAR + DECAY] * motion[i, SPIN] + body[
+                i, SUB + ANGULAR + GAIN
+            ] * (body[i, INVERSE_INERTIA] * load[i, 2])
+
+
+def move(
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    load: Array,
+    body: Array,
+    kind: Whole,
+    used: Whole,
+) -> None:
+    """Move bodies with contacts by what their substeps found, and the others in closed form."""
+    none = counts[ACTIVE] == 0
+    for i in range(len(pose) - 1):
+        if kind[i] < KINEMATIC:
+            continue
+        if not none and used[i] == 1:
+            pose[i, X] += motion[i, DX]
+            pose[i, Y] += motion[i, DY]
+            pose[i, TURN] += motion[i, DTURN]
+            continue
+        by_x = by_y = turn = 0.0
+        if kind[i] == DYNAMIC:
+            mass = body[i, INVERSE_MASS]
+            by_x, by_y = (
+                settings[GRAVITY_X] + mass * load[i, 0],
+                settings[GRAVITY_Y] + mass * load[i, 1],
+            )
+            turn = body[i, INVERSE_INERTIA] * load[i, 2]
+        pose[i, X] += body[i, FULL + GAIN] * motion[i, VX] + body[i, FULL + LIFT] * by_x
+        pose[i, Y] += body[i, FULL + GAIN] * motion[i, VY] + body[i, FULL + LIFT] * by_y
+        pose[i, TURN] += (
+            body[i, FULL + ANGULAR + GAIN] * motion[i, SPIN] + body[i, FULL + ANGULAR + LIFT] * turn
+        )
+        motion[i, VX] = body[i, FULL + DECAY] * motion[i, VX] + body[i, FULL + GAIN] * by_x
+        motion[i, VY] = body[i, FULL + DECAY] * motion[i, VY] + body[i, FULL + GAIN] * by_y
+        motion[i, SPIN] = (
+            body[i, FULL + ANGULAR + DECAY] * motion[i, SPIN]
+            + body[i, FULL + ANGULAR + GAIN] * turn
+        )
+
+
+def sum_up(blocks: int, rows: Array, lanes: Whole) -> None:
+    """Add the pushes of the last substep to those of the step."""
+    for b in range(blocks):
+        row = rows[b]
+        for n in range(lanes[b, POINTS]):
+            for m in range(lanes[b, FILLED]):
+                at = SHARED + n * SIZE + m
+                row[at + P_TOTAL] += row[at + P_PUSH]
+
+
+def note_touches(counts: Whole, trace: Whole, rows: Array, lanes: Whole) -> None:
+    """Note which pairs were pushed in this step, and move what was noted in the last one."""
+    for p in range(counts[PAIRS]):
+        trace[p, TOUCHED] = (trace[p, TOUCHED] & 1) << 1
+    for b in range(counts[BLOCKS]):
+        row = rows[b]
+        for n in range(lanes[b, POINTS]):
+            for m in range(lanes[b, FILLED]):
+                if row[SHARED + n * SIZE + m + P_TOTAL] > 0.0:
+                    trace[lanes[b, SLOT + m], TOUCHED] |= 1
