@@ -18,15 +18,15 @@ def area(line: np.ndarray) -> float:
 
 def test_outlines_enclose_their_shapes(run: t2.Run) -> None:
     disc, _, box, triangle, speck, _ = run.scene.bodies
-    assert area(drawing.outline(disc)) == pytest.approx(math.pi * 0.3**2, rel=2e-3)
-    assert area(drawing.outline(box)) == pytest.approx(0.5)
-    assert area(drawing.outline(triangle)) == pytest.approx(0.5)
-    assert len(drawing.outline(speck)) == 0
+    for body, whole in ((disc, math.pi * 0.3**2), (box, 0.5), (triangle, 0.5)):
+        (rim,) = drawing.outlines(body)
+        assert area(rim) == pytest.approx(whole, rel=2e-3)
+    assert drawing.outlines(speck) == []
 
 
 def test_the_filling_covers_its_shape(run: t2.Run) -> None:
     for body, whole in zip(run.scene.bodies[2:4], (0.5, 0.5), strict=True):
-        lines, half = drawing.filling(body)
+        ((lines, half),) = drawing.fillings(body)
         lengths = np.hypot(*(lines[:, 1] - lines[:, 0]).T)
         assert (lengths * 2 * half).sum() == pytest.approx(whole, rel=0.05)
         assert lengths.min() > 0

@@ -46,9 +46,8 @@ def _bodies(run: Run) -> str:
     rows = ["| body | shape | mass | inertia |", "| --- | --- | --- | --- |"]
     for body in run.scene.bodies:
         shape = type(body.shape).__name__ if body.shape else "particle"
-        of_body = (
-            (f"{body.mass:g} kg", f"{body.inertia:g} kg m²") if body.dynamic else ("static",) * 2
-        )
+        still = ("kinematic" if body.kinematic else "static",) * 2
+        of_body = (f"{body.mass:g} kg", f"{body.inertia:g} kg m²") if body.dynamic else still
         rows.append(f"| {body.name} | {shape} | {' | '.join(of_body)} |")
     return "\n".join(rows)
 

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tamias2d.scene import Disc, HalfPlane
+from tamias2d.scene import Capsule, Disc, HalfPlane, pieces_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tamias2d.run import Run
-    from tamias2d.scene import Body
+    from tamias2d.scene import Body, Part
 
     Points = NDArray[np.float64]
 
@@ -31,6 +31,7 @@ PALETTE: tuple[Colour, ...] = (
     (150, 110, 210), (190, 150, 30), (40, 165, 175), (210, 85, 70),
 )  # fmt: skip
 STATIC_COLOUR: Colour = (130, 135, 140)
+KINEMATIC_COLOUR: Colour = (125, 145, 180)
 CIRCLE_SIDES = 72
 HATCHES = 48
 FILL_LINES = 24
@@ -50,9 +51,12 @@ class View:
 
 
 def colours(run: Run) -> list[Colour]:
-    """Red, green and blue of each body, 0 to 255; all static bodies have one."""
+    """Red, green and blue of each body, 0 to 255; all static bodies have one, and all kinematic."""
     bodies, moving = run.scene.bodies, iter(range(len(run.scene.bodies)))
-    return [PALETTE[next(moving) % len(PALETTE)] if b.dynamic else STATIC_COLOUR for b in bodies]
+    still = {False: STATIC_COLOUR, True: KINEMATIC_COLOUR}
+    return [
+        PALETTE[next(moving) % len(PALETTE)] if b.dynamic else still[b.kinematic] for b in bodies
+    ]
 
 
 def strokes(body: Body, view: View) -> list[Points]:
@@ -62,27 +66,44 @@ def strokes(body: Body, view: View) -> list[Points]:
         return [np.array([(-arm, 0.0), (arm, 0.0)]), np.array([(0.0, -arm), (0.0, arm)])]
     if isinstance(body.shape, HalfPlane):
         return _ground(body, body.shape, view)
-    rim = outline(body)
-    return [rim, np.array([(0.0, 0.0), (rim[1] + rim[2]) / 2])] if body.dynamic else [rim]
+    rims = outlines(body)
+    spoke = np.array([(0.0, 0.0), (rims[0][1] + rims[0][2]) / 2])
+    return rims if body.static else [*rims, spoke]
 
 
-def outline(body: Body) -> Points:
-    """Closed line around a bounded shape, (v, 2), relative to the body's centre, in metres."""
-    if isinstance(body.shape, Disc):
-        angle = (np.arange(CIRCLE_SIDES + 1) - 1.5) * (2 * np.pi / CIRCLE_SIDES)
-        return body.shape.radius * np.column_stack([np.cos(angle), np.sin(angle)])
-    corners = body.shape.vertices if body.shape else ()
-    return np.array([*corners, *corners[:1]], dtype=np.float64).reshape(-1, 2)
+def outlines(body: Body) -> list[Points]:
+    """Closed lines around what a body is made of, each (v, 2), from its centre of mass, in metres.
 
-
-def filling(body: Body) -> tuple[Points, float]:
-    """Parallel lines (l, 2, 2) that fill a bounded shape, and the half-width of each, in metres.
-
-    A viewer's 2D lines can be wide, but its 2D areas cannot be filled.
+    A particle and a half-plane have none.
     """
-    rim = 0.98 * outline(body)  # the ends of a line are square: keep them behind the outline
-    if len(rim) == 0:
-        return np.zeros((0, 2, 2)), 0.0
+    if body.shape is None or isinstance(body.shape, HalfPlane):
+        return []
+    return [_outline(piece) for piece in pieces_of(body.shape)]
+
+
+def _outline(piece: Part) -> Points:
+    """The line around one piece, which has the middle of its right side after its second point."""
+    shape = piece.shape
+    if not isinstance(shape, Disc | Capsule):
+        return np.array([*piece.core, *piece.core[:1]], dtype=np.float64)
+    angle = (np.arange(CIRCLE_SIDES + 1) - 1.5) * (2 * np.pi / CIRCLE_SIDES)
+    rim = shape.radius * np.column_stack([np.cos(angle), np.sin(angle)])
+    if isinstance(shape, Capsule):
+        rim[:, 0] += np.copysign(shape.length / 2, rim[:, 0])
+    return placed(rim, np.array(piece.position), piece.orientation)
+
+
+def fillings(body: Body) -> list[tuple[Points, float]]:
+    """Parallel lines (l, 2, 2) that fill each piece of a body, and their half-widths, in metres.
+
+    A viewer's 2D lines can be wide, but its 2D areas cannot be filled. A sensor is left empty.
+    """
+    return [] if body.sensor else [_filling(rim) for rim in outlines(body) if np.ptp(rim[:, 1])]
+
+
+def _filling(rim: Points) -> tuple[Points, float]:
+    middle = rim[:-1].mean(axis=0)
+    rim = middle + 0.98 * (rim - middle)  # the ends of a line are square: keep them behind
     low, high = rim[:, 1].min(), rim[:, 1].max()
     half = (high - low) / FILL_LINES / 2
     heights = low + half + 2 * half * np.arange(FILL_LINES)

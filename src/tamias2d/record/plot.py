@@ -87,10 +87,10 @@ def _world(axes: Any, run: Run) -> None:
         if isinstance(body.shape, HalfPlane):
             _ground(axes, run, index, view)
             continue
-        if body.dynamic:
+        if not body.static:
             axes.plot(*run.position[:, index].T, color=colour, linewidth=0.8, alpha=0.6)
-        for k in instants if body.dynamic else instants[:1]:
-            strength = 1.0 if k == instants[-1] or not body.dynamic else 0.35
+        for k in instants[:1] if body.static else instants:
+            strength = 1.0 if k == instants[-1] or body.static else 0.35
             _body(axes, run, int(k), index, view, colour, strength)
     axes.plot(*run.impacts.point.T, "x", color="black", markersize=4, markeredgewidth=0.8)
     axes.set(xlim=(x - width, x + width), ylim=(y - height, y + height), aspect="equal")
@@ -106,8 +106,10 @@ def _body(
     """Draw a body at sample k; earlier ones are paler."""
     body = run.scene.bodies[index]
     position, orientation = run.position[k, index], float(run.orientation[k, index])
-    rim = drawing.placed(drawing.outline(body), position, orientation)
-    axes.fill(*rim.T, color=colour, alpha=0.3 * strength, linewidth=0)
+    for outline in drawing.outlines(body):
+        rim = drawing.placed(outline, position, orientation)
+        shade = 0.0 if body.sensor else 0.3 * strength
+        axes.fill(*rim.T, color=colour, alpha=shade, linewidth=0)
     for stroke in drawing.strokes(body, view):
         line = drawing.placed(stroke, position, orientation)
         axes.plot(*line.T, color=colour, alpha=strength, linewidth=1.0)

@@ -96,7 +96,7 @@ def _world(stream: rr.RecordingStream, run: Run, view: View) -> None:
         if body.dynamic:
             name = rr.SeriesLines(colors=[colour], names=[body.name], widths=[1.5])
             stream.log(layout.speed_path(body.name), name, static=True)
-        else:
+        if body.static:
             here = slice(0, 1)
             columns = [*_pose(run, index, here), *_state(run, index, here)]
             stream.send_columns(path, [], columns)
@@ -111,10 +111,11 @@ def _world(stream: rr.RecordingStream, run: Run, view: View) -> None:
 def _lines(body: Body, view: View, colour: Colour) -> rr.LineStrips2D:
     """A body in its own frame: its outline, a spoke that shows how it is turned, and its area."""
     lines = drawing.strokes(body, view)
-    area, half = drawing.filling(body)
+    filled = drawing.fillings(body)
+    area = [line for lines_, _ in filled for line in lines_]
     shade = tuple(channel // 2 for channel in colour)
-    edge = rr.Radius.ui_points(1.5 if body.dynamic else 1.0)
-    radii: list[Any] = [half] * len(area) + [edge] * len(lines)
+    edge = rr.Radius.ui_points(1.0 if body.static else 1.5)
+    radii: list[Any] = [half for lines_, half in filled for _ in lines_] + [edge] * len(lines)
     return rr.LineStrips2D(
         [*area, *lines],
         colors=[shade] * len(area) + [colour] * len(lines),
@@ -145,9 +146,10 @@ def _block(stream: rr.RecordingStream, run: Run, clock: NDArray[np.int64], part:
     steps = np.arange(len(clock))[part]
     times = _times(clock[part], steps)
     for index, body in enumerate(run.scene.bodies):
-        if body.dynamic:
+        if not body.static:
             columns = [*_pose(run, index, part), *_state(run, index, part)]
             stream.send_columns(layout.body_path(body.name), times, columns)
+        if body.dynamic:
             speed = np.hypot(*run.velocity[part, index].T)
             _plot(stream, layout.speed_path(body.name), times, speed)
     kinetic = kinetic_energy(run, part)
