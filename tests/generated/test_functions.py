@@ -14,6 +14,7 @@ from tamias2d.generated import (
     impact,
     rest,
     rotation,
+    soft_contact,
     spring,
     translation,
 )
@@ -746,6 +747,240 @@ def test_orientation_is_im2(**given: Value) -> None:
 def test_angular_velocity_is_im2(**given: Value) -> None:
     """IM2, srs/models/rotation.md:27."""
     agrees(rotation.angular_velocity, "angular_velocity_start + angular_acceleration*time", given)
+
+
+@given(arm=values("arm"), line=values("line"))
+def test_turning_arm_is_dd26(**given: Value) -> None:
+    """DD26, srs/models/soft_contact.md:22."""
+    agrees(soft_contact.turning_arm, "cross(arm, line)", given)
+
+
+@given(
+    velocity_a=values("velocity_a"),
+    angular_velocity_a=values("angular_velocity_a"),
+    turning_arm_a=values("turning_arm_a"),
+    velocity_b=values("velocity_b"),
+    angular_velocity_b=values("angular_velocity_b"),
+    turning_arm_b=values("turning_arm_b"),
+    line=values("line"),
+)
+def test_row_velocity_is_dd26(**given: Value) -> None:
+    """DD26, srs/models/soft_contact.md:22."""
+    agrees(
+        soft_contact.row_velocity,
+        "dot(velocity_b - velocity_a, line) + angular_velocity_b*turning_arm_b - angular_velocity_a*turning_arm_a",
+        given,
+    )
+
+
+@given(
+    inverse_mass_a=values("inverse_mass_a"),
+    inverse_inertia_a=values("inverse_inertia_a"),
+    turning_arm_a=values("turning_arm_a"),
+    inverse_mass_b=values("inverse_mass_b"),
+    inverse_inertia_b=values("inverse_inertia_b"),
+    turning_arm_b=values("turning_arm_b"),
+)
+def test_row_mass_is_dd26(**given: Value) -> None:
+    """DD26, srs/models/soft_contact.md:22."""
+    agrees(
+        soft_contact.row_mass,
+        "1/(inverse_mass_a + inverse_inertia_a*turning_arm_a**2 + inverse_mass_b + inverse_inertia_b*turning_arm_b**2)",
+        given,
+    )
+
+
+@given(
+    velocity_a=values("velocity_a"),
+    kick=values("kick"),
+    line=values("line"),
+    inverse_mass_a=values("inverse_mass_a"),
+)
+def test_velocity_a_kicked_is_dd27(**given: Value) -> None:
+    """DD27, srs/models/soft_contact.md:90."""
+    agrees(soft_contact.velocity_a_kicked, "velocity_a - kick*inverse_mass_a*line", given)
+
+
+@given(
+    angular_velocity_a=values("angular_velocity_a"),
+    kick=values("kick"),
+    turning_arm_a=values("turning_arm_a"),
+    inverse_inertia_a=values("inverse_inertia_a"),
+)
+def test_angular_velocity_a_kicked_is_dd27(**given: Value) -> None:
+    """DD27, srs/models/soft_contact.md:90."""
+    agrees(
+        soft_contact.angular_velocity_a_kicked,
+        "angular_velocity_a - kick*inverse_inertia_a*turning_arm_a",
+        given,
+    )
+
+
+@given(
+    velocity_b=values("velocity_b"),
+    kick=values("kick"),
+    line=values("line"),
+    inverse_mass_b=values("inverse_mass_b"),
+)
+def test_velocity_b_kicked_is_dd27(**given: Value) -> None:
+    """DD27, srs/models/soft_contact.md:90."""
+    agrees(soft_contact.velocity_b_kicked, "velocity_b + kick*inverse_mass_b*line", given)
+
+
+@given(
+    angular_velocity_b=values("angular_velocity_b"),
+    kick=values("kick"),
+    turning_arm_b=values("turning_arm_b"),
+    inverse_inertia_b=values("inverse_inertia_b"),
+)
+def test_angular_velocity_b_kicked_is_dd27(**given: Value) -> None:
+    """DD27, srs/models/soft_contact.md:90."""
+    agrees(
+        soft_contact.angular_velocity_b_kicked,
+        "angular_velocity_b + kick*inverse_inertia_b*turning_arm_b",
+        given,
+    )
+
+
+@given(
+    angular_frequency=values("angular_frequency"),
+    damping_ratio=values("damping_ratio"),
+    time_step=values("time_step"),
+)
+def test_bias_rate_is_gd9(**given: Value) -> None:
+    """GD9, srs/models/soft_contact.md:176."""
+    agrees(
+        soft_contact.bias_rate,
+        "angular_frequency/(2*damping_ratio + time_step*angular_frequency)",
+        given,
+    )
+
+
+@given(
+    angular_frequency=values("angular_frequency"),
+    damping_ratio=values("damping_ratio"),
+    time_step=values("time_step"),
+)
+def test_mass_share_is_gd9(**given: Value) -> None:
+    """GD9, srs/models/soft_contact.md:176."""
+    agrees(
+        soft_contact.mass_share,
+        "time_step*angular_frequency*(2*damping_ratio + time_step*angular_frequency)/(1 + time_step*angular_frequency*(2*damping_ratio + time_step*angular_frequency))",
+        given,
+    )
+
+
+@given(
+    angular_frequency=values("angular_frequency"),
+    damping_ratio=values("damping_ratio"),
+    time_step=values("time_step"),
+)
+def test_impulse_share_is_gd9(**given: Value) -> None:
+    """GD9, srs/models/soft_contact.md:176."""
+    agrees(
+        soft_contact.impulse_share,
+        "1/(1 + time_step*angular_frequency*(2*damping_ratio + time_step*angular_frequency))",
+        given,
+    )
+
+
+@given(
+    push=values("push"),
+    row_mass=values("row_mass"),
+    angular_frequency=values("angular_frequency"),
+    time_step=values("time_step"),
+)
+def test_separation_rest_is_dd28(**given: Value) -> None:
+    """DD28, srs/models/soft_contact.md:281."""
+    agrees(soft_contact.separation_rest, "-push/(time_step*row_mass*angular_frequency**2)", given)
+
+
+@given(arm=values("arm"), line=values("line"))
+def test_bend_is_dd29(**given: Value) -> None:
+    """DD29, srs/models/soft_contact.md:329."""
+    agrees(soft_contact.bend, "dot(arm, line)", given)
+
+
+@given(
+    separation=values("separation"),
+    shift_a=values("shift_a"),
+    turn_a=values("turn_a"),
+    turning_arm_a=values("turning_arm_a"),
+    bend_a=values("bend_a"),
+    shift_b=values("shift_b"),
+    turn_b=values("turn_b"),
+    turning_arm_b=values("turning_arm_b"),
+    bend_b=values("bend_b"),
+    line=values("line"),
+)
+def test_separation_later_is_dd29(**given: Value) -> None:
+    """DD29, srs/models/soft_contact.md:329."""
+    agrees(
+        soft_contact.separation_later,
+        "separation + dot(shift_b - shift_a, line) + turn_b*turning_arm_b - turn_a*turning_arm_a - (turn_b**2*bend_b - turn_a**2*bend_a)/2",
+        given,
+    )
+
+
+@given(
+    separation=values("separation"), bias_rate=values("bias_rate"), time_step=values("time_step")
+)
+def test_bias_velocity_is_im10(**given: Value) -> None:
+    """IM10, srs/models/soft_contact.md:401."""
+    agrees(
+        soft_contact.bias_velocity,
+        "max(separation, 0)/time_step + bias_rate*min(separation, 0)",
+        given,
+    )
+
+
+@given(
+    push=values("push"),
+    row_velocity=values("row_velocity"),
+    bias_velocity=values("bias_velocity"),
+    row_mass=values("row_mass"),
+    mass_share=values("mass_share"),
+    impulse_share=values("impulse_share"),
+)
+def test_soft_push_is_im10(**given: Value) -> None:
+    """IM10, srs/models/soft_contact.md:401."""
+    agrees(
+        soft_contact.soft_push,
+        "max(push - row_mass*mass_share*(row_velocity + bias_velocity) - impulse_share*push, 0)",
+        given,
+    )
+
+
+@given(
+    rub=values("rub"),
+    row_velocity=values("row_velocity"),
+    row_mass=values("row_mass"),
+    friction=values("friction"),
+    push=values("push"),
+)
+def test_limited_rub_is_im10(**given: Value) -> None:
+    """IM10, srs/models/soft_contact.md:401."""
+    agrees(
+        soft_contact.limited_rub,
+        "max(min(rub - row_mass*row_velocity, friction*push), -friction*push)",
+        given,
+    )
+
+
+@given(
+    push=values("push"),
+    row_velocity=values("row_velocity"),
+    row_velocity_before=values("row_velocity_before"),
+    restitution=values("restitution"),
+    row_mass=values("row_mass"),
+)
+def test_bouncing_push_is_im10(**given: Value) -> None:
+    """IM10, srs/models/soft_contact.md:401."""
+    agrees(
+        soft_contact.bouncing_push,
+        "max(push - row_mass*(row_velocity + restitution*row_velocity_before), 0)",
+        given,
+    )
 
 
 @given(

@@ -387,8 +387,104 @@ def test_range_of_contact_force() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
 
 
+def test_range_of_row_mass() -> None:
+    """srs/symbols.md:507: > 0."""
+    symbol = SYMBOLS["row_mass"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_push() -> None:
+    """srs/symbols.md:516: >= 0."""
+    symbol = SYMBOLS["push"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_soft_push() -> None:
+    """srs/symbols.md:521: >= 0."""
+    symbol = SYMBOLS["soft_push"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_bouncing_push() -> None:
+    """srs/symbols.md:526: >= 0."""
+    symbol = SYMBOLS["bouncing_push"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_damping_ratio() -> None:
+    """srs/symbols.md:539: >= 0."""
+    symbol = SYMBOLS["damping_ratio"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_bias_rate() -> None:
+    """srs/symbols.md:544: > 0."""
+    symbol = SYMBOLS["bias_rate"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_mass_share() -> None:
+    """srs/symbols.md:553: [0, 1]."""
+    symbol = SYMBOLS["mass_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
+def test_range_of_impulse_share() -> None:
+    """srs/symbols.md:558: [0, 1]."""
+    symbol = SYMBOLS["impulse_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:495: >= 0."""
+    """srs/symbols.md:586: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -401,35 +497,35 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:513: > 0."""
+    """srs/symbols.md:604: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_length() -> None:
-    """srs/symbols.md:518: > 0."""
+    """srs/symbols.md:609: > 0."""
     symbol = SYMBOLS["length"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:525: > 0."""
+    """srs/symbols.md:616: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:530: > 0."""
+    """srs/symbols.md:621: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:549: > 0."""
+    """srs/symbols.md:640: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

@@ -1,0 +1,406 @@
+"""Soft contact: Row of a contact; Kick along a row; Soft contact; Overlap at rest; Separation of a
+contact that moves; Soft step of a contact.
+
+Generated from srs/models/soft_contact.md
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tamias2d.spec.functions import Scalar, Vector, largest, least
+
+
+def turning_arm(arm: Vector, line: Vector) -> Scalar:
+    """Part of an arm across the line, by which an impulse along it turns a body (m).
+
+    turning_arm = cross(arm, line)
+
+    Args:
+        arm: Lever arm, from the centre of mass to the contact point, m
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+
+    Source: DD26, srs/models/soft_contact.md:28.
+    """
+    arm_x, arm_y = arm
+    line_x, line_y = line
+    return arm_x * line_y - arm_y * line_x
+
+
+def row_velocity(
+    velocity_a: Vector,
+    angular_velocity_a: Scalar,
+    turning_arm_a: Scalar,
+    velocity_b: Vector,
+    angular_velocity_b: Scalar,
+    turning_arm_b: Scalar,
+    line: Vector,
+) -> Scalar:
+    """Velocity of B's point of contact seen from A's, along the line (m/s).
+
+    row_velocity = dot(velocity_b - velocity_a, line) + angular_velocity_b*turning_arm_b -
+    angular_velocity_a*turning_arm_a
+
+    Args:
+        velocity_a: Velocity of the centre of mass; of body A, m/s
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
+            body; of body A, m
+        velocity_b: Velocity of the centre of mass; of body B, m/s
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+        turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
+            body; of body B, m
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+
+    Source: DD26, srs/models/soft_contact.md:29.
+    """
+    velocity_a_x, velocity_a_y = velocity_a
+    velocity_b_x, velocity_b_y = velocity_b
+    line_x, line_y = line
+    return (
+        (velocity_b_x - velocity_a_x) * line_x
+        + (velocity_b_y - velocity_a_y) * line_y
+        + angular_velocity_b * turning_arm_b
+        - angular_velocity_a * turning_arm_a
+    )
+
+
+def row_mass(
+    inverse_mass_a: Scalar,
+    inverse_inertia_a: Scalar,
+    turning_arm_a: Scalar,
+    inverse_mass_b: Scalar,
+    inverse_inertia_b: Scalar,
+    turning_arm_b: Scalar,
+) -> Scalar:
+    """Impulse along the line for one unit of change of the row's velocity (kg).
+
+    row_mass = 1/(inverse_mass_a + inverse_inertia_a*turning_arm_a**2 + inverse_mass_b +
+    inverse_inertia_b*turning_arm_b**2)
+
+    Args:
+        inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
+        inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
+            1/(kg*m^2)
+        turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
+            body; of body A, m
+        inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
+        inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
+            1/(kg*m^2)
+        turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
+            body; of body B, m
+
+    Source: DD26, srs/models/soft_contact.md:32.
+    """
+    return 1 / (
+        inverse_mass_a
+        + inverse_inertia_a * turning_arm_a * turning_arm_a
+        + inverse_mass_b
+        + inverse_inertia_b * turning_arm_b * turning_arm_b
+    )
+
+
+def velocity_a_kicked(
+    velocity_a: Vector, kick: Scalar, line: Vector, inverse_mass_a: Scalar
+) -> Vector:
+    """Velocity of the centre of mass; of body A; after a kick (m/s).
+
+    velocity_a_kicked = velocity_a - kick*inverse_mass_a*line
+
+    Args:
+        velocity_a: Velocity of the centre of mass; of body A, m/s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+        inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
+
+    Source: DD27, srs/models/soft_contact.md:97.
+    """
+    velocity_a_x, velocity_a_y = velocity_a
+    line_x, line_y = line
+    return (
+        velocity_a_x - kick * inverse_mass_a * line_x,
+        velocity_a_y - kick * inverse_mass_a * line_y,
+    )
+
+
+def angular_velocity_a_kicked(
+    angular_velocity_a: Scalar, kick: Scalar, turning_arm_a: Scalar, inverse_inertia_a: Scalar
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; of body A; after a kick (rad/s).
+
+    angular_velocity_a_kicked = angular_velocity_a - kick*inverse_inertia_a*turning_arm_a
+
+    Args:
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
+            body; of body A, m
+        inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
+            1/(kg*m^2)
+
+    Source: DD27, srs/models/soft_contact.md:98.
+    """
+    return angular_velocity_a - kick * inverse_inertia_a * turning_arm_a
+
+
+def velocity_b_kicked(
+    velocity_b: Vector, kick: Scalar, line: Vector, inverse_mass_b: Scalar
+) -> Vector:
+    """Velocity of the centre of mass; of body B; after a kick (m/s).
+
+    velocity_b_kicked = velocity_b + kick*inverse_mass_b*line
+
+    Args:
+        velocity_b: Velocity of the centre of mass; of body B, m/s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+        inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
+
+    Source: DD27, srs/models/soft_contact.md:100.
+    """
+    velocity_b_x, velocity_b_y = velocity_b
+    line_x, line_y = line
+    return (
+        velocity_b_x + kick * inverse_mass_b * line_x,
+        velocity_b_y + kick * inverse_mass_b * line_y,
+    )
+
+
+def angular_velocity_b_kicked(
+    angular_velocity_b: Scalar, kick: Scalar, turning_arm_b: Scalar, inverse_inertia_b: Scalar
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; of body B; after a kick (rad/s).
+
+    angular_velocity_b_kicked = angular_velocity_b + kick*inverse_inertia_b*turning_arm_b
+
+    Args:
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
+            body; of body B, m
+        inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
+            1/(kg*m^2)
+
+    Source: DD27, srs/models/soft_contact.md:101.
+    """
+    return angular_velocity_b + kick * inverse_inertia_b * turning_arm_b
+
+
+def bias_rate(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scalar) -> Scalar:
+    """Share of an overlap that a soft contact removes per unit of time (1/s).
+
+    bias_rate = angular_frequency/(2*damping_ratio + time_step*angular_frequency)
+
+    Args:
+        angular_frequency: Phase that an oscillation gains per unit of time, rad/s
+        damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: GD9, srs/models/soft_contact.md:187.
+    """
+    return angular_frequency / (2 * damping_ratio + time_step * angular_frequency)
+
+
+def mass_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scalar) -> Scalar:
+    """Part of a row's mass that a soft contact acts with (1).
+
+    mass_share = time_step*angular_frequency*(2*damping_ratio +
+    time_step*angular_frequency)/(1 + time_step*angular_frequency*(2*damping_ratio +
+    time_step*angular_frequency))
+
+    Args:
+        angular_frequency: Phase that an oscillation gains per unit of time, rad/s
+        damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: GD9, srs/models/soft_contact.md:189.
+    """
+    return (
+        time_step
+        * angular_frequency
+        * (2 * damping_ratio + time_step * angular_frequency)
+        / (1 + time_step * angular_frequency * (2 * damping_ratio + time_step * angular_frequency))
+    )
+
+
+def impulse_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scalar) -> Scalar:
+    """Part of its push that a soft contact gives back in a visit (1).
+
+    impulse_share = 1/(1 + time_step*angular_frequency*(2*damping_ratio +
+    time_step*angular_frequency))
+
+    Args:
+        angular_frequency: Phase that an oscillation gains per unit of time, rad/s
+        damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: GD9, srs/models/soft_contact.md:193.
+    """
+    return 1 / (
+        1 + time_step * angular_frequency * (2 * damping_ratio + time_step * angular_frequency)
+    )
+
+
+def separation_rest(
+    push: Scalar, row_mass: Scalar, angular_frequency: Scalar, time_step: Scalar
+) -> Scalar:
+    """Distance between two bodies, negative where they overlap; at rest (m).
+
+    separation_rest = -push/(time_step*row_mass*angular_frequency**2)
+
+    Args:
+        push: Impulse that a contact has given in a substep along its normal, N*s
+        row_mass: Impulse along the line for one unit of change of the row's velocity, kg
+        angular_frequency: Phase that an oscillation gains per unit of time, rad/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD28, srs/models/soft_contact.md:287.
+    """
+    return (-push) / (time_step * row_mass * angular_frequency * angular_frequency)
+
+
+def bend(arm: Vector, line: Vector) -> Scalar:
+    """Part of an arm along the line, as far as it turns with its body (m).
+
+    bend = dot(arm, line)
+
+    Args:
+        arm: Lever arm, from the centre of mass to the contact point, m
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+
+    Source: DD29, srs/models/soft_contact.md:339.
+    """
+    arm_x, arm_y = arm
+    line_x, line_y = line
+    return arm_x * line_x + arm_y * line_y
+
+
+def separation_later(
+    separation: Scalar,
+    shift_a: Vector,
+    turn_a: Scalar,
+    turning_arm_a: Scalar,
+    bend_a: Scalar,
+    shift_b: Vector,
+    turn_b: Scalar,
+    turning_arm_b: Scalar,
+    bend_b: Scalar,
+    line: Vector,
+) -> Scalar:
+    """Distance between two bodies, negative where they overlap; after the bodies have moved (m).
+
+    separation_later = separation + dot(shift_b - shift_a, line) + turn_b*turning_arm_b -
+    turn_a*turning_arm_a - (turn_b**2*bend_b - turn_a**2*bend_a)/2
+
+    Args:
+        separation: Distance between two bodies, negative where they overlap, m
+        shift_a: How far the centre of mass has moved since a contact was found; of body A, m
+        turn_a: How far a body has turned since a contact was found; of body A, rad
+        turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
+            body; of body A, m
+        bend_a: Part of an arm along the line, as far as it turns with its body; of body A, m
+        shift_b: How far the centre of mass has moved since a contact was found; of body B, m
+        turn_b: How far a body has turned since a contact was found; of body B, rad
+        turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
+            body; of body B, m
+        bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+
+    Source: DD29, srs/models/soft_contact.md:340.
+    """
+    shift_a_x, shift_a_y = shift_a
+    shift_b_x, shift_b_y = shift_b
+    line_x, line_y = line
+    return (
+        separation
+        + (shift_b_x - shift_a_x) * line_x
+        + (shift_b_y - shift_a_y) * line_y
+        + turn_b * turning_arm_b
+        - turn_a * turning_arm_a
+        - (turn_b * turn_b * bend_b - turn_a * turn_a * bend_a) / 2
+    )
+
+
+def bias_velocity(separation: Scalar, bias_rate: Scalar, time_step: Scalar) -> Scalar:
+    """Velocity with which a row is asked to close, negative to open it (m/s).
+
+    bias_velocity = max(separation, 0)/time_step + bias_rate*min(separation, 0)
+
+    Args:
+        separation: Distance between two bodies, negative where they overlap, m
+        bias_rate: Share of an overlap that a soft contact removes per unit of time, 1/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM10, srs/models/soft_contact.md:425.
+    """
+    return largest(separation, 0) / time_step + bias_rate * least(separation, 0)
+
+
+def soft_push(
+    push: Scalar,
+    row_velocity: Scalar,
+    bias_velocity: Scalar,
+    row_mass: Scalar,
+    mass_share: Scalar,
+    impulse_share: Scalar,
+) -> Scalar:
+    """Push after a visit of a soft contact (N*s).
+
+    soft_push = max(push - row_mass*mass_share*(row_velocity + bias_velocity) -
+    impulse_share*push, 0)
+
+    Args:
+        push: Impulse that a contact has given in a substep along its normal, N*s
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
+        row_mass: Impulse along the line for one unit of change of the row's velocity, kg
+        mass_share: Part of a row's mass that a soft contact acts with, 1
+        impulse_share: Part of its push that a soft contact gives back in a visit, 1
+
+    Source: IM10, srs/models/soft_contact.md:427.
+    """
+    return largest(
+        push - row_mass * mass_share * (row_velocity + bias_velocity) - impulse_share * push, 0
+    )
+
+
+def limited_rub(
+    rub: Scalar, row_velocity: Scalar, row_mass: Scalar, friction: Scalar, push: Scalar
+) -> Scalar:
+    """Rub after a visit, held within what friction can give (N*s).
+
+    limited_rub = max(min(rub - row_mass*row_velocity, friction*push), -friction*push)
+
+    Args:
+        rub: Impulse that a contact has given in a substep along its tangent, N*s
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        row_mass: Impulse along the line for one unit of change of the row's velocity, kg
+        friction: Coefficient of dry friction: how much of the normal force the surface can hold
+            along itself, 1
+        push: Impulse that a contact has given in a substep along its normal, N*s
+
+    Source: IM10, srs/models/soft_contact.md:430.
+    """
+    return largest(least(rub - row_mass * row_velocity, friction * push), (-friction) * push)
+
+
+def bouncing_push(
+    push: Scalar,
+    row_velocity: Scalar,
+    row_velocity_before: Scalar,
+    restitution: Scalar,
+    row_mass: Scalar,
+) -> Scalar:
+    """Push after the visit that makes bodies part again (N*s).
+
+    bouncing_push = max(push - row_mass*(row_velocity + restitution*row_velocity_before), 0)
+
+    Args:
+        push: Impulse that a contact has given in a substep along its normal, N*s
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        row_velocity_before: Velocity of B's point of contact seen from A's, along the line;
+            just before the impact, m/s
+        restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost), 1
+        row_mass: Impulse along the line for one unit of change of the row's velocity, kg
+
+    Source: IM10, srs/models/soft_contact.md:432.
+    """
+    return largest(push - row_mass * (row_velocity + restitution * row_velocity_before), 0)
