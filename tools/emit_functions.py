@@ -51,7 +51,8 @@ def emit(module: str, made: list[Function], specification: Specification) -> str
     used = "\n".join(bodies)
     types = {name for name in ("Scalar", "Truth", "Vector") if re.search(rf"\b{name}\b", used)}
     files = dict.fromkeys(function.item.file for function in made)
-    title = f"{module.replace('_', ' ').capitalize()}: {'; '.join(dict.fromkeys(f.item.title for f in made))}."
+    name = module.replace("_", " ").capitalize()
+    title = f"{name}: {'; '.join(dict.fromkeys(f.item.title for f in made))}."
     head = HEADER.format(
         title=_wrapped(title),
         sources=" and ".join(files),
