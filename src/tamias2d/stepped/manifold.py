@@ -1,0 +1,313 @@
+"""Where two shapes touch, or would touch soon: a normal and up to two points with separations.
+
+Serves: a step, for each pair at its start. Hides: the kinds of shapes, and what a pair remembers.
+
+All shapes but half-planes are corners grown by a radius: a disc has one corner, a capsule two. A
+point is midway between the surfaces, so that from the arm `p` of A to it, the part that turns with
+the sides and corners of A is p - (radius_a + separation/2) n, and B's is p - delta + (radius_b +
+separation/2) n: a disc's is zero, for rolling does not change its distance (`bends`).
+
+Sources: [Gregorius 2013] the side that leaves most room, and clipping; [Catto 2024] points ahead of
+touching, with the normal between nearest corners.
+"""
+
+from math import sqrt
+
+from tamias2d.state import Array
+from tamias2d.stepped.clip import NAMES, touch_sides
+from tamias2d.stepped.layout import (
+    COUNT,
+    FEATURE,
+    GAP,
+    HALF_PLANE,
+    IMPULSE,
+    NX,
+    NY,
+    POINT,
+    PUSH,
+    PX,
+    PY,
+    RUB,
+    Whole,
+)
+from tamias2d.stepped.separation import facing_side, roomiest
+
+
+def collide(
+    slot: int,
+    a: int,
+    b: int,
+    delta_x: float,
+    delta_y: float,
+    margin: float,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    turned: Array,
+    touch: Array,
+    trace: Whole,
+) -> int:
+    """Write the manifold of shapes a and b to a row of `touch` and `trace`; return its points.
+
+    B's body is at (delta_x, delta_y) from A's, m. Points with a separation below the margin, m,
+    count; impulses of points that were there before are kept, others are 0. A row starts with
+    zeros, and serves one pair of shapes.
+    """
+    row, ids = touch[slot], trace[slot]
+    first_a, first_b = int(shape_first[a]), int(shape_first[b])
+    count_a, count_b = int(shape_count[a]), int(shape_count[b])
+    radius_a, radius_b = shape_radius[a], shape_radius[b]
+    x, y = float(delta_x), float(delta_y)
+    if shape_kind[a] == HALF_PLANE:
+        if shape_kind[b] == HALF_PLANE:
+            return kept(row, ids, 0, 0)
+        first, second = touch_plane(
+            row, first_a, first_b, count_b, x, y, radius_b, margin, False, turned
+        )
+    elif shape_kind[b] == HALF_PLANE:
+        first, second = touch_plane(
+            row, first_b, first_a, count_a, -x, -y, radius_a, margin, True, turned
+        )
+    elif count_a == 1:
+        if count_b == 1:
+            first = touch_discs(row, first_a, first_b, x, y, radius_a, radius_b, margin, turned)
+        else:
+            first = touch_disc(
+                row, first_b, count_b, first_a, -x, -y, radius_b, radius_a, margin, True, turned
+            )
+        second = 0
+    elif count_b == 1:
+        first = touch_disc(
+            row, first_a, count_a, first_b, x, y, radius_a, radius_b, margin, False, turned
+        )
+        second = 0
+    else:
+        first, second = touch_polygons(
+            row, first_a, count_a, first_b, count_b, x, y, radius_a, radius_b, margin, turned
+        )
+    return kept(row, ids, first, second)
+
+
+def kept(row: Array, ids: Whole, first: int, second: int) -> int:
+    """Move impulses to where their points are now, set those of new points to 0, count points."""
+    before, other = ids[FEATURE], ids[FEATURE + 1]
+    if first != before or second != other:
+        push, rub = row[PUSH], row[RUB]
+        push_other, rub_other = row[PUSH + IMPULSE], row[RUB + IMPULSE]
+        for k in range(2):
+            name = second if k else first
+            at = IMPULSE * k
+            is_first = name > 0 and name == before
+            is_second = name > 0 and name == other
+            row[PUSH + at] = push if is_first else push_other if is_second else 0.0
+            row[RUB + at] = rub if is_first else rub_other if is_second else 0.0
+        ids[FEATURE], ids[FEATURE + 1] = first, second
+    count = (first > 0) + (second > 0)
+    ids[COUNT] = count
+    return count
+
+
+def touch_discs(
+    row: Array,
+    first_a: int,
+    first_b: int,
+    x: float,
+    y: float,
+    radius_a: float,
+    radius_b: float,
+    margin: float,
+    turned: Array,
+) -> int:
+    """Write the point between two discs to a row of `touch`; return its name, or 0."""
+    ax, ay = turned[first_a, 0], turned[first_a, 1]
+    dx, dy = x + turned[first_b, 0] - ax, y + turned[first_b, 1] - ay
+    radii = radius_a + radius_b
+    square = dx * dx + dy * dy
+    if square >= (radii + margin) * (radii + margin):
+        return 0
+    distance = sqrt(square)
+    nx, ny = (dx / distance, dy / distance) if distance > 0.0 else (0.0, 1.0)
+    middle = 0.5 * (distance + radius_a - radius_b)
+    row[NX], row[NY] = nx, ny
+    row[PX], row[PY], row[GAP] = ax + nx * middle, ay + ny * middle, distance - radii
+    return 1
+
+
+def touch_disc(
+    row: Array,
+    first_p: int,
+    count_p: int,
+    first_q: int,
+    x: float,
+    y: float,
+    radius_p: float,
+    radius_q: float,
+    margin: float,
+    swapped: bool,
+    turned: Array,
+) -> int:
+    """Write the point between a shape with sides and a disc; return its name, or 0.
+
+    The disc's body is at (x, y) from the other, m; `swapped` says that the disc is A.
+    """
+    centre_x, centre_y = turned[first_q, 0], turned[first_q, 1]
+    x, y = x + centre_x, y + centre_y
+    if not swapped:
+        centre_x, centre_y = x, y
+    reach = radius_p + radius_q + margin
+    best = -1e308
+    i = 0
+    for k in range(count_p):
+        p = first_p + k
+        room = turned[p, 2] * (x - turned[p, 0]) + turned[p, 3] * (y - turned[p, 1])
+        if room > best:
+            best = room
+            i = k
+    if best >= reach:
+        return 0
+    p = first_p + i
+    next_p = first_p + (i + 1 if i + 1 < count_p else 0)
+    nx, ny = turned[p, 2], turned[p, 3]
+    vx, vy = turned[p, 0], turned[p, 1]
+    length = nx * (turned[next_p, 1] - vy) - ny * (turned[next_p, 0] - vx)
+    along = nx * (y - vy) - ny * (x - vx)
+    distance = best
+    if best >= 0.0 and (along < 0.0 or along > length):
+        at = first_p + (i if along < 0.0 else (i + 1 if i + 1 < count_p else 0))
+        dx, dy = x - turned[at, 0], y - turned[at, 1]
+        distance = sqrt(dx * dx + dy * dy)
+        if distance >= reach:
+            return 0
+        if distance > 0.0:
+            nx, ny = dx / distance, dy / distance
+    middle = 0.5 * (radius_p - radius_q - distance)
+    row[NX], row[NY] = (-nx, -ny) if swapped else (nx, ny)
+    row[PX], row[PY] = centre_x + nx * middle, centre_y + ny * middle
+    row[GAP] = distance - radius_p - radius_q
+    return 1
+
+
+def touch_plane(
+    row: Array,
+    plane: int,
+    first_q: int,
+    count_q: int,
+    x: float,
+    y: float,
+    radius: float,
+    margin: float,
+    swapped: bool,
+    turned: Array,
+) -> tuple[int, int]:
+    """Write the points between a half-plane and a shape; return their names, or 0.
+
+    The shape's body is at (x, y) from the half-plane's, m; `swapped` says that the shape is A. The
+    points are its lowest corner and the lower one of those beside it.
+    """
+    nx, ny = turned[plane, 2], turned[plane, 3]
+    base = nx * x + ny * y - turned[plane, 0] - radius
+    low = 1e308
+    at = 0
+    for k in range(count_q):
+        height = nx * turned[first_q + k, 0] + ny * turned[first_q + k, 1]
+        if height < low:
+            low = height
+            at = k
+    if base + low >= margin:
+        return 0, 0
+    row[NX], row[NY] = (-nx, -ny) if swapped else (nx, ny)
+    if swapped:
+        x, y = 0.0, 0.0
+    touch_corner(row, 0, first_q + at, nx, ny, x, y, base + low, radius, turned)
+    first = 1 + (at * NAMES if swapped else at)
+    if count_q == 1:
+        return first, 0
+    before, after = at - 1 if at > 0 else count_q - 1, at + 1 if at + 1 < count_q else 0
+    low = nx * turned[first_q + before, 0] + ny * turned[first_q + before, 1]
+    high = nx * turned[first_q + after, 0] + ny * turned[first_q + after, 1]
+    if high < low:
+        before, low = after, high
+    if base + low >= margin:
+        return first, 0
+    touch_corner(row, POINT, first_q + before, nx, ny, x, y, base + low, radius, turned)
+    return first, 1 + (before * NAMES if swapped else before)
+
+
+def touch_corner(
+    row: Array,
+    at: int,
+    corner: int,
+    nx: float,
+    ny: float,
+    x: float,
+    y: float,
+    gap: float,
+    radius: float,
+    turned: Array,
+) -> None:
+    """Write the point under a corner of a shape at (x, y) from A, over a plane with normal n."""
+    down = radius + 0.5 * gap
+    row[PX + at] = x + turned[corner, 0] - nx * down
+    row[PY + at] = y + turned[corner, 1] - ny * down
+    row[GAP + at] = gap
+
+
+def touch_polygons(
+    row: Array,
+    first_a: int,
+    count_a: int,
+    first_b: int,
+    count_b: int,
+    x: float,
+    y: float,
+    radius_a: float,
+    radius_b: float,
+    margin: float,
+    turned: Array,
+) -> tuple[int, int]:
+    """Write the points between two shapes with sides; return their names, or 0."""
+    enough = margin + radius_a + radius_b
+    room_a, side_a, corner_b, _ = roomiest(
+        first_a, count_a, first_b, count_b, x, y, 1.0, 0.0, enough, turned
+    )
+    if room_a >= enough:
+        return 0, 0
+    room_b, side_b, corner_a, _ = roomiest(
+        first_b, count_b, first_a, count_a, -x, -y, 1.0, 0.0, enough, turned
+    )
+    if room_b >= enough:
+        return 0, 0
+    bare = count_a == 2 and count_b == 2
+    if room_b > room_a:
+        lead = first_b + side_b
+        side_a = facing_side(first_a, count_a, corner_a, turned[lead, 2], turned[lead, 3], turned)
+    else:
+        lead = first_a + side_a
+        side_b = facing_side(first_b, count_b, corner_b, turned[lead, 2], turned[lead, 3], turned)
+    next_a = side_a + 1 if side_a + 1 < count_a else 0
+    next_b = side_b + 1 if side_b + 1 < count_b else 0
+    if room_b > room_a:
+        return touch_sides(
+            row, first_b, side_b, next_b, first_a, side_a, next_a,
+            -x, -y, radius_b, radius_a, margin, bare, True, turned,
+        )  # fmt: skip
+    return touch_sides(
+        row, first_a, side_a, next_a, first_b, side_b, next_b,
+        x, y, radius_a, radius_b, margin, bare, False, turned,
+    )  # fmt: skip
+
+
+def bends(
+    row: Array, k: int, delta_x: float, delta_y: float, radius_a: float, radius_b: float
+) -> tuple[float, float]:
+    """Return how far the sides or corners at point k reach along the normal, m, for A and for B.
+
+    From the centre of A or B; what a turn by an angle changes of it is (cos(angle) - 1) times as
+    much, besides the sine's part along the tangent.
+    """
+    at = POINT * k
+    arm = row[NX] * row[PX + at] + row[NY] * row[PY + at]
+    half = 0.5 * row[GAP + at]
+    apart = row[NX] * delta_x + row[NY] * delta_y
+    return arm - radius_a - half, arm - apart + radius_b + half
