@@ -1,0 +1,82 @@
+"""A scene in Pymunk, as a game would have it: 10 iterations, no sleeping.
+
+Serves: the measurement of contacts. Hides: how Pymunk is told a scene, and asked.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tamias2d.scene import Body, Scene
+from tamias2d.state import Array
+from tools.measurements.arena.pieces import Piece, pieces, reaches, size_of
+from tools.measurements.arena.surfaces import friction, restitution
+
+ITERATIONS = 10
+_SLOP = 0.005  # of the smallest body's size; its own 0.1 is for lengths in pixels
+
+
+class Chipmunk:
+    """A world of Pymunk."""
+
+    name = "Pymunk"
+
+    def __init__(self, scene: Scene, time_step: float) -> None:
+        import pymunk
+        from pymunk import batch
+
+        self._batch, self._time_step = batch, time_step
+        self._space = pymunk.Space()
+        self._space.gravity = scene.gravity
+        self._space.iterations = ITERATIONS
+        self._space.collision_slop = _SLOP * 2 * min(reaches(scene))
+        size = size_of(scene)
+        rubs, parts = friction(scene), restitution(scene)
+        self.bodies = [_body(pymunk, body) for body in scene.bodies]
+        for k, (body, own) in enumerate(zip(scene.bodies, self.bodies, strict=True)):
+            self._space.add(own)
+            for piece in pieces(body, size):
+                shape = _shape(pymunk, own, piece)
+                shape.friction, shape.elasticity = math.sqrt(rubs[k]), math.sqrt(parts[k])
+                self._space.add(shape)
+        self._buffer = batch.Buffer()
+        self._places = batch.BodyFields.POSITION
+
+    def step(self) -> None:
+        """Go one time step ahead."""
+        self._space.step(self._time_step)
+
+    def read(self) -> Array:
+        """Return the positions (n, 2) of what moves, m, in the way that is the fastest."""
+        self._buffer.clear()
+        self._batch.get_space_bodies(self._space, self._places, self._buffer)
+        return np.frombuffer(self._buffer.float_buf()).reshape(-1, 2)
+
+    def state(self) -> Array:
+        """Return (n, 6): positions, orientations and their rates."""
+        rows = [(*b.position, b.angle, *b.velocity, b.angular_velocity) for b in self.bodies]
+        return np.array(rows, dtype=float)
+
+    def masses(self) -> Array:
+        """Return (n, 2): mass, kg, and inertia, kg m^2; what does not move has infinite ones."""
+        return np.array([(body.mass, body.moment) for body in self.bodies])
+
+
+def _body(pymunk: Any, body: Body) -> Any:
+    if body.dynamic:
+        own = pymunk.Body(body.mass, body.inertia)
+    else:
+        kinds = pymunk.Body
+        own = pymunk.Body(body_type=kinds.KINEMATIC if body.kinematic else kinds.STATIC)
+    own.position, own.angle = body.position, body.orientation
+    own.velocity, own.angular_velocity = body.velocity, body.angular_velocity
+    return own
+
+
+def _shape(pymunk: Any, own: Any, piece: Piece) -> Any:
+    if len(piece.corners) == 1:
+        return pymunk.Circle(own, piece.radius, piece.corners[0])
+    if len(piece.corners) == 2:
+        return pymunk.Segment(own, *piece.corners, piece.radius)
+    return pymunk.Poly(own, piece.corners, radius=piece.radius)

@@ -1,0 +1,29 @@
+"""What is asked of an engine.
+
+Serves: the measurement of contacts. Hides: nothing; this is the contract.
+"""
+
+from collections.abc import Callable
+from typing import Protocol, TypeAlias
+
+from tamias2d.scene import Scene
+from tamias2d.state import Array
+
+
+class Engine(Protocol):
+    """A scene in an engine, which goes one time step ahead at a time."""
+
+    name: str
+
+    def step(self) -> None:
+        """Go one time step ahead."""
+
+    def read(self) -> Array:
+        """Return the positions (n, 2), m, of at least what moves, in the fastest way."""
+
+    def state(self) -> Array:
+        """Return (n, 6) of all bodies: positions, orientations and their rates."""
+
+
+Maker: TypeAlias = Callable[[Scene, float], Engine]
+"""From a scene and a time step, s, to an engine that holds it."""
