@@ -7,7 +7,7 @@ import math
 from copy import copy
 from typing import NamedTuple
 
-from tamias2d.scene import Body, Box, Disc, HalfPlane, Polygon, Scene
+from tamias2d.scene import Body, Compound, Disc, HalfPlane, Scene
 from tamias2d.scene.acting import groups, timed_loads, varying_loads
 from tamias2d.state import State, Vector
 
@@ -24,7 +24,10 @@ class Side(NamedTuple):
 
 
 class Core:
-    """What of a body can touch: its corners thickened by a radius (a disc is one corner)."""
+    """What of a body can touch: its corners thickened by a radius (a disc is one corner).
+
+    A side lies as far out as the radius says.
+    """
 
     def __init__(
         self,
@@ -58,9 +61,9 @@ class Core:
         elif isinstance(shape, HalfPlane):
             self.corners = ()
             self.sides = (Side(shape.normal, shape.offset, (-math.inf, math.inf)),)
-        elif isinstance(shape, Box | Polygon):
-            self.corners = shape.vertices
-            self.sides = _sides(shape.vertices)
+        elif shape is not None and not isinstance(shape, Compound):
+            self.corners, self.radius = shape.core, shape.rounding
+            self.sides = _sides(shape.core, shape.rounding)
         self.reaches = tuple(math.hypot(x, y) for x, y in self.corners)
         """Distance of each corner from the centre of mass, m."""
         self.bounding_radius = max(self.reaches) + self.radius if self.corners else math.inf
@@ -114,11 +117,11 @@ def rounded(body: Placed) -> Placed:
     return Placed(core, body.state, 1.0, 0.0, core.corners)
 
 
-def _sides(vertices: tuple[Vector, ...]) -> tuple[Side, ...]:
+def _sides(vertices: tuple[Vector, ...], radius: float) -> tuple[Side, ...]:
     sides = []
     for (ax, ay), (bx, by) in zip(vertices, vertices[1:] + vertices[:1], strict=True):
         length = math.hypot(bx - ax, by - ay)
         nx, ny = (by - ay) / length, (ax - bx) / length
         along_a, along_b = ay * nx - ax * ny, by * nx - bx * ny
-        sides.append(Side((nx, ny), nx * ax + ny * ay, (along_a, along_b)))
+        sides.append(Side((nx, ny), nx * ax + ny * ay + radius, (along_a, along_b)))
     return tuple(sides)

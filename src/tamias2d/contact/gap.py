@@ -6,19 +6,22 @@ An axis belongs to a side of one of the bodies, and turns with it, or to the wor
 gap between one body and each corner of the other is a smooth function of time, and the smallest
 of these gaps is never more than the true separation of the two convex bodies:
 
-    side of P, corner of Q:    gap = u . (q + w - p) - offset - radius_q
+    side of P, corner of Q:    gap = u . (q + w - p) - offset - radius_q    (offset has radius_p)
     corner of P, corner of Q:  gap = u . (q + w - p - v) - radius_p - radius_q
 
 with centres p and q, corners v and w from them, and the unit axis u from P to Q.
 """
 
 import math
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from tamias2d.contact.core import Placed, Side
 from tamias2d.state import Vector
 
 EPSILON = 2.0**-52
+_IN_LINE = 1e-12  # of the sizes: by how much rounding may make cores in one line seem to cross
 
 
 class Axis(NamedTuple):
@@ -66,6 +69,8 @@ def axes(a: Placed, b: Placed) -> list[Axis]:
         return _with_corner(found, b, a, swapped=True)
     if len(b.core.corners) == 1:
         return _with_corner(found, a, b, swapped=False)
+    if a.core.radius or b.core.radius or min(len(a.core.corners), len(b.core.corners)) == 2:
+        return _with_nearest(found, a, b)
     return found
 
 
@@ -137,8 +142,9 @@ def _of_centres(a: Placed, b: Placed) -> Axis:
 def _with_corner(found: list[Axis], p: Placed, disc: Placed, *, swapped: bool) -> list[Axis]:
     """Add the axis from a polygon's corner to a disc, if a corner is what is nearest to it."""
     best = max(found, key=lambda axis: axis.gap)
-    radius = disc.core.radius
-    if best.side is None or best.gap + radius <= 0 or math.isinf(best.side.ends[0]):
+    radius = p.core.radius + disc.core.radius
+    inside = best.gap + radius <= 0 and len(p.corners) > 2  # nothing is inside of a line
+    if best.side is None or inside or math.isinf(best.side.ends[0]):
         return found
     ux, uy = best.direction
     (px, py), (qx, qy) = p.state.position, disc.state.position
@@ -148,8 +154,39 @@ def _with_corner(found: list[Axis], p: Placed, disc: Placed, *, swapped: bool) -
     if low <= along <= high:
         return found
     t = low if along < low else high
-    corner = (best.side.offset * ux - t * uy, best.side.offset * uy + t * ux)
+    offset = best.side.offset - p.core.radius
+    corner = (offset * ux - t * uy, offset * uy + t * ux)
     return [_between((dx - corner[0], dy - corner[1]), radius, swapped=swapped)]
+
+
+def _with_nearest(found: list[Axis], a: Placed, b: Placed) -> list[Axis]:
+    """Return the axis from corner to corner instead, if these are nearest: round or thin ends."""
+    base = a.core.radius + b.core.radius
+    crossed = max(axis.gap for axis in found) + base < -_IN_LINE * (a.core.size + b.core.size)
+    if crossed or not (a.core.corners and b.core.corners):
+        return found
+    (ax, ay), (bx, by) = a.state.position, b.state.position
+    dx, dy = bx - ax, by - ay
+    corners_b = [(dx + x, dy + y) for x, y in b.corners]
+    steps = [(qx - px, qy - py) for px, py in a.corners for qx, qy in corners_b]
+    nearest = min(steps, key=lambda step: math.hypot(*step))
+    beside = [_beside(corner, corners_b) for corner in a.corners]
+    beside += [_beside(corner, a.corners) for corner in corners_b]
+    if math.hypot(*nearest) > min(beside) or nearest == (0, 0):
+        return found
+    return [_between(nearest, base, swapped=False)]
+
+
+def _beside(point: Vector, corners: Sequence[Vector]) -> float:
+    """Return the distance of a point from the nearest side that it stands beside, or infinity."""
+    best = math.inf
+    for (px, py), (qx, qy) in pairwise((*corners, corners[0])):
+        ex, ey = qx - px, qy - py
+        along = (point[0] - px) * ex + (point[1] - py) * ey
+        square = ex * ex + ey * ey
+        if 0 < along < square:
+            best = min(best, abs((point[0] - px) * ey - (point[1] - py) * ex) / math.sqrt(square))
+    return best
 
 
 def _between(difference: Vector, base: float, *, swapped: bool) -> Axis:

@@ -4,7 +4,7 @@ Serves: the located way, and the choice of a way. Hides: which shapes and bodies
 """
 
 from tamias2d.contact.refusal import StepwiseError
-from tamias2d.scene import Body, Capsule, Compound, Scene, Segment
+from tamias2d.scene import Body, Compound, Scene
 
 
 def refuse_stepwise(scene: Scene) -> None:
@@ -12,8 +12,8 @@ def refuse_stepwise(scene: Scene) -> None:
     for body in scene.bodies:
         if what := beyond_location(body):
             raise StepwiseError(
-                f"body '{body.name}': {what}: impacts are located only between discs, boxes, "
-                "polygons and half-planes that stand still or move freely (R8). "
+                f"body '{body.name}': {what}: impacts are located only between bodies of one "
+                "piece that stand still or move freely (R8). "
                 "Step the scene: Simulator(scene).step()."
             )
 
@@ -24,6 +24,6 @@ def beyond_location(body: Body) -> str | None:
         return "it is kinematic"
     if body.sensor:
         return "it is a sensor"
-    if isinstance(body.shape, Capsule | Segment | Compound):
-        return f"its shape is a {type(body.shape).__name__.lower()}"
+    if isinstance(body.shape, Compound):
+        return "it has several parts"
     return None
