@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from tamias2d.scene import Body, Compound, Disc, HalfPlane, Scene
 from tamias2d.scene.acting import groups, timed_loads, varying_loads
+from tamias2d.scene.filters import Filtered
 from tamias2d.state import State, Vector
 
 
@@ -47,6 +48,7 @@ class Core:
         self.name = body.name
         self.dynamic = body.dynamic
         self.solid = shape is not None
+        self.filter: Filtered = body
         self.endless = isinstance(shape, HalfPlane)
         self.steady = steady
         self.timed = timed

@@ -11,6 +11,7 @@ import numpy as np
 from tamias2d.contact.core import Core
 from tamias2d.contact.path import Piece
 from tamias2d.generated import detection
+from tamias2d.scene.filters import filters, may_touch
 from tamias2d.state import Array
 
 
@@ -21,6 +22,7 @@ class Swept:
         self._cores = cores
         self._solid = np.array([core.solid for core in cores])
         self._dynamic = np.array([core.dynamic for core in cores])
+        self._filtered = any(filters(core.filter) for core in cores)
         # Of each body: x and y of the centre, width and height of its box, m.
         self._boxes = np.tile([[0.0], [0.0], [math.inf], [math.inf]], len(cores))
 
@@ -37,7 +39,11 @@ class Swept:
         meets = detection.overlap((own[0], own[1]), own[2], own[3], (x, y), width, height)
         meets &= self._solid & (self._dynamic | self._dynamic[body])
         meets[body] = False
-        return [int(other) for other in np.flatnonzero(meets)]
+        found = [int(other) for other in np.flatnonzero(meets)]
+        if not self._filtered:
+            return found
+        own_filter = self._cores[body].filter
+        return [other for other in found if may_touch(own_filter, self._cores[other].filter)]
 
 
 def _box(path: Piece, size: float) -> Array:

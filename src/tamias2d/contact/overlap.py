@@ -10,6 +10,7 @@ from tamias2d.contact.core import Core, cores_of, place
 from tamias2d.contact.gap import axes, resolution
 from tamias2d.contact.refusal import OverlapError, UnlocatedContactError, named
 from tamias2d.scene import Scene
+from tamias2d.scene.filters import may_touch
 from tamias2d.state import Array, History, State
 
 
@@ -48,7 +49,8 @@ def _overlaps(cores: Sequence[Core], states: Sequence[State]) -> Iterator[tuple[
         for b in solid[k + 1 :]:
             reach = a.core.bounding_radius + b.core.bounding_radius
             apart = math.dist(a.state.position, b.state.position) > reach
-            if apart or not (a.core.dynamic or b.core.dynamic):
+            still = not (a.core.dynamic or b.core.dynamic)
+            if apart or still or not may_touch(a.core.filter, b.core.filter):
                 continue
             depth = -max(axis.gap for axis in axes(a, b))
             if depth > resolution(a, b, 0.0):

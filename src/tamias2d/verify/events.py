@@ -159,6 +159,8 @@ def separations(scene: Scene) -> dict[tuple[int, int, int], Gap]:
         first, second = scene.bodies[a], scene.bodies[b]
         if first.shape is None or second.shape is None or not (first.dynamic or second.dynamic):
             continue
+        if not scene.collides(a, b):
+            continue
         for k, gap in enumerate(_gaps_of_pair(first, second, a, b)):
             gaps[a, b, k] = gap
     return gaps
