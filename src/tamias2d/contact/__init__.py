@@ -9,6 +9,7 @@ from tamias2d.contact.instant import Hit
 from tamias2d.contact.located import Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
+    FrictionError,
     LastingContactError,
     OverlapError,
     RangeError,
@@ -19,6 +20,7 @@ from tamias2d.contact.refusal import (
 )
 
 __all__ = [
+    "FrictionError",
     "Hit",
     "LastingContactError",
     "Located",

@@ -7,25 +7,25 @@ other; let what neither approaches nor parts stay (GD3), if a contact can last.
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.gap import EPSILON, axes, resolution, slight_opening
 from tamias2d.contact.hold import opening
-from tamias2d.contact.manifold import Contact, approach, manifold
+from tamias2d.contact.manifold import Contact, approach, manifold, speeds, tangent_of
 from tamias2d.contact.refusal import SimultaneousImpactsError, UndecidedContactError, named
 from tamias2d.contact.response import coupling, impulses, pushed
 from tamias2d.contact.rest import Island
+from tamias2d.contact.rough import HELD_NOISE, Roughness, island_of
+from tamias2d.contact.rub import rubs, struck
 from tamias2d.generated import rest
 from tamias2d.state import Acceleration, Hold, State
 
 PairOf = tuple[int, int]
 
 _TRIES = 10_000  # impulses of one pair at one instant; their speeds fall as a geometric series
-_HELD_NOISE = 1e-9
-"""Of the speeds: what normal velocity a lasting contact may have gathered."""
 
 
 class Surroundings(NamedTuple):
@@ -40,7 +40,10 @@ class Surroundings(NamedTuple):
     """The acceleration of a body that nothing holds, now, for given states."""
     held: Mapping[PairOf, Sequence[Contact]]
     """The contacts that have lasted until now."""
+    stuck: Collection[PairOf]
+    """The pairs of these that have not slid."""
     restitution: Callable[[int, int], float]
+    friction: Callable[[int, int], float]
     until: float
     """When the run ends, s."""
 
@@ -61,6 +64,8 @@ class Touch:
     contacts: list[Contact]
     tolerance: float
     """What counts as no gap, m."""
+    speed: float
+    """The size of the terms that make up its velocities, m/s."""
     noise: float
     """What counts as no normal velocity, m/s."""
     staying: list[Contact] = field(default_factory=list)
@@ -83,6 +88,8 @@ class Instant:
         self.hits: list[Hit] = []
         self.changed: set[int] = set()
         self.holds: dict[int, Hold] = {}
+        self.senses: dict[PairOf, int] = {}
+        """Of rough pairs that stay: 0 if they stick, else the sense in which they slide."""
         self.opening: dict[PairOf, float] = {}
         """Pairs that part without normal velocity, with the second derivative of the gap."""
         self._explore(bodies)
@@ -121,9 +128,14 @@ class Instant:
         if not kept and (_far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance):
             return None
         contacts = manifold(a, b, tolerance, self.time, kept)
-        noise = max(_speed(contact, a.state, b.state) for contact in contacts)
-        noise *= _HELD_NOISE if kept else 64 * EPSILON
-        return Touch(pair, contacts, tolerance, noise)
+        speed = max(speeds(contact, a.state, b.state) for contact in contacts)
+        noise = speed * (HELD_NOISE if kept else 64 * EPSILON)
+        return Touch(pair, contacts, tolerance, speed, noise)
+
+    def _slide_noise(self, contact: Contact) -> float:
+        pair = contact.a, contact.b
+        held = HELD_NOISE if pair in self._world.stuck else 64 * EPSILON
+        return self.touches[pair].speed * held
 
     def _approaches(self, touch: Touch) -> bool:
         return any(self._rate(contact) < -touch.noise for contact in touch.contacts)
@@ -155,6 +167,9 @@ class Instant:
         cores, states, (a, b) = self._world.cores, self.states, touch.pair
         meeting = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
         restitution = self._world.restitution(a, b)
+        if roughness := self._world.friction(a, b):
+            self._rub_pair(touch.pair, meeting, restitution, roughness)
+            return
         found = impulses(cores, meeting, states[a], states[b], restitution)
         hits = [
             Hit(contact, impulse, self._rate(contact))
@@ -165,13 +180,32 @@ class Instant:
             states[a], states[b] = pushed(cores, hit.contact, hit.impulse, states[a], states[b])
         self.hits += hits
 
+    def _rub_pair(
+        self, pair: PairOf, meeting: Sequence[Contact], restitution: float, roughness: float
+    ) -> None:
+        """Do the same with friction (IM9)."""
+        cores, states, (a, b) = self._world.cores, self.states, pair
+        found = rubs(cores, meeting, states[a], states[b], restitution, roughness)
+        hits = [
+            (Hit(contact, rub[0], self._rate(contact)), rub)
+            for contact, rub in zip(meeting, found, strict=True)
+            if rub[0] > 0
+        ]
+        for hit, rub in hits:
+            states[a], states[b] = struck(cores, hit.contact, rub, states[a], states[b])
+        self.hits += [hit for hit, _ in hits]
+
     def _refuse_coupled(self, meeting: Sequence[Touch]) -> None:
         for k, first in enumerate(meeting):
             for second in meeting[k + 1 :]:
-                if any(
-                    self._coupled(one, other) for one in first.contacts for other in second.contacts
-                ):
+                ways = self._ways(first), self._ways(second)
+                if any(self._coupled(one, other) for one in ways[0] for other in ways[1]):
                     self._refuse(first, second, "meet")
+
+    def _ways(self, touch: Touch) -> list[Contact]:
+        """Return the contacts of a pair, once for each direction in which they can push."""
+        rough = self._world.friction(*touch.pair) > 0
+        return touch.contacts + [tangent_of(contact) for contact in touch.contacts if rough]
 
     def _coupled(self, first: Contact, second: Contact) -> bool:
         cores = self._world.cores
@@ -236,13 +270,15 @@ class Instant:
             slight_opening(placed[contact.a], placed[contact.b], self.time, self._world.until)
             for contact in contacts
         ]
+        rough = Roughness(self.time, self._world.friction, self._slide_noise)
         return [
-            Island(
+            island_of(
                 cores,
                 placed,
                 joined,
                 {i: self._free(i) for i in sorted(bodies)},
                 min(slight),
+                rough,
             )
             for bodies, joined in groups
         ]
@@ -290,6 +326,7 @@ class Instant:
     def _hold(self, island: Island) -> None:
         self.states.update(island.stopped(self.states))
         self.holds.update(island.holds(self.states, self.time))
+        self.senses.update(island.senses)
         self.changed.update(island.bodies)
 
 
@@ -297,13 +334,3 @@ def _far(a: Placed, b: Placed, tolerance: float) -> bool:
     (ax, ay), (bx, by) = a.state.position, b.state.position
     reach = a.core.bounding_radius + b.core.bounding_radius
     return math.hypot(bx - ax, by - ay) > reach + tolerance
-
-
-def _speed(contact: Contact, a: State, b: State) -> float:
-    """Return the size of the terms that make up a normal velocity, m/s."""
-    return (
-        math.hypot(*a.velocity)
-        + math.hypot(*b.velocity)
-        + abs(a.angular_velocity) * math.hypot(*contact.arm_a)
-        + abs(b.angular_velocity) * math.hypot(*contact.arm_b)
-    )

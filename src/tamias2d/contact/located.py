@@ -44,6 +44,7 @@ class Located:
         self._hits: list[tuple[float, Hit]] = []
         self._holds: list[Hold | None] = [None for _ in self._cores]
         self._held: dict[PairOf, list[Contact]] = {}
+        self._senses: dict[PairOf, int] = {}
         self._resume: dict[PairOf, float] = {}
         self._version = [0 for _ in self._cores]
         self._events: list[tuple[float, int, int, int, int]] = []
@@ -188,7 +189,9 @@ class Located:
             self._swept.near,
             lambda body, state: self._motion.free(body, time, state),
             self._held,
+            [pair for pair, sense in self._senses.items() if not sense],
             self._scene.restitution,
+            self._scene.friction,
             self._until,
         )
         instant = Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
@@ -217,8 +220,10 @@ class Located:
                 since = self._forecasts.rest_of(pair, instant.time)
                 self.notes += (f"rest: {names} stay in contact from {since!r} s",)
             self._held.pop(pair, None)
+            self._senses.pop(pair, None)
             if touch.staying:
                 self._held[pair] = touch.staying
+        self._senses.update(instant.senses)
 
     def _watch(self, body: int, end: float) -> None:
         """Put on the list when a path ends before its time, and when what holds a body does."""
@@ -240,6 +245,7 @@ class Located:
                 supports,
                 lambda time: self._motion.free(body, time, lambda i: self._path(i).at(time)),
                 slight,
+                (self._scene.friction, self._senses),
             )
             time = watch.ends(path, hold)
             if time is not None:

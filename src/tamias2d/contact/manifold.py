@@ -12,7 +12,7 @@ from typing import NamedTuple
 from tamias2d.contact.core import Placed
 from tamias2d.contact.gap import Axis, Gap, axes, gaps
 from tamias2d.contact.refusal import UndecidedContactError, named
-from tamias2d.generated import impact, rest
+from tamias2d.generated import definitions, friction, impact, rest
 from tamias2d.state import Acceleration, State, Vector
 
 
@@ -108,6 +108,26 @@ def approach(contact: Contact, a: State, b: State) -> float:
     )
 
 
+def sliding(contact: Contact, a: State, b: State) -> float:
+    """Return the tangential velocity of a contact, m/s (DD22)."""
+    return float(
+        friction.tangential_velocity(
+            a.velocity,
+            a.angular_velocity,
+            contact.arm_a,
+            b.velocity,
+            b.angular_velocity,
+            contact.arm_b,
+            contact.normal,
+        )
+    )
+
+
+def tangent_of(contact: Contact) -> Contact:
+    """Return the contact with its tangent in place of its normal, to be coupled with others."""
+    return contact._replace(normal=definitions.tangent(contact.normal))
+
+
 def parting(
     contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration
 ) -> float:
@@ -119,6 +139,31 @@ def parting(
         of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
     )
     return float(points) + _turning(contact, a, b)
+
+
+def scrape(contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration) -> float:
+    """Return the tangential acceleration of a contact that sticks, m/s^2, under given ones (GD8).
+
+    To it comes that a corner circles about its centre of mass; a rim stays where it is.
+    """
+    points = friction.tangential_acceleration(
+        of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
+    )
+    (x, y), inward = definitions.tangent(contact.normal), 0.0
+    for sign, body, (u, v) in ((1, a, contact.arm_a), (-1, b, contact.arm_b)):
+        if len(body.core.corners) > 1:
+            inward += sign * body.state.angular_velocity**2 * (x * u + y * v)
+    return float(points) + inward
+
+
+def speeds(contact: Contact, a: State, b: State) -> float:
+    """Return the size of the terms that make up the velocity of a contact, m/s."""
+    return (
+        math.hypot(*a.velocity)
+        + math.hypot(*b.velocity)
+        + abs(a.angular_velocity) * math.hypot(*contact.arm_a)
+        + abs(b.angular_velocity) * math.hypot(*contact.arm_b)
+    )
 
 
 def slip(contact: Contact, a: State, b: State) -> float:

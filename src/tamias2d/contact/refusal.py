@@ -33,6 +33,12 @@ class LastingContactError(Refusal):
     code = "lasting-contact"
 
 
+class FrictionError(Refusal):
+    """Coulomb's law of friction allows no motion of rigid bodies, or several."""
+
+    code = "friction"
+
+
 class UndecidedContactError(Refusal):
     """Float64 cannot tell whether bodies part."""
 

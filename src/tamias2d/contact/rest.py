@@ -48,23 +48,26 @@ class Island:
         """Take contacts without normal velocity; an opening by less than `slight` is not seen."""
         self._cores = cores
         self._placed = placed
+        self.senses: dict[tuple[int, int], int] = {}
+        """Of rough pairs: 0 if they stick, else the sense in which they slide."""
         self.bodies = sorted({i for c in contacts for i in (c.a, c.b) if cores[i].dynamic})
         loads = [opening(contact, placed, free) for contact in contacts]
         matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
         pushes = complementarity(matrix, loads)
         accelerations = [math.hypot(*free[i][:2]) for i in self.bodies]
         scale = max(*accelerations, *(abs(load) for load in loads))
+        self._scale = scale
         self._small = _SMALL * scale + slight
         self._pressed = [c for c, push in zip(contacts, pushes, strict=True) if push > 0]
         if len(self.bodies) > 1:
             self.accelerations = closed_accelerations(cores, self.bodies, self._pressed, free)
         else:
             self.accelerations = self._pushed(contacts, pushes, free)
-        unseen = max(_ROUNDING * scale, slight)
+        self._unseen = max(_ROUNDING * scale, slight)
         self.lasting = [
             contact
             for contact, push in zip(contacts, pushes, strict=True)
-            if push > 0 or opening(contact, placed, self.accelerations) <= unseen
+            if push > 0 or opening(contact, placed, self.accelerations) <= self._unseen
         ]
 
     def stopped(self, states: Mapping[int, State]) -> dict[int, State]:

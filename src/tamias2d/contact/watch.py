@@ -8,11 +8,12 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.gap import axes, resolution
-from tamias2d.contact.manifold import Contact, followed, manifold
+from tamias2d.contact.gap import EPSILON, axes, resolution
+from tamias2d.contact.grip import Gripped
+from tamias2d.contact.manifold import Contact, followed, manifold, speeds
 from tamias2d.contact.path import Piece
 from tamias2d.contact.refusal import Refusal
-from tamias2d.contact.rest import Island
+from tamias2d.contact.rough import HELD_NOISE, Roughness, island_of
 from tamias2d.state import Acceleration, Hold, State
 
 _SLACK = 1e-9  # of the size: by how much an axis of a lasting contact may seem second to another
@@ -30,26 +31,38 @@ class Watch:
         supports: Mapping[int, State],
         free: Callable[[float], Acceleration],
         slight: float,
+        rough: tuple[Callable[[int, int], float], Mapping[tuple[int, int], int]],
     ) -> None:
+        """Take, among others, the friction of pairs, and how those slide that touch now."""
         self._cores = cores
         self._body = body
         self._contacts = contacts
         self._supports = supports
         self._free = free
         self._slight = slight
+        self._friction, self._senses = rough
 
     def ends(self, path: Piece, hold: Hold) -> float | None:
         """Return the first time in s at which the contacts do not go on as they are, or None."""
         core = self._cores[self._body]
         endless = all(self._cores[i].endless for i in self._supports)
         if not hold.bends and core.steady and endless:
-            return None
+            return self._stops(path, hold) if isinstance(hold, Gripped) else None
         before = path.start
         for time in np.linspace(path.start, path.end, _SAMPLES + 1)[1:].tolist():
             if not self._lasts(path, time, hold):
                 return self._between(path, before, time, hold)
             before = time
         return None
+
+    def _stops(self, path: Piece, hold: Gripped) -> float | None:
+        """Return when sliding under constant loads ends, s; its velocity is linear in time."""
+        if not hold.sliding or hold.slides(path.at(path.end)):
+            return None
+        low, high = path.start, path.end
+        while low < (middle := (low + high) / 2) < high:
+            low, high = (middle, high) if hold.slides(path.at(middle)) else (low, middle)
+        return high
 
     def _between(self, path: Piece, low: float, high: float, hold: Hold) -> float:
         while low < (middle := (low + high) / 2) < high:
@@ -68,10 +81,25 @@ class Watch:
             return False
         if [_what(contact) for contact in now] != [_what(contact) for contact in self._contacts]:
             return False
-        island = Island(self._cores, placed, now, {self._body: self._free(time)}, self._slight)
-        if len(island.lasting) < len(now):
+        rough = Roughness(time, self._friction, lambda contact: self._noise(contact, states))
+        free = {self._body: self._free(time)}
+        try:
+            island = island_of(self._cores, placed, now, free, self._slight, rough)
+        except Refusal:
+            return False
+        if len(island.lasting) < len(now) or island.senses != self._own_senses:
             return False
         return hold.bends or not island.holds(states, time)[self._body].bends
+
+    @property
+    def _own_senses(self) -> dict[tuple[int, int], int]:
+        pairs = dict.fromkeys((contact.a, contact.b) for contact in self._contacts)
+        return {pair: self._senses[pair] for pair in pairs if pair in self._senses}
+
+    def _noise(self, contact: Contact, states: Mapping[int, State]) -> float:
+        sticks = self._senses.get((contact.a, contact.b)) == 0
+        speed = speeds(contact, states[contact.a], states[contact.b])
+        return speed * (HELD_NOISE if sticks else 64 * EPSILON)
 
     def _followed(self, placed: Mapping[int, Placed]) -> list[Contact]:
         """Return the contacts whose axis still is the one of its pair."""

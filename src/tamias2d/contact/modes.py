@@ -1,0 +1,135 @@
+"""Which contacts press, stick and slide: the ways in which Coulomb's law may hold at an instant.
+
+Serves: rough contacts that last. Hides: how forces within Coulomb's bounds are found (GD8).
+
+A force at a contact lies between n - mu t and n + mu t, for a normal n and a tangent t: where the
+contact sticks it is any sum of the two that pushes, where it slides the one against the sliding.
+So each mode is a problem of sums that push, which non-negative least squares decides.
+"""
+
+from collections.abc import Iterator, Sequence
+from itertools import islice, product
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.contact.core import Core
+from tamias2d.contact.manifold import Contact, tangent_of
+from tamias2d.contact.response import coupling
+from tamias2d.state import Array
+
+_EXACT = 1e-10
+"""Of the loads: what forces may leave of them."""
+_MOST = 4096  # modes that are looked at
+
+
+class Patch(NamedTuple):
+    """The contacts of one pair, and how they slide."""
+
+    contacts: tuple[Contact, ...]
+    roughness: float
+    """The pair's coefficient of friction."""
+    sense: int
+    """1 if they slide along the tangent, -1 if against it, 0 if they do not slide."""
+
+
+class Part(NamedTuple):
+    """What a mode makes of a patch."""
+
+    patch: Patch
+    pressed: tuple[Contact, ...]
+    """Those of its contacts that may push; the others open."""
+    sense: int
+    """Of the sliding that is there or begins; 0 where nothing slides or nothing rubs."""
+
+    @property
+    def sticks(self) -> bool:
+        """Whether the pair may not move along the tangent."""
+        return bool(self.pressed and self.patch.roughness and not self.sense)
+
+
+Mode = tuple[Part, ...]
+
+
+def modes(patches: Sequence[Patch]) -> Iterator[Mode]:
+    """Go through all modes, those in which most contacts press and stick first."""
+    return islice(product(*(list(_parts(patch)) for patch in patches)), _MOST)
+
+
+def _parts(patch: Patch) -> Iterator[Part]:
+    decided = patch.sense or not patch.roughness
+    senses = (patch.sense,) if decided else (0, 1, -1)
+    groups = [patch.contacts]
+    if len(patch.contacts) > 1:
+        groups += [(contact,) for contact in patch.contacts]
+    for group in groups:
+        yield from (Part(patch, group, sense) for sense in senses)
+    yield Part(patch, (), patch.sense)
+
+
+def closed(mode: Mode) -> list[tuple[Contact, bool]]:
+    """Return the contacts that a mode keeps from opening, and (true) from sliding."""
+    found = [(contact, False) for part in mode for contact in part.pressed]
+    return found + [(part.pressed[0], True) for part in mode if part.sticks]
+
+
+def pushes(mode: Mode) -> list[Contact]:
+    """Return the directions in which a mode can push, as contacts with these for normals."""
+    found = []
+    for part in mode:
+        leans = [1, -1] if part.sticks else [-part.sense]
+        found += [
+            _leaning(contact, lean * part.patch.roughness)
+            for contact in part.pressed
+            for lean in leans
+        ]
+    return found
+
+
+def ways(mode: Mode) -> list[Contact]:
+    """Return as many directions as `closed` has, of which the pushes are sums."""
+    found = [
+        contact if part.sticks else _leaning(contact, -part.sense * part.patch.roughness)
+        for part in mode
+        for contact in part.pressed
+    ]
+    return found + [tangent_of(part.pressed[0]) for part in mode if part.sticks]
+
+
+def effects(
+    cores: Sequence[Core], rows: Sequence[tuple[Contact, bool]], columns: Sequence[Contact]
+) -> Array:
+    """Return what a unit of each push does to each closed direction, 1/kg."""
+    directions = directed(rows)
+    return np.array([[coupling(cores, row, column) for column in columns] for row in directions])
+
+
+def directed(rows: Sequence[tuple[Contact, bool]]) -> list[Contact]:
+    """Return closed contacts with the directions in which they are closed for normals."""
+    return [tangent_of(contact) if along else contact for contact, along in rows]
+
+
+def forces(matrix: Array, loads: Array) -> list[float] | None:
+    """Return forces that push and take all loads away, N, or None if there are none."""
+    from scipy.optimize import nnls
+
+    scale = np.abs(loads).max()
+    if scale == 0:
+        return [0.0] * matrix.shape[1]
+    size = np.abs(matrix).max(axis=1)  # so that light and heavy bodies count alike
+    rows = matrix / size[:, None]
+    weights = np.abs(rows).max(axis=0)
+    try:
+        found, _ = nnls(rows / weights, -loads / size)
+    except RuntimeError:  # it went in a circle, as it may where nothing fits
+        return None
+    found = found / weights
+    return found.tolist() if np.abs(matrix @ found + loads).max() <= _EXACT * scale else None
+
+
+def _leaning(contact: Contact, lean: float) -> Contact:
+    """Return a contact whose push leans along its tangent by as much for each unit of normal."""
+    if not lean:
+        return contact
+    (x, y), (u, v) = contact.normal, tangent_of(contact).normal
+    return contact._replace(normal=(x + lean * u, y + lean * v))

@@ -1,0 +1,263 @@
+"""Rough contacts that last: what sticks, slides and rolls (GD8).
+
+Serves: what happens at one instant. Hides: which of the modes is the one.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.contact.core import Core, Placed
+from tamias2d.contact.gap import EPSILON
+from tamias2d.contact.grip import Gripped, Scraping
+from tamias2d.contact.hold import Constant, closed_accelerations, opening, stopped_turning
+from tamias2d.contact.manifold import Contact, scrape, sliding
+from tamias2d.contact.modes import Mode, Patch, closed, directed, effects, forces, modes, pushes
+from tamias2d.contact.refusal import FrictionError, LastingContactError, named
+from tamias2d.contact.rest import Island
+from tamias2d.state import Acceleration, Hold, State
+
+HELD_NOISE = 1e-9
+"""Of the speeds: what velocity a lasting contact may have gathered that it excludes."""
+_SAME = 1e-8
+"""Of the loads: by how much two answers may differ that are one."""
+_STILL: Acceleration = (0.0, 0.0, 0.0)
+
+
+class Roughness(NamedTuple):
+    """What is known of the surfaces of all pairs at one instant."""
+
+    time: float
+    of: Callable[[int, int], float]
+    """The coefficient of friction of a pair."""
+    noise: Callable[[Contact], float]
+    """What counts as no tangential velocity, m/s."""
+
+
+def island_of(
+    cores: Sequence[Core],
+    placed: Mapping[int, Placed],
+    contacts: Sequence[Contact],
+    free: Mapping[int, Acceleration],
+    slight: float,
+    roughness: Roughness,
+) -> Island:
+    """Return what contacts make of the bodies that they connect, with friction or without."""
+    if any(roughness.of(contact.a, contact.b) for contact in contacts):
+        return RoughIsland(cores, placed, contacts, free, slight, roughness)
+    return Island(cores, placed, contacts, free, slight)
+
+
+class RoughIsland(Island):
+    """Moving bodies that contacts connect, some of them rough."""
+
+    def __init__(
+        self,
+        cores: Sequence[Core],
+        placed: Mapping[int, Placed],
+        contacts: Sequence[Contact],
+        free: Mapping[int, Acceleration],
+        slight: float,
+        roughness: Roughness,
+    ) -> None:
+        """Take contacts without normal velocity.
+
+        Raises:
+            FrictionError: Coulomb's law has no answer, or several.
+            LastingContactError: several bodies move on while they rub.
+        """
+        super().__init__(cores, placed, contacts, free, slight)
+        self._states = {i: body.state for i, body in placed.items()}
+        self._mode: Mode = ()
+        if len(self.bodies) > 1:
+            self._rest_together(contacts, free, roughness)
+        else:
+            self._settle(self._patches(contacts, free, roughness), contacts, free, roughness.time)
+        self.senses.update(_senses(self._mode))
+
+    def stopped(self, states: Mapping[int, State]) -> dict[int, State]:
+        """Return the states without what is left of the velocities that the contacts exclude."""
+        if not self._grips:
+            return super().stopped(states)
+        if len(self.bodies) > 1:
+            return {
+                i: states[i]._replace(velocity=(0.0, 0.0), angular_velocity=0.0)
+                for i in self.bodies
+            }
+        (body,) = self.bodies
+        if self._moves_on(states):
+            return {body: stopped_turning(self._cores, self._closed, states)[body]}
+        x, y, spin = self._allowed((*states[body].velocity, states[body].angular_velocity))
+        return {body: states[body]._replace(velocity=(x, y), angular_velocity=spin)}
+
+    def holds(self, states: Mapping[int, State], time: float) -> dict[int, Hold]:
+        """Return what the lasting contacts make of each body's own acceleration.
+
+        Raises:
+            LastingContactError: the located way does not follow it.
+        """
+        if not self._grips:
+            return super().holds(states, time)
+        if len(self.bodies) > 1:
+            self._refuse_unsteady(states, time)
+            return {i: Constant(_STILL) for i in self.bodies}
+        (body,) = self.bodies
+        moving = self._moves_on(states)
+        if not moving:
+            return {body: Gripped(self._cores, body, self._mode, self._allowed)}
+        self._refuse_coupled(body, moving, time)
+        placed = {i: self._placed[i] for c in self.lasting for i in (c.a, c.b)}
+        return {body: Scraping(self._cores, body, self._mode, placed, time)}
+
+    @property
+    def _grips(self) -> bool:
+        """Whether some contact presses, so that there is friction."""
+        return any(part.pressed for part in self._mode)
+
+    @property
+    def _closed(self) -> list[Contact]:
+        return directed(closed(self._mode))
+
+    def _allowed(self, motion: Acceleration) -> Acceleration:
+        """Return what the closed contacts leave of a body's velocity or acceleration."""
+        (body,) = self.bodies
+        return closed_accelerations(self._cores, [body], self._closed, {body: motion})[body]
+
+    def _patches(
+        self,
+        contacts: Sequence[Contact],
+        free: Mapping[int, Acceleration],
+        roughness: Roughness,
+    ) -> list[Patch]:
+        pairs = dict.fromkeys((contact.a, contact.b) for contact in contacts)
+        pull = max(abs(x) + abs(y) for x, y, _ in free.values())
+        unseen = 64 * EPSILON * roughness.time * pull
+        found = []
+        for a, b in pairs:
+            own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
+            speed = sliding(own[0], self._placed[a].state, self._placed[b].state)
+            slides = roughness.of(a, b) > 0 and abs(speed) > roughness.noise(own[0]) + unseen
+            found.append(Patch(own, roughness.of(a, b), int(np.sign(speed)) if slides else 0))
+        return found
+
+    def _settle(
+        self,
+        patches: Sequence[Patch],
+        contacts: Sequence[Contact],
+        free: Mapping[int, Acceleration],
+        time: float,
+    ) -> None:
+        """Find the one mode, and what it makes of the body."""
+        (body,) = self.bodies
+        answers: list[tuple[Mode, Acceleration]] = []
+        for mode in modes(patches):
+            found = self._tried(mode, free)
+            if found is not None and not any(self._same(found, other) for _, other in answers):
+                answers.append((mode, found))
+        if len(answers) != 1:
+            what = "several motions" if answers else "no motion"
+            names = named(*dict.fromkeys(self._cores[i].name for c in contacts for i in (c.a, c.b)))
+            raise FrictionError(
+                f"{names} at {time!r} s: Coulomb's law allows {what} (GD8), as it may where "
+                "friction presses what it brakes. Take less friction, or end the run before.",
+                time=time,
+            )
+        ((self._mode, acceleration),) = answers
+        self.accelerations = {body: acceleration}
+        self._pressed = [contact for part in self._mode for contact in part.pressed]
+        self.lasting = [
+            contact
+            for contact in contacts
+            if contact in self._pressed
+            or opening(contact, self._placed, self.accelerations) <= self._unseen
+        ]
+        if self._grips and not self._moves_on(self._states):
+            self.accelerations = {body: self._allowed(acceleration)}
+
+    def _same(self, first: Acceleration, second: Acceleration) -> bool:
+        (body,) = self.bodies
+        size = (1.0, 1.0, self._cores[body].size)
+        apart = max(abs(x - y) * w for x, y, w in zip(first, second, size, strict=True))
+        return apart <= _SAME * self._scale + self._unseen
+
+    def _tried(self, mode: Mode, free: Mapping[int, Acceleration]) -> Acceleration | None:
+        """Return the acceleration of the body in a mode, or None if it is none of the law's."""
+        (body,) = self.bodies
+        rows, columns = closed(mode), pushes(mode)
+        by = dict(free)
+        if rows:
+            loads = np.array([self._load(contact, along, free) for contact, along in rows])
+            found = forces(effects(self._cores, rows, columns), loads)
+            if found is None:
+                return None
+            by = self._pushed(columns, found, free)
+        for part in mode:
+            for contact in part.patch.contacts:
+                if contact not in part.pressed and self._load(contact, False, by) < -self._unseen:
+                    return None
+            begins = part.pressed and part.sense and not part.patch.sense
+            if begins and part.sense * self._load(part.pressed[0], True, by) < -self._unseen:
+                return None
+        return by[body]
+
+    def _load(self, contact: Contact, along: bool, by: Mapping[int, Acceleration]) -> float:
+        """Return the acceleration of a contact across or along its surface, m/s^2."""
+        if not along:
+            return opening(contact, self._placed, by)
+        a, b = contact.a, contact.b
+        return scrape(
+            contact, self._placed[a], self._placed[b], by.get(a, _STILL), by.get(b, _STILL)
+        )
+
+    def _rest_together(
+        self,
+        contacts: Sequence[Contact],
+        free: Mapping[int, Acceleration],
+        roughness: Roughness,
+    ) -> None:
+        """Keep several bodies at rest, if frictions within their bounds can.
+
+        Raises:
+            LastingContactError: they move, or cannot be kept.
+        """
+        patches = self._patches(contacts, free, roughness)
+        mode = next(modes(patches))
+        still = all(
+            max(map(abs, (*state.velocity, state.angular_velocity * self._cores[i].size)))
+            <= max(roughness.noise(c) for c in contacts)
+            for i, state in ((i, self._states[i]) for i in self.bodies)
+        )
+        if still and forces(*self._balance(mode, free)) is not None:
+            self._mode = mode
+            self.accelerations = dict.fromkeys(self.bodies, _STILL)
+            self._pressed = self.lasting = list(contacts)
+            return
+        rubbing = [c for c in self._pressed if roughness.of(c.a, c.b)]
+        if rubbing:
+            names = named(*dict.fromkeys(self._cores[i].name for i in (rubbing[0].a, rubbing[0].b)))
+            raise LastingContactError(
+                f"{names} at {roughness.time!r} s: several moving bodies rub on each other while "
+                "they touch, which the located way does not follow (GD8). End the run before, or "
+                "change the scene.",
+                time=roughness.time,
+            )
+
+    def _balance(
+        self, mode: Mode, free: Mapping[int, Acceleration]
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return what each push gives to each body's three accelerations, and what loads give."""
+        columns = [
+            self._pushed([push], [1.0], dict.fromkeys(free, _STILL)) for push in pushes(mode)
+        ]
+        weights = np.array([(1.0, 1.0, self._cores[i].size) for i in self.bodies]).ravel()
+        matrix = np.array([[by[i] for i in self.bodies] for by in columns]).reshape(
+            len(columns), -1
+        )
+        loads = np.array([free[i] for i in self.bodies]).ravel()
+        return (matrix * weights).T, loads * weights
+
+
+def _senses(mode: Mode) -> dict[tuple[int, int], int]:
+    pressing = [part for part in mode if part.pressed]
+    return {(part.pressed[0].a, part.pressed[0].b): part.sense for part in pressing}
