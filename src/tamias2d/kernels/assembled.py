@@ -21,8 +21,9 @@ _HEAD = '''"""{says}
 Assembled by tamias2d.kernels from plain functions, which are to be edited in their own modules.
 """
 '''
-_HELPER = '@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)'
-_ENTRY = '@njit("{signature}", cache=True, error_model="numpy", nogil=True, no_cfunc_wrapper=True)'
+_BARE = 'error_model="numpy", _nrt=False'  # references to arrays are not counted: that takes longer
+_HELPER = f"@njit({_BARE}, no_cpython_wrapper=True, no_cfunc_wrapper=True)"
+_ENTRY = f'@njit("{{signature}}", cache=True, {_BARE}, nogil=True, no_cfunc_wrapper=True)'
 _SAME: dict[Any, Any] = {
     getattr(elementary, name): getattr(math, name)
     for name in ("sqrt", "sin", "cos", "tan", "exp", "log", "atan2")
