@@ -52,88 +52,98 @@ def test_oa6_fall_against_linear_drag() -> None:
 
 
 def test_oa6c_drag_so_weak_that_it_cancels() -> None:
-    """OA6c, srs/verification/forces.md:177; verifies R5, R9."""
+    """OA6c, srs/verification/forces.md:164; verifies R5, R9."""
     passes("OA6c")
 
 
 def test_oa7_fall_against_quadratic_drag() -> None:
-    """OA7, srs/verification/forces.md:207; verifies R5, R9, R10."""
+    """OA7, srs/verification/forces.md:194; verifies R5, R9, R10."""
     passes("OA7")
 
 
 def test_oa9_spring() -> None:
-    """OA9, srs/verification/forces.md:269; verifies R5, R9, R10."""
+    """OA9, srs/verification/forces.md:256; verifies R5, R9, R10."""
     passes("OA9")
 
 
 def test_oa9b_spring_that_hangs() -> None:
-    """OA9b, srs/verification/forces.md:314; verifies R5, R9, R10."""
+    """OA9b, srs/verification/forces.md:301; verifies R5, R9, R10."""
     passes("OA9b")
 
 
 def test_oa9c_spring_with_a_rest_length_and_a_damper() -> None:
-    """OA9c, srs/verification/forces.md:365; verifies R5, R9, R10."""
+    """OA9c, srs/verification/forces.md:352; verifies R5, R9, R10."""
     passes("OA9c")
 
 
 def test_oa9d_two_bodies_on_a_spring() -> None:
-    """OA9d, srs/verification/forces.md:430; verifies R9, NFR2."""
+    """OA9d, srs/verification/forces.md:417; verifies R9, NFR2."""
     passes("OA9d")
 
 
 def test_oa9e_two_bodies_on_a_damped_spring() -> None:
-    """OA9e, srs/verification/forces.md:466; verifies R9, NFR2."""
+    """OA9e, srs/verification/forces.md:453; verifies R9, NFR2."""
     passes("OA9e")
 
 
 def test_oa9f_spring_for_high_orders() -> None:
-    """OA9f, srs/verification/forces.md:508; verifies R5, R9, R10."""
+    """OA9f, srs/verification/forces.md:493; verifies R5, R9, R10."""
     passes("OA9f")
 
 
+def test_oa9j_spring_for_order_eight() -> None:
+    """OA9j, srs/verification/forces.md:536; verifies R5, R9, R10."""
+    passes("OA9j")
+
+
 def test_oa10_pendulum() -> None:
-    """OA10, srs/verification/forces.md:564; verifies R6, R9, R10."""
+    """OA10, srs/verification/forces.md:590; verifies R6, R9, R10."""
     passes("OA10")
 
 
 def test_oa10b_pendulum_in_mid_swing() -> None:
-    """OA10b, srs/verification/forces.md:660; verifies R6, R9, R10."""
+    """OA10b, srs/verification/forces.md:686; verifies R6, R9, R10."""
     passes("OA10b")
 
 
 def test_oa11_kepler_s_ellipse() -> None:
-    """OA11, srs/verification/forces.md:721; verifies R5, R9, R10."""
+    """OA11, srs/verification/forces.md:747; verifies R5, R9, R10."""
     passes("OA11")
 
 
 def test_oa11b_kepler_s_ellipse_on_the_way_out() -> None:
-    """OA11b, srs/verification/forces.md:783; verifies R5, R9, R10."""
+    """OA11b, srs/verification/forces.md:809; verifies R5, R9, R10."""
     passes("OA11b")
 
 
 def test_oa11c_the_trap_of_the_whole_period() -> None:
-    """OA11c, srs/verification/forces.md:838; verifies R10."""
+    """OA11c, srs/verification/forces.md:864; verifies R10."""
     passes("OA11c")
 
 
 def test_oa12_two_bodies_that_attract_each_other() -> None:
-    """OA12, srs/verification/forces.md:876; verifies R5, R9, R10."""
+    """OA12, srs/verification/forces.md:902; verifies R5, R9, R10."""
     passes("OA12")
 
 
 def test_oa12b_momenta_under_coarse_steps() -> None:
-    """OA12b, srs/verification/forces.md:953; verifies R9, NFR2."""
+    """OA12b, srs/verification/forces.md:979; verifies R9, NFR2."""
     passes("OA12b")
 
 
 def test_oa12c_three_bodies_that_attract_each_other() -> None:
-    """OA12c, srs/verification/forces.md:984; verifies R9, NFR2."""
+    """OA12c, srs/verification/forces.md:1010; verifies R9, NFR2."""
     passes("OA12c")
 
 
 def test_oa14_motion_made_to_measure_with_all_terms() -> None:
-    """OA14, srs/verification/forces.md:1032; verifies R2, R5, R6, R9, R10."""
+    """OA14, srs/verification/forces.md:1064; verifies R2, R5, R6, R9, R10."""
     passes("OA14")
+
+
+def test_oa14b_many_turns_made_to_measure_with_all_terms() -> None:
+    """OA14b, srs/verification/forces.md:1295; verifies R2, R5, R6, R9, R10."""
+    passes("OA14b")
 
 
 def test_tc10_bodies_of_the_same_mass_that_never_meet() -> None:

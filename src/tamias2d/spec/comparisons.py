@@ -27,7 +27,7 @@ COMPARISONS = {
     "schemes": _comparison(
         "steps",
         steps={"anyOf": [WHOLE, _MAPPING]},
-        halvings={"anyOf": [WHOLE, _MAPPING]},
+        durations=_MAPPING,
         of=_MAPPING,
         orders=_LIST,
         shows=_MAPPING,

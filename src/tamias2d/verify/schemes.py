@@ -30,7 +30,7 @@ from tamias2d.scene import Scene
 from tamias2d.simulate import simulate
 from tamias2d.verify.case import Case
 from tamias2d.verify.exact import answers
-from tamias2d.verify.formula import Array, distance, history
+from tamias2d.verify.formula import Array, distance, history, measure
 from tamias2d.verify.items import items
 from tamias2d.verify.outcome import Outcome
 
@@ -74,7 +74,7 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
 
     `shows` names orders that schemes show where their proof does not hold.
     """
-    stepping = _on_scene(case)
+    stepping = _on_scene(case, given.get("durations", {}))
     proven = {scheme: int(items()[scheme]["data"]["order"]) for scheme in given.get("orders", ())}
     shown = {scheme: int(order) for scheme, order in given.get("shows", {}).items()}
     for scheme, order in [*proven.items(), *shown.items()]:
@@ -88,15 +88,13 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
 
 
 def _counts(given: Mapping[str, Any], scheme: str) -> list[int]:
-    """Return the numbers of steps, each twice the one before; `steps` and `halvings` say how many.
+    """Return the numbers of steps, each twice the one before; `steps` says how many come first.
 
-    Both can be one number for all schemes, or a mapping with some of the schemes.
+    It is one number for all schemes, or a mapping from each.
     """
-    first, halvings = (
-        int(value.get(scheme, rest) if isinstance(value, Mapping) else value)
-        for value, rest in ((given["steps"], 0), (given.get("halvings", HALVINGS), HALVINGS))
-    )
-    return [first * 2**k for k in range(halvings + 1)]
+    steps = given["steps"]
+    first = int(steps[scheme] if isinstance(steps, Mapping) else steps)
+    return [first * 2**k for k in range(HALVINGS + 1)]
 
 
 def _orders(
@@ -132,18 +130,24 @@ def _misfit(case: Case, constants: Mapping[str, Any], steps: int, errors: Errors
     )
 
 
-def _on_scene(case: Case) -> Stepping:
+def _on_scene(case: Case, durations: Mapping[str, Any]) -> Stepping:
+    """Return the errors at the end of the case, or of the duration of its own that a scheme has."""
     exact = case.data["exact" if "exact" in case.data else "final"]["bodies"]
 
     def errors(scheme: str, steps: int) -> Errors:
-        found = answers(run_by(case, scheme, steps), exact, slice(-1, None))
+        own = durations.get(scheme)
+        duration = None if own is None else float(measure(own, "duration"))
+        found = answers(run_by(case, scheme, steps, duration), exact, slice(-1, None))
         return {(one.body, one.quantity): one.found - one.exact for one in found}
 
     return errors
 
 
-def run_by(case: Case, scheme: str, steps: int) -> Run:
-    """Return the run of a case's scene by a scheme, in equal steps."""
+def run_by(case: Case, scheme: str, steps: int, duration: float | None = None) -> Run:
+    """Return the run of a case's scene by a scheme, in equal steps; without a duration, s, its own.
+
+    Times of samples other than the end are those of the steps.
+    """
     method = METHODS.get(scheme, FixedSteps(scheme))
-    time_step = case.duration / steps
-    return simulate(case.scene, duration=case.duration, method=method, time_step=time_step)
+    duration = duration or case.duration
+    return simulate(case.scene, duration=duration, method=method, time_step=duration / steps)
