@@ -128,7 +128,7 @@ class World:
         self.forget()
         return np.arange(first, first + count)
 
-    def _flow(self, new: slice, rate: Array, column: int) -> None:
+    def _flow(self, new: slice | Whole, rate: Array, column: int) -> None:
         """Write how velocity and place flow in a step and in a substep under drag (IM1, IM6)."""
         for start, time in (
             (FULL, self.settings[TIME_STEP]),

@@ -1,0 +1,9 @@
+"""The frame loop: bodies in arrays that can be read and changed between steps.
+
+Serves: games. Hides: which file holds which concept.
+"""
+
+from tamias2d.simulator.contacts import Contacts
+from tamias2d.simulator.simulator import Simulator
+
+__all__ = ["Contacts", "Simulator"]

@@ -1,0 +1,172 @@
+"""Bodies that are added while a simulator runs, from arrays of arguments (R2, R3, R4).
+
+Serves: `add`, `add_static` and `add_kinematic`. Hides: how arguments for many bodies are spread
+and judged.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.scene.checks import checked_inertia, refuse_shape
+from tamias2d.scene.compound import Shape
+from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
+from tamias2d.scene.rules import RuleError, sequence
+from tamias2d.scene.shapes import HalfPlane
+from tamias2d.simulator.batch import UNSTATED, Batch
+from tamias2d.simulator.columns import numbers, vectors, wholes
+from tamias2d.state import Array
+from tamias2d.stepped.layout import DYNAMIC, KINEMATIC, STATIC
+
+Whole = NDArray[np.int64]
+Shapes = Shape | None | Sequence[Shape | None]
+_OF = {STATIC: "the static bodies", KINEMATIC: "the kinematic bodies", DYNAMIC: "the bodies"}
+_NUMBERS = {
+    "orientation": "Give it in rad.",
+    "angular_velocity": "Give it in rad/s.",
+    "torque": "Give it in N m.",
+    "linear_drag": "Give it in kg/s, 0 for none.",
+    "angular_drag": "Give it in kg m^2/s, 0 for none.",
+}
+_VECTORS = {
+    "position": "Give (x, y) in m.",
+    "velocity": "Give (x, y) in m/s.",
+    "force": "Give (x, y) in N.",
+}
+_SURFACE = {
+    "friction": "Give a number such as 0.5, or 0 for a smooth surface.",
+    "restitution": "Give a number from 0 to 1.",
+}
+
+
+def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
+    """Return the batch of bodies of one kind; `position` or the shapes tell how many there are.
+
+    Raises:
+        InputError: a value breaks a rule; the message names it, and its place in its array.
+    """
+    of = f"{_OF[kind]} added"
+    known = _counted(shapes, given["position"], of)
+    count = len(known)
+    for shape in dict.fromkeys(known):
+        refuse_shape(shape, of, static=kind == STATIC, none=kind == DYNAMIC)
+    _refuse_placed(known, given)
+    many = {
+        key: numbers(given.get(key, 0.0), key, of, remedy, count=count, symbol=key)
+        for key, remedy in _NUMBERS.items()
+    }
+    pairs = {
+        key: vectors(given.get(key, (0.0, 0.0)), key, of, remedy, count=count, symbol=key)
+        for key, remedy in _VECTORS.items()
+    }
+    mass = _masses(given, of, count) if kind == DYNAMIC else np.full(count, np.inf)
+    inertia = _inertias(known, mass, given, of) if kind == DYNAMIC else np.full(count, np.inf)
+    _refuse_turned(many, inertia, of, kind)
+    return Batch(
+        kind=np.full(count, kind),
+        pose=np.column_stack((pairs["position"], many["orientation"])),
+        motion=np.column_stack((pairs["velocity"], many["angular_velocity"])),
+        load=np.column_stack((pairs["force"], many["torque"])),
+        mass=mass,
+        inertia=inertia,
+        linear_drag=many["linear_drag"],
+        angular_drag=many["angular_drag"],
+        filters=_filters(given, of, count),
+        shapes=known,
+        **{key: _surface(given.get(key), key, of, count) for key in _SURFACE},
+    )
+
+
+def _counted(shapes: object, position: object, of: str) -> tuple[Shape | None, ...]:
+    """Return a shape for each body: one for all, as many as there are positions, or a list."""
+    place = np.asarray(position)
+    single = shapes is None or not isinstance(shapes, Sequence | np.ndarray)
+    listed: Any = (shapes,) if single else sequence(shapes, of, "Give shapes.", at=("shape",))
+    rows = place.shape[0] if place.ndim == 2 else None
+    if single:
+        return tuple(listed) * (1 if rows is None else rows)
+    if rows is not None and rows != len(listed):
+        raise RuleError(
+            f"position of {of}: found {rows} rows beside {len(listed)} shapes: must be as many "
+            "(R4). Give one shape, or one for each row.",
+            "position",
+        )
+    return tuple(listed)
+
+
+def _refuse_placed(shapes: Sequence[Shape | None], given: dict[str, Any]) -> None:
+    placed = np.any(given["position"]) or np.any(given.get("orientation", 0.0))
+    if placed and any(isinstance(shape, HalfPlane) for shape in shapes):
+        raise RuleError(
+            "position of the static bodies added: a half-plane has none (R4). Say where it is by "
+            "its normal and offset.",
+            "position",
+        )
+
+
+def _masses(given: dict[str, Any], of: str, count: int) -> Array:
+    remedy = "Give a positive mass in kg, or add the body as a static one."
+    mass = numbers(given["mass"], "mass", of, remedy, count=count, symbol="mass")
+    _refuse_tiny(mass, "mass", of)
+    return mass
+
+
+def _inertias(shapes: Sequence[Shape | None], mass: Array, given: dict[str, Any], of: str) -> Array:
+    if given.get("inertia") is not None:
+        remedy = "Give a positive inertia in kg m^2, or leave it out."
+        inertia = numbers(
+            given["inertia"], "inertia", of, remedy, count=len(mass), symbol="inertia"
+        )
+        _refuse_tiny(inertia, "inertia", of)
+        return inertia
+    found: dict[tuple[Shape | None, float], float] = {}
+    for key in zip(shapes, mass.tolist(), strict=True):
+        if key not in found:
+            found[key] = checked_inertia(None, key[1], key[0], of)
+    return np.array([found[key] for key in zip(shapes, mass.tolist(), strict=True)])
+
+
+def _refuse_tiny(values: Array, key: str, of: str) -> None:
+    with np.errstate(all="ignore"):
+        bad = ~np.isfinite(1 / values)
+    if bad.any():
+        k = int(np.argmax(bad))
+        raise RuleError(
+            f"{key}[{k}] {values[k]:g} of {of}: float64 cannot hold its inverse (R4). Choose units "
+            "in which it is nearer to 1.",
+            key,
+            k,
+        )
+
+
+def _refuse_turned(many: dict[str, Array], inertia: Array, of: str, kind: int) -> None:
+    """Refuse a torque or spin where nothing says the inertia."""
+    for key in ("torque", "angular_velocity"):
+        bad = np.isinf(inertia) & (many[key] != 0.0)
+        if kind == DYNAMIC and bad.any():
+            raise RuleError(
+                f"inertia[{int(np.argmax(bad))}] of {of}: found none, though its {key} is not 0 "
+                "(R2, IM2). State the inertia in kg m^2, or give the body a shape.",
+                "inertia",
+            )
+
+
+def _surface(value: object, key: str, of: str, count: int) -> Array:
+    if value is None:
+        return np.full(count, UNSTATED)
+    return numbers(value, key, of, _SURFACE[key], count=count, symbol=key)
+
+
+def _filters(given: dict[str, Any], of: str, count: int) -> Whole:
+    columns = [
+        wholes(value, key, of, count=count, check=checked_whole)
+        for key, value in (
+            ("category", given.get("category", 1)),
+            ("mask", ALL if given.get("mask") is None else given["mask"]),
+            ("group", given.get("group", 0)),
+        )
+    ]
+    sensor = checked_sensor(given.get("sensor", False), of)
+    return np.column_stack((*columns, np.full(count, int(sensor))))

@@ -1,0 +1,84 @@
+"""Arguments for many bodies at once: one value for all, or an array with a row for each (R4).
+
+Serves: whatever takes values of a selection of bodies. Hides: how arrays are judged; the message
+is the one that the value at fault would get alone.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.scene.rules import RuleError, label, number, shown
+from tamias2d.state import Array
+
+Whole = NDArray[np.int64]
+
+
+def numbers(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
+    """Return a number for each of so many bodies (count,), or raise `RuleError`."""
+    return _judged(_spread(value, key, of, remedy, (count,)), key, of, remedy, symbol)
+
+
+def vectors(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
+    """Return a vector for each of so many bodies (count, 2), or raise `RuleError`."""
+    return _judged(_spread(value, key, of, remedy, (count, 2)), key, of, remedy, symbol)
+
+
+def wholes(value: object, key: str, of: str, *, count: int, check: Callable[..., int]) -> Whole:
+    """Return a whole number for each of so many bodies (count,); `check` judges one of them."""
+    given = _array(value, key, of, "Give whole numbers.")
+    if given.ndim and given.shape != (count,):
+        raise _misshapen(given, key, of, (count,), "Give one number, or one for each body.")
+    checked = {item: check(item, key, of) for item in set(given.ravel().tolist())}
+    if given.ndim == 0:
+        return np.full(count, checked[given.item()], dtype=np.int64)
+    return np.array([checked[item] for item in given.tolist()], dtype=np.int64)
+
+
+def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...]) -> Array:
+    """Return real numbers, each row for one body; one row alone stands for all."""
+    given = _array(value, key, of, remedy)
+    if given.dtype.kind not in "fiu":
+        raise RuleError(
+            f"{label((key,))} of {of}: found {shown(value)}: must be real numbers (R4). {remedy}",
+            key,
+        )
+    if given.shape not in (shape, shape[1:]):
+        raise _misshapen(given, key, of, shape, remedy)
+    return np.broadcast_to(given, shape).astype(np.float64) + 0.0  # no negative zeros
+
+
+def _array(value: object, key: str, of: str, remedy: str) -> NDArray[np.generic]:
+    try:
+        return np.asarray(value)
+    except ValueError:  # rows of different lengths
+        raise RuleError(
+            f"{label((key,))} of {of}: found {shown(value)}: its rows must have one length (R4). "
+            f"{remedy}",
+            key,
+        ) from None
+
+
+def _misshapen(
+    given: NDArray[np.generic], key: str, of: str, shape: tuple[int, ...], remedy: str
+) -> RuleError:
+    one = "one number" if len(shape) == 1 else "two components"
+    return RuleError(
+        f"{label((key,))} of {of}: found an array of shape {given.shape}: must be {one}, or "
+        f"{shape} for {shape[0]} {'body' if shape[0] == 1 else 'bodies'} (R4). {remedy}",
+        key,
+    )
+
+
+def _judged(values: Array, key: str, of: str, remedy: str, symbol: str) -> Array:
+    """Return the values if each is finite and in the range of its symbol."""
+    limits = SYMBOLS[symbol].range
+    good = np.isfinite(values)
+    good &= values > limits.low if limits.low_open else values >= limits.low
+    good &= values < limits.high if limits.high_open else values <= limits.high
+    if not good.all():
+        place = tuple(int(k) for k in np.argwhere(~good)[0])
+        number(float(values[place]), symbol, of, remedy, at=(key, *place))
+    return values

@@ -1,0 +1,41 @@
+"""Why a step could not be taken, as one error.
+
+Serves: the frame loop. Hides: where a number that is none is looked for.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from tamias2d.scene.rules import RuleError
+from tamias2d.stepped.layout import ABSENT
+from tamias2d.stepped.world import World
+
+_COLUMNS = {
+    "position": ("pose", slice(0, 2)),
+    "orientation": ("pose", 2),
+    "velocity": ("motion", slice(0, 2)),
+    "angular_velocity": ("motion", 2),
+    "force": ("load", slice(0, 2)),
+    "torque": ("load", 2),
+}
+
+
+def fault(world: World, name_of: Callable[[int], str]) -> RuleError:
+    """Return the error of the first value that is not finite; the state is as before the step."""
+    for key, (array, columns) in _COLUMNS.items():
+        values = getattr(world, array)[: world.size, columns].reshape(world.size, -1)
+        bad = ~np.isfinite(values).all(axis=1)
+        if bad.any():
+            row = int(np.argmax(bad))
+            what = name_of(row) if world.kind[row] != ABSENT else f"row {row}, which has no body"
+            found = values[row].tolist()
+            return RuleError(
+                f"{key}[{row}] of {what}: found {found[0] if len(found) == 1 else found}: must be "
+                "finite (R4). Set it to a number; no step was taken.",
+                key,
+                row,
+            )
+    return RuleError(
+        "gravity: must be finite (R4). Set it to numbers; no step was taken.", "gravity"
+    )

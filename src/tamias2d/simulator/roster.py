@@ -1,0 +1,236 @@
+"""Which rows of a world's arrays hold which bodies and shapes, and their canonical order.
+
+Serves: adding and removing while a simulator runs. Hides: how freed rows are used again, and how
+arrays grow.
+
+The row of a body is its index, and stays it. Bodies are ordered by when they first take part in a
+step, and those that do so together by what and where they are, number by number: so the order of
+adding changes nothing. Bodies that are equal in all of it can be swapped without a difference.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.generated import drag
+from tamias2d.simulator.batch import Batch
+from tamias2d.simulator.pieces import Piece, pieces
+from tamias2d.state import Array
+from tamias2d.stepped.layout import (
+    ABSENT,
+    ANGULAR,
+    ARM,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    PAIRS,
+    REACH,
+    SIDE,
+)
+from tamias2d.stepped.world import World
+
+Whole = NDArray[np.int64]
+_SHAPES = (
+    *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
+    *("surface", "filters", "box"),
+)
+
+
+class Roster:
+    """The taken and the free rows of a world."""
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.rank = np.zeros(0, dtype=np.int64)
+        """(n,), place of each body in the canonical order; what is absent or new has none, -1"""
+        self._order = np.zeros(0, dtype=np.int64)  # shapes that have a rank, by it
+        self._free: list[int] = []
+        self._free_shapes: dict[int, list[int]] = {}  # by their number of corners
+        self._shapes = self._corners = 0  # rows ever taken
+        self._next = 0
+        self._new: dict[int, tuple[float, ...]] = {}  # bodies without a rank, and their form
+
+    def place(self, batch: Batch) -> Whole:
+        """Add the bodies of a batch, and return their rows."""
+        world = self.world
+        rows = self._take(len(batch))
+        world.pose[rows] = batch.pose
+        world.motion[rows] = 0.0
+        world.motion[rows, :3] = batch.motion
+        world.load[rows] = batch.load
+        world.body[rows] = 0.0
+        world.body[rows, INVERSE_MASS] = 1 / batch.mass
+        world.body[rows, INVERSE_INERTIA] = 1 / batch.inertia
+        world._flow(rows, drag.drag_rate(batch.linear_drag, batch.mass), 0)
+        world._flow(rows, drag.angular_drag_rate(batch.angular_drag, batch.inertia), ANGULAR)
+        world.kind[rows] = batch.kind
+        self._place_shapes(batch, rows)
+        world.forget()
+        return rows
+
+    def remove(self, rows: Whole) -> None:
+        """Take bodies out; the rows of all others stay."""
+        world = self.world
+        self._drop_pairs(rows)
+        gone = np.isin(world.shape_body, rows)
+        for slot in np.flatnonzero(gone).tolist():
+            self._free_shapes.setdefault(int(world.shape_count[slot]), []).append(slot)
+        world.shape_body[gone] = self._idle
+        self._order = self._order[~gone[self._order]]
+        for values in (world.pose, world.motion, world.load, world.body):
+            values[rows] = 0.0
+        world.kind[rows] = ABSENT
+        self.rank[rows] = -1
+        for row in rows.tolist():
+            self._new.pop(row, None)
+        self._free = sorted({*self._free, *rows.tolist()}, reverse=True)
+        self._publish()
+
+    def mix(
+        self,
+        friction: Mapping[tuple[int, int], float],
+        restitution: Mapping[tuple[int, int], float],
+    ) -> None:
+        """Set the surfaces of pairs of bodies, given by rows."""
+        rows = [
+            (s, t, friction.get((i, j), -1.0), restitution.get((i, j), -1.0))
+            for i, j in sorted({*friction, *restitution})
+            for s in self._shapes_of(i)
+            for t in self._shapes_of(j)
+        ]
+        self.world.mixed = np.array(rows, dtype=np.float64).reshape(-1, 4)
+        self.world.forget()
+
+    def settle(self) -> None:
+        """Give all that is new its rank."""
+        if not self._new:
+            return
+        world, rows = self.world, np.array(list(self._new), dtype=np.int64)
+        owned = np.flatnonzero(np.isin(world.shape_body, rows))
+        first = np.full(len(world.pose), -1)
+        first[world.shape_body[owned][::-1]] = owned[::-1]
+        table = np.concatenate(
+            (world.pose[rows], world.motion[rows, :3], world.load[rows], world.body[rows]), axis=1
+        )
+        touching = np.concatenate((world.surface, np.zeros((1, 3))))[first[rows]]
+        meeting = np.concatenate((world.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]]
+        keys = [world.kind[rows], self._forms(), *table.T, *touching.T, *meeting.T]
+        sequence = rows[np.lexsort(keys[::-1])]
+        self.rank[sequence] = np.arange(self._next, self._next + len(rows))
+        self._next += len(rows)
+        order = np.lexsort((owned, self.rank[world.shape_body[owned]]))
+        self._order = np.concatenate((self._order, owned[order]))
+        self._new.clear()
+        self._publish()
+
+    def _forms(self) -> Whole:
+        """Return a number for the form of each new body, in the order of the forms themselves."""
+        place = {form: k for k, form in enumerate(sorted(set(self._new.values())))}
+        return np.array([place[form] for form in self._new.values()], dtype=np.int64)
+
+    def _publish(self) -> None:
+        """Tell the world the order of its shapes; those without a body come last."""
+        world = self.world
+        rest = np.ones(len(world.shape_body), dtype=bool)
+        rest[self._order] = False
+        world.ranked = np.empty((2, len(rest)), dtype=np.int64)
+        world.ranked[0] = np.concatenate((self._order, np.flatnonzero(rest)))
+        world.ranked[1, world.ranked[0]] = np.arange(len(rest))
+        world.forget()
+
+    @property
+    def _idle(self) -> int:
+        return len(self.world.pose) - 1
+
+    def _take(self, count: int) -> Whole:
+        """Return rows for so many bodies, freed ones first."""
+        world, idle = self.world, self._idle
+        used = [self._free.pop() for _ in range(min(count, len(self._free)))]
+        more = count - len(used)
+        world._make_room(more)
+        world.shape_body[world.shape_body == idle] = self._idle
+        rows = np.array([*used, *range(world.size, world.size + more)], dtype=np.int64)
+        world.size += more
+        self.rank = np.concatenate((self.rank, np.full(more, -1)))
+        return rows
+
+    def _place_shapes(self, batch: Batch, rows: Whole) -> None:
+        made = {shape: pieces(shape) for shape in dict.fromkeys(batch.shapes)}
+        form = {shape: _form(found) for shape, found in made.items()}
+        self._new.update((row, form[s]) for row, s in zip(rows.tolist(), batch.shapes, strict=True))
+        owner = [k for k, shape in enumerate(batch.shapes) for _ in made[shape]]
+        found = [piece for shape in batch.shapes for piece in made[shape]]
+        if not found:
+            return
+        self._make_shape_room(len(found), sum(len(piece.corner) for piece in found))
+        world, slots = self.world, np.array([self._slot(len(piece.corner)) for piece in found])
+        world.shape_body[slots] = rows[owner]
+        world.shape_kind[slots] = [piece.kind for piece in found]
+        world.shape_radius[slots] = [piece.radius for piece in found]
+        count = world.shape_count[slots].astype(np.int64)
+        within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+        places = np.repeat(world.shape_first[slots], count) + within
+        world.corner[places] = np.concatenate([piece.corner for piece in found])
+        world.turned[places] = world.corner[places]
+        reach = np.array([piece.reach for piece in found])
+        surfaces = (batch.friction[owner], batch.restitution[owner], reach)
+        world.surface[slots] = np.stack(surfaces, axis=1)
+        world.filters[slots] = batch.filters[owner]
+        bounded = np.isfinite(reach)
+        np.maximum.at(world.body[:, REACH], rows[owner][bounded], reach[bounded])
+        np.maximum.at(world.body[:, ARM], rows[owner], [piece.arm for piece in found])
+
+    def _slot(self, corners: int) -> int:
+        """Return a row for a shape with so many corners."""
+        if self._free_shapes.get(corners):
+            return self._free_shapes[corners].pop()
+        slot = self._shapes
+        self.world.shape_first[slot], self.world.shape_count[slot] = self._corners, corners
+        self._shapes += 1
+        self._corners += corners
+        return slot
+
+    def _make_shape_room(self, shapes: int, corners: int) -> None:
+        world = self.world
+        if self._shapes + shapes > len(world.shape_body):
+            room = max(self._shapes + shapes, len(world.shape_body) * 3 // 2)
+            for name in _SHAPES:
+                setattr(world, name, _grown(getattr(world, name), room))
+            world.shape_body[self._shapes :] = self._idle
+            leaves = 4
+            while leaves < room:
+                leaves *= 2
+            world.node = np.zeros((leaves, 4))
+            world.curve = np.zeros((4, room + 256), dtype=np.int64)
+            self._publish()
+        if self._corners + corners > len(world.corner):
+            room = max(self._corners + corners, len(world.corner) * 3 // 2)
+            world.corner, world.turned = _grown(world.corner, room), _grown(world.turned, room)
+
+    def _shapes_of(self, row: int) -> Sequence[int]:
+        return list(np.flatnonzero(self.world.shape_body == row).tolist())
+
+    def _drop_pairs(self, rows: Whole) -> None:
+        """Take the pairs of bodies out of the list, and what was set for them."""
+        world = self.world
+        side, size = world.counts[SIDE], world.counts[PAIRS]
+        owner = world.shape_body[world.pairs[side, :size]]
+        kept = np.flatnonzero(~np.isin(owner, rows).any(axis=1))
+        for values in (world.pairs, world.touches, world.traces):
+            values[side, : len(kept)] = values[side, kept]
+        world.counts[PAIRS] = len(kept)
+        owner = world.shape_body[world.mixed[:, :2].astype(np.int64)]
+        world.mixed = world.mixed[~np.isin(owner, rows).any(axis=1)]
+
+
+def _form(found: Sequence[Piece]) -> tuple[float, ...]:
+    """Return all numbers of a body's shapes."""
+    parts = [(p.kind, p.radius, len(p.corner), *p.corner.ravel().tolist()) for p in found]
+    return tuple(value for part in parts for value in part)
+
+
+def _grown(values: Array, rows: int) -> Array:
+    """Return a longer array that begins like this one."""
+    new = np.zeros((rows, *values.shape[1:]), dtype=values.dtype)
+    new[: len(values)] = values
+    return new

@@ -1,0 +1,361 @@
+"""The frame loop for games: bodies in arrays that can be read and written between steps.
+
+Serves: `tamias2d.Simulator`. Hides: the engine, and what is done only where something changed.
+"""
+
+import hashlib
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.generated import definitions, impact
+from tamias2d.scene import Scene
+from tamias2d.scene.rules import RuleError, number, shown
+from tamias2d.simulator.acting import Acting
+from tamias2d.simulator.adding import Shapes, added_batch
+from tamias2d.simulator.batch import Batch, scene_batch
+from tamias2d.simulator.columns import vectors
+from tamias2d.simulator.contacts import Contacts, Touching, touching
+from tamias2d.simulator.fault import fault
+from tamias2d.simulator.roster import Roster
+from tamias2d.simulator.selection import Bodies, selected
+from tamias2d.simulator.views import Views
+from tamias2d.state import Array
+from tamias2d.stepped.layout import (
+    DYNAMIC,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    KINEMATIC,
+    STATIC,
+)
+from tamias2d.stepped.world import World
+
+Whole = NDArray[np.int64]
+
+
+class Simulator(Views):
+    """A scene that is stepped through its contacts, and can be changed between the steps.
+
+    `position` (n, 2), `orientation` (n,), `velocity` (n, 2), `angular_velocity` (n,), `force`
+    (n, 2) and `torque` (n,) are views of what the engine works on, in SI units: reading them copies
+    nothing, and what is written counts from the next step on. Rows are the bodies in the order of
+    the scene and then of adding; a removed body leaves a row of zeros, which the next one that is
+    added takes. Adding may put the arrays elsewhere: take a view anew after it.
+
+    Forces that vary with time or state (laws, springs, attraction, fields, quadratic drag) are
+    evaluated once a step, at its start, and held through it: an error of first order in the time
+    step. Gravity, constant forces and linear and angular drag are solved with the step.
+    """
+
+    __slots__ = (
+        "_acting", "_names", "_pushed", "_roster", "_scene", "_steps", "_substeps", "_time_step",
+        "_touching", "_unsettled",
+    )  # fmt: skip
+
+    def __init__(self, scene: Scene, *, time_step: float = 1 / 60, substeps: int = 4) -> None:
+        """Start where a scene does; steps are of `time_step` in s, contacts solved in substeps.
+
+        Raises:
+            InputError: a value breaks a rule (R4).
+        """
+        if not isinstance(scene, Scene):
+            raise RuleError(
+                f"scene: found {shown(scene)}: must be a Scene (R1). Make one, or load one."
+            )
+        remedy = "Give it in s, such as 1/60."
+        self._time_step = number(time_step, "time_step", "the simulator", remedy, at=("time_step",))
+        self._substeps = _checked_count(substeps, "substeps", 1)
+        self._scene = scene
+        self._steps = 0
+        self._names = {body.name: k for k, body in enumerate(scene.bodies)}
+        self._world = World(
+            gravity=scene.gravity, time_step=self._time_step, substeps=self._substeps
+        )
+        self._roster = Roster(self._world)
+        self._roster.place(scene_batch(scene))
+        self._roster.mix(scene.friction_of_pairs, scene.restitution_of_pairs)
+        self._acting: Acting | None = None
+        self._pushed: Array | None = None  # loads for the next step only
+        self._touching: Touching | None = None
+        self._unsettled = True
+
+    # -- stepping
+
+    def step(self, count: int = 1) -> None:
+        """Take so many steps.
+
+        Raises:
+            InputError: a value that was set is not finite; the state is as it was before the step.
+            SimulationError: a force that varies has no finite value.
+        """
+        if count.__class__ is not int or count < 0:
+            count = _checked_count(count, "count", 0)
+        for _ in range(count):
+            if self._unsettled:
+                self._settle()
+            if self._acting is not None or self._pushed is not None:
+                self._step_loaded()
+            elif self._world.step():
+                raise fault(self._world, self._name_of)
+            self._steps += 1
+            self._touching = None
+
+    def _settle(self) -> None:
+        self._roster.settle()
+        rank = self._roster.rank
+        there = np.flatnonzero((rank >= 0) & (np.arange(len(rank)) < len(self._scene)))
+        acting = Acting(self._scene, there[np.argsort(rank[there])].tolist())
+        self._acting = None if acting.empty else acting
+        self._unsettled = False
+
+    def _step_loaded(self) -> None:
+        """Take a step with loads that count for this one only."""
+        world = self._world
+        kept = world.load.copy()
+        if self._acting is not None:
+            world.load += self._acting.loads(world, self.time)
+        if self._pushed is not None:
+            world.load[: len(self._pushed)] += self._pushed
+        try:
+            if world.step():
+                raise fault(world, self._name_of)
+        finally:
+            world.load[:] = kept
+        self._pushed = None
+
+    # -- state
+
+    @property
+    def time(self) -> float:
+        """Since the start, s."""
+        return self._steps * self._time_step
+
+    @property
+    def time_step(self) -> float:
+        """s"""
+        return self._time_step
+
+    @property
+    def substeps(self) -> int:
+        """In how many parts a step solves contacts."""
+        return self._substeps
+
+    # -- pushing
+
+    def apply_impulse(self, bodies: Bodies, impulse: object, *, at: object | None = None) -> None:
+        """Change velocities by an impulse in N s, (2,) or (k, 2), for each of k bodies.
+
+        It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m. A body that
+        is given twice gets it twice; what nothing can push stays as it is.
+
+        Raises:
+            InputError: a body is not there, or a value breaks a rule (R4).
+        """
+        rows = self._rows(bodies)
+        push = _pair(vectors(
+            impulse, "impulse", "the bodies", "Give (x, y) in N s.", count=len(rows),
+            symbol="impulse_vector",
+        ))  # fmt: skip
+        body, motion = self._world.body, self._world.motion
+        changed = impact.velocity_b_after((0.0, 0.0), 1.0, push, body[rows, INVERSE_MASS])
+        np.add.at(motion[:, 0], rows, changed[0])
+        np.add.at(motion[:, 1], rows, changed[1])
+        if at is not None:
+            turned = impact.angular_velocity_b_after(
+                0.0, 1.0, self._arms(rows, at), push, body[rows, INVERSE_INERTIA]
+            )
+            np.add.at(motion[:, 2], rows, turned)
+
+    def apply_force(self, bodies: Bodies, force: object, *, at: object | None = None) -> None:
+        """Push bodies through the next step with a force in N, (2,) or (k, 2), besides `force`.
+
+        It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m.
+
+        Raises:
+            InputError: a body is not there, or a value breaks a rule (R4).
+        """
+        rows = self._rows(bodies)
+        push = _pair(vectors(
+            force, "force", "the bodies", "Give (x, y) in N.", count=len(rows), symbol="force"
+        ))  # fmt: skip
+        if self._pushed is None or len(self._pushed) < self._world.size:
+            pushed = np.zeros((self._world.size, 3))
+            if self._pushed is not None:
+                pushed[: len(self._pushed)] = self._pushed
+            self._pushed = pushed
+        np.add.at(self._pushed[:, 0], rows, push[0])
+        np.add.at(self._pushed[:, 1], rows, push[1])
+        if at is not None:
+            turning = definitions.torque(self._arms(rows, at), push)
+            np.add.at(self._pushed[:, 2], rows, turning)
+
+    def _arms(self, rows: Whole, at: object) -> tuple[Array, Array]:
+        """Return the arms from centres of mass to points, m."""
+        remedy = "Give points of the world (x, y) in m."
+        points = vectors(at, "at", "the bodies", remedy, count=len(rows), symbol="position")
+        return _pair(points - self._world.pose[rows, :2])
+
+    # -- adding and removing
+
+    def add(
+        self,
+        shape: Shapes,
+        *,
+        mass: object,
+        position: object,
+        velocity: object = (0.0, 0.0),
+        orientation: object = 0.0,
+        angular_velocity: object = 0.0,
+        force: object = (0.0, 0.0),
+        torque: object = 0.0,
+        linear_drag: object = 0.0,
+        angular_drag: object = 0.0,
+        inertia: object = None,
+        restitution: object = None,
+        friction: object = None,
+        category: object = 1,
+        mask: object = None,
+        group: object = 0,
+        sensor: bool = False,
+    ) -> Any:
+        """Add bodies that move, and return their indices (R2).
+
+        One body where `position` is (2,), with its index; k bodies where it is (k, 2), with an
+        array of indices. Of all else, one value serves all, or there is an array with a row for
+        each. `shape` is one, or a list of k; the words are those of `Scene.add_body`.
+
+        Raises:
+            InputError: a value breaks a rule (R4); the message names it and its place.
+        """
+        given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
+        return self._add(added_batch(DYNAMIC, shape, **given), position)
+
+    def add_static(
+        self,
+        shape: Shapes,
+        *,
+        position: object = (0.0, 0.0),
+        orientation: object = 0.0,
+        restitution: object = None,
+        friction: object = None,
+        category: object = 1,
+        mask: object = None,
+        group: object = 0,
+        sensor: bool = False,
+    ) -> Any:
+        """Add bodies that nothing moves, and return their indices, as `add` does."""
+        given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
+        return self._add(added_batch(STATIC, shape, **given), position)
+
+    def add_kinematic(
+        self,
+        shape: Shapes,
+        *,
+        position: object,
+        velocity: object = (0.0, 0.0),
+        orientation: object = 0.0,
+        angular_velocity: object = 0.0,
+        restitution: object = None,
+        friction: object = None,
+        category: object = 1,
+        mask: object = None,
+        group: object = 0,
+        sensor: bool = False,
+    ) -> Any:
+        """Add bodies that move as they are told, and return their indices, as `add` does."""
+        given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
+        return self._add(added_batch(KINEMATIC, shape, **given), position)
+
+    def _add(self, batch: Batch, position: object) -> Any:
+        rows = self._roster.place(batch)
+        self._unsettled = True
+        one = len(rows) == 1 and np.ndim(position) == 1  # type: ignore[arg-type]
+        return int(rows[0]) if one else rows
+
+    def remove(self, bodies: Bodies) -> None:
+        """Take bodies out; the indices of all others stay, and springs that held them go.
+
+        Raises:
+            InputError: a body is not there.
+        """
+        rows = np.unique(self._rows(bodies))
+        self._tell()
+        self._roster.remove(rows)
+        if self._pushed is not None:
+            self._pushed[rows[rows < len(self._pushed)]] = 0.0
+        self._names = {name: k for name, k in self._names.items() if k not in set(rows.tolist())}
+        self._unsettled = True
+
+    def index(self, name: str) -> int:
+        """Return the index of a body of the scene by its name; raise `InputError` if none."""
+        return int(self._rows(name)[0])
+
+    # -- what happened
+
+    @property
+    def contacts(self) -> Contacts:
+        """All points at which bodies pushed each other in the last step."""
+        return self._tell().contacts
+
+    @property
+    def began(self) -> Contacts:
+        """The pairs that touched in the last step and not before, each with its strongest point.
+
+        Its impulse is that of all points of the pair over the step; that of a sensor is 0.
+        """
+        return self._tell().began
+
+    @property
+    def ended(self) -> Whole:
+        """The pairs (k, 2) that touched before the last step, and not in it.
+
+        What was removed is in none of them.
+        """
+        return self._tell().ended
+
+    def _tell(self) -> Touching:
+        if self._touching is None:
+            self._touching = touching(self._world)
+        return self._touching
+
+    def digest(self) -> str:
+        """Return the SHA-256 of the time and of the state of all bodies, in canonical order.
+
+        Equal simulators have equal digests, in whatever order they were built.
+        """
+        if self._unsettled:
+            self._settle()
+        there = np.flatnonzero(self._roster.rank >= 0)
+        order = there[np.argsort(self._roster.rank[there])]
+        total = hashlib.sha256(f"{self._steps} {self._time_step!r}".encode())
+        for values in (self._world.pose, self._world.motion[:, :3], self._world.load):
+            total.update(np.ascontiguousarray(values[order] + 0.0).tobytes())
+        return total.hexdigest()
+
+    def __repr__(self) -> str:
+        return f"<Simulator of {len(self)} bodies at {self.time:.6g} s>"
+
+    def _rows(self, bodies: Bodies) -> Whole:
+        return selected(bodies, self._kind, self._names)
+
+    def _name_of(self, row: int) -> str:
+        names: Mapping[int, str] = {k: name for name, k in self._names.items()}
+        return f"body '{names[row]}'" if row in names else f"body {row}"
+
+
+def _pair(rows: Array) -> tuple[Array, Array]:
+    return rows[:, 0], rows[:, 1]
+
+
+def _checked_count(value: object, key: str, least: int) -> int:
+    if (
+        isinstance(value, bool)
+        or not hasattr(value, "__index__")
+        or (k := value.__index__()) < least
+    ):
+        raise RuleError(
+            f"{key} {shown(value)}: must be a whole number of at least {least} (R4). Give one.", key
+        )
+    return int(k)
