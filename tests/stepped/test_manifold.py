@@ -71,8 +71,9 @@ def test_swapping_the_shapes_mirrors_the_manifold(pair) -> None:
     one, other = Pairing(), Pairing()
     one(a, b, delta, 0.3)
     other(b, a, -delta, 0.3)
-    assert one.count == other.count
-    if one.count and room(a, b, delta) > 1e-9:
+    assert (one.count > 0) == (other.count > 0)
+    if one.count and room(a, b, delta) > 1e-9:  # else several sides may be as near
+        assert one.count == other.count
         assert one.normal == pytest.approx(-other.normal, abs=1e-6)
         assert min(one.gaps) == pytest.approx(min(other.gaps), abs=1e-9)
 

@@ -14,6 +14,7 @@ from tamias2d.state import Array
 from tamias2d.stepped.layout import GAP, NX, NY, POINT, PX, PY
 
 NAMES = 1 << 15  # more than the corners of a shape
+TINY = 1e-290  # m^2, for no size: below, squares of lengths are not exact enough for a direction
 
 
 def touch_sides(
@@ -112,12 +113,13 @@ def touch_corners(
 
     P's corner is `at` from v along its side with normal n, Q's is `beside` and `across` from that.
     """
-    distance = sqrt(beside * beside + across * across)
+    square = beside * beside + across * across
+    distance = sqrt(square)
     gap = distance - radius_p - radius_q
     if gap >= margin:
         return False
     ux, uy = nx, ny
-    if distance > 0.0:
+    if square > TINY:
         ux, uy = (nx * across - ny * beside) / distance, (ny * across + nx * beside) / distance
     row[NX] = -ux if swapped else ux
     row[NY] = -uy if swapped else uy

@@ -14,7 +14,7 @@ touching, with the normal between nearest corners.
 from math import sqrt
 
 from tamias2d.state import Array
-from tamias2d.stepped.clip import NAMES, touch_sides
+from tamias2d.stepped.clip import NAMES, TINY, touch_sides
 from tamias2d.stepped.layout import (
     COUNT,
     FEATURE,
@@ -55,38 +55,64 @@ def collide(
     zeros, and serves one pair of shapes.
     """
     row, ids = touch[slot], trace[slot]
-    first_a, first_b = int(shape_first[a]), int(shape_first[b])
-    count_a, count_b = int(shape_count[a]), int(shape_count[b])
-    radius_a, radius_b = shape_radius[a], shape_radius[b]
-    x, y = float(delta_x), float(delta_y)
-    if shape_kind[a] == HALF_PLANE:
-        if shape_kind[b] == HALF_PLANE:
-            return kept(row, ids, 0, 0)
-        first, second = touch_plane(
-            row, first_a, first_b, count_b, x, y, radius_b, margin, False, turned
-        )
-    elif shape_kind[b] == HALF_PLANE:
-        first, second = touch_plane(
-            row, first_b, first_a, count_a, -x, -y, radius_a, margin, True, turned
-        )
-    elif count_a == 1:
-        if count_b == 1:
-            first = touch_discs(row, first_a, first_b, x, y, radius_a, radius_b, margin, turned)
-        else:
-            first = touch_disc(
-                row, first_b, count_b, first_a, -x, -y, radius_b, radius_a, margin, True, turned
+    first, second = touch_pair(
+        row,
+        int(shape_kind[a]),
+        int(shape_kind[b]),
+        int(shape_first[a]),
+        int(shape_count[a]),
+        int(shape_first[b]),
+        int(shape_count[b]),
+        float(delta_x),
+        float(delta_y),
+        float(shape_radius[a]),
+        float(shape_radius[b]),
+        margin,
+        turned,
+    )
+    return kept(row, ids, first, second)
+
+
+def touch_pair(
+    row: Array,
+    kind_a: int,
+    kind_b: int,
+    first_a: int,
+    count_a: int,
+    first_b: int,
+    count_b: int,
+    x: float,
+    y: float,
+    radius_a: float,
+    radius_b: float,
+    margin: float,
+    turned: Array,
+) -> tuple[int, int]:
+    """Write normal, points and separations of two shapes to a row of `touch`.
+
+    Return the names of the points, 0 for one that is not within the margin.
+    """
+    if kind_a == HALF_PLANE:
+        if kind_b == HALF_PLANE:
+            return 0, 0
+        return touch_plane(row, first_a, first_b, count_b, x, y, radius_b, margin, False, turned)
+    if kind_b == HALF_PLANE:
+        return touch_plane(row, first_b, first_a, count_a, -x, -y, radius_a, margin, True, turned)
+    if count_a > 1:
+        if count_b > 1:
+            return touch_polygons(
+                row, first_a, count_a, first_b, count_b, x, y, radius_a, radius_b, margin, turned
             )
-        second = 0
-    elif count_b == 1:
-        first = touch_disc(
+        name = touch_disc(
             row, first_a, count_a, first_b, x, y, radius_a, radius_b, margin, False, turned
         )
-        second = 0
-    else:
-        first, second = touch_polygons(
-            row, first_a, count_a, first_b, count_b, x, y, radius_a, radius_b, margin, turned
+    elif count_b > 1:
+        name = touch_disc(
+            row, first_b, count_b, first_a, -x, -y, radius_b, radius_a, margin, True, turned
         )
-    return kept(row, ids, first, second)
+    else:
+        name = touch_discs(row, first_a, first_b, x, y, radius_a, radius_b, margin, turned)
+    return name, 0
 
 
 def kept(row: Array, ids: Whole, first: int, second: int) -> int:
@@ -127,7 +153,7 @@ def touch_discs(
     if square >= (radii + margin) * (radii + margin):
         return 0
     distance = sqrt(square)
-    nx, ny = (dx / distance, dy / distance) if distance > 0.0 else (0.0, 1.0)
+    nx, ny = (dx / distance, dy / distance) if square > TINY else (0.0, 1.0)
     middle = 0.5 * (distance + radius_a - radius_b)
     row[NX], row[NY] = nx, ny
     row[PX], row[PY], row[GAP] = ax + nx * middle, ay + ny * middle, distance - radii
@@ -176,10 +202,11 @@ def touch_disc(
     if best >= 0.0 and (along < 0.0 or along > length):
         at = first_p + (i if along < 0.0 else (i + 1 if i + 1 < count_p else 0))
         dx, dy = x - turned[at, 0], y - turned[at, 1]
-        distance = sqrt(dx * dx + dy * dy)
+        square = dx * dx + dy * dy
+        distance = sqrt(square)
         if distance >= reach:
             return 0
-        if distance > 0.0:
+        if square > TINY:
             nx, ny = dx / distance, dy / distance
     middle = 0.5 * (radius_p - radius_q - distance)
     row[NX], row[NY] = (-nx, -ny) if swapped else (nx, ny)
