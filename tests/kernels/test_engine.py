@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from tamias2d.kernels import Engine
+from tamias2d.commands import warm
+from tamias2d.kernels import Engine, engine as engine_module
 from tamias2d.kernels.arrays import Floats
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
@@ -28,6 +29,12 @@ def as_engine(function: Callable[..., Any]) -> Callable[..., Any]:
     """A function as if it were in a module of the package, which others are not assembled from."""
     function.__module__ = "tamias2d.stepped.test"
     return function
+
+
+def forget() -> None:
+    """What is compiled is on disk only, as for a process that has just started."""
+    loaded.cache_clear()
+    engine_module._compiled.cache_clear()
 
 
 for part in (plain_parts.halved, plain_parts.clamped, plain_parts.pushed, plain_parts.fallen):
@@ -174,16 +181,34 @@ def test_who_waits_is_told_and_only_then(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
-    loaded.cache_clear()
+    forget()
     ENGINE.compiled()
     told = capsys.readouterr()
     assert told.out == ""
     assert re.search(
         r"Compiling the engine of the tests, about \d+ s, once for this machine", told.err
     )
-    loaded.cache_clear()
+    forget()
     ENGINE.compiled()
     assert capsys.readouterr().err == ""
+    forget()
+
+
+def test_warming_up_compiles_what_is_on_the_menu(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
+    monkeypatch.setattr(warm, "MENU", (ENGINE, EXTREMES))
+    forget()
+    warm.warm_up()
+    told = capsys.readouterr()
+    assert told.err.count("Compiling") == 2
+    assert re.fullmatch(
+        r"engine of the tests: ready after [\d.]+ s\nextremes: ready after [\d.]+ s\n"
+        rf"Compiled code is kept in {re.escape(str(tmp_path))}.kernels\.\n",
+        told.out,
+    )
+    forget()
 
 
 TWICE = """
@@ -221,11 +246,11 @@ def test_kernels_that_cannot_be_written_go_to_a_temporary_place(
 ) -> None:
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
     (tmp_path / "kernels").write_text("in the way")  # a directory without leave stops no superuser
-    loaded.cache_clear()
+    forget()
     made = ENGINE.compiled()
     assert made.pushed(np.ones((1, 48)), 1) == ENGINE.plain().pushed(np.ones((1, 48)), 1)
     assert not made.pushed.__code__.co_filename.startswith(str(tmp_path))
-    loaded.cache_clear()
+    forget()
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes that fork")

@@ -15,5 +15,5 @@ def warm_up() -> None:
     for engine in MENU:
         start = time.perf_counter()
         engine.compiled()
-        say(f"{engine.name}: ready in {time.perf_counter() - start:.1f} s")
-    say(f"{len(MENU)} of {len(MENU)} compiled, in {home() / 'kernels'}")
+        say(f"{engine.name}: ready after {time.perf_counter() - start:.1f} s")
+    say(f"Compiled code is kept in {home() / 'kernels'}.")

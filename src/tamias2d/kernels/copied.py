@@ -7,6 +7,7 @@ modules are cut out of a text whose layout and comments stay.
 import ast
 import inspect
 from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 from typing import Any
 
 Function = Callable[..., Any]
@@ -15,10 +16,15 @@ _Edit = tuple[int, int, str]  # from, to (bytes of the source), and what stands 
 
 def function_of(function: Function) -> ast.FunctionDef:
     """Return the syntax tree of a module-level function."""
-    tree = ast.parse(inspect.getsource(function)).body[0]
+    tree = ast.parse(_source(function)).body[0]
     if not isinstance(tree, ast.FunctionDef):
         raise TypeError(function)
     return tree
+
+
+@cache
+def _source(function: Function) -> str:
+    return inspect.getsource(function)
 
 
 def references(function: Function) -> Iterator[ast.Name | ast.Attribute]:
@@ -35,7 +41,7 @@ def copied(function: Function, names: Mapping[str, str]) -> str:
 
     Of its docstring the first line and the source stay.
     """
-    source = inspect.getsource(function).encode()
+    source = _source(function).encode()
     tree = function_of(function)
     text = _Text(source)
     edits = [*_signature(tree, text), *_docstring(tree, text), *_typed(tree, text)]

@@ -52,8 +52,8 @@ class Demand:
 def demand_of(scene: Scene, method: Method) -> Demand | None:
     """Return what a scene asks of a kernel, or None where none can be made.
 
-    None for a method without a fixed step, for bodies that act on each other, and for laws that
-    only some bodies feel or that compiled code would round otherwise than NumPy does.
+    None for a method without a fixed step, for bodies that act on each other, for angular drag, and
+    for laws that only some bodies feel or that compiled code would round otherwise than NumPy does.
     """
     scheme = getattr(method, "scheme", None)
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
@@ -64,6 +64,8 @@ def demand_of(scene: Scene, method: Method) -> Demand | None:
     if not (shared and all(_rounds_alike(law.node) for _, law in laws)):
         return None
     bodies = [scene.bodies[k] for k in moving]
+    if any(body.angular_drag for body in bodies):
+        return None
     loads = [steady_load(scene, k) for k in moving]
     turned = any(body.angular_velocity for body in bodies) or any(load[TURNING] for load in loads)
     return Demand(

@@ -8,6 +8,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
@@ -15,7 +16,7 @@ from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
 from tamias2d.kernels.copied import Function
 
-_PACE = 1800  # bytes of source a second, to say about how long it takes
+_PACE = 6000  # bytes of source a second, to say about how long it takes
 
 
 @dataclass(frozen=True)
@@ -36,15 +37,20 @@ class Engine:
         return SimpleNamespace(**{entry.__name__: entry for entry in self.entries})
 
     def compiled(self) -> SimpleNamespace:
-        """Return the entries by their names, compiled; says so where that takes a while.
+        """Return the entries by their names, compiled; where that takes a while, it is said.
 
         Their bits are those of the plain ones.
         """
-        text = self.source()
-        with _told(self.name, len(text) / _PACE):
-            module = loaded(text)
-        names = [entry.__name__ for entry in self.entries]
-        return SimpleNamespace(**{name: getattr(module, name) for name in names})
+        return _compiled(self)
+
+
+@cache
+def _compiled(engine: Engine) -> SimpleNamespace:
+    text = engine.source()
+    with _told(engine.name, max(len(text) / _PACE, 1)):
+        module = loaded(text)
+    names = [entry.__name__ for entry in engine.entries]
+    return SimpleNamespace(**{name: getattr(module, name) for name in names})
 
 
 @contextmanager
