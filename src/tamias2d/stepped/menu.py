@@ -4,7 +4,9 @@ Serves: the world, and `tamias2d warm`. Hides: nothing.
 """
 
 from tamias2d.kernels import Engine
+from tamias2d.stepped.query import cast, gather, survey
 from tamias2d.stepped.step import step
 
 CONTACT = Engine("contact engine", (step,))
-MENU: tuple[Engine, ...] = (CONTACT,)
+QUERY = Engine("queries", (survey, cast, gather))
+MENU: tuple[Engine, ...] = (CONTACT, QUERY)

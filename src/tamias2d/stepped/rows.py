@@ -7,6 +7,7 @@ has a block for itself. Contacts with what does not move come last, because a st
 Source: Catto, Box2D v3 (2024), for colours; the layout is that of `SIZE` rows of lanes a point.
 """
 
+from tamias2d.generated.soft_contact import row_mass, row_velocity
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     BLOCKS,
@@ -35,7 +36,6 @@ from tamias2d.stepped.layout import (
     X,
     Y,
 )
-from tamias2d.stepped.soft import row_mass, row_velocity
 
 LANES = 16
 MOVING = 40  # colours of contacts between two moving bodies, before those with one
@@ -47,9 +47,10 @@ R_NX, R_NY, R_MASS_A, R_INERTIA_A, R_MASS_B, R_INERTIA_B = 0, 16, 32, 48, 64, 80
 R_FRICTION, R_ROUND_A, R_ROUND_B, R_LIMIT, R_RESTITUTION = 96, 112, 128, 144, 160
 SHARED = 176
 P_ARM_A, P_ARM_B, P_SIDE_A, P_SIDE_B, P_MASS, P_SIDE_MASS = 0, 16, 32, 48, 64, 80
-P_GAP, P_PUSH, P_RUB, P_TOTAL, P_BEFORE = 96, 112, 128, 144, 160
-SIZE = 176
-WIDTH = SHARED + 2 * SIZE
+P_GAP, P_PUSH, P_RUB, P_TOTAL, P_BEFORE, P_NOW = 96, 112, 128, 144, 160, 176
+SIZE = 192
+FIRST, SECOND = SHARED, SHARED + SIZE
+WIDTH = SECOND + SIZE
 
 
 def colour(
@@ -171,7 +172,7 @@ def fill_rows(
             row[at + P_GAP] = touch[p, GAP + POINT * n]
             push = touch[p, PUSH + IMPULSE * n]
             row[at + P_PUSH], row[at + P_RUB] = push, touch[p, RUB + IMPULSE * n]
-            row[at + P_TOTAL] = -push
+            row[at + P_TOTAL] = 0.0
             row[at + P_BEFORE] = row_velocity(
                 (motion[i, VX], motion[i, VY]),
                 motion[i, SPIN],

@@ -11,6 +11,7 @@ they met something. Bodies that touch nothing go along their closed form instead
 Cost: a substep visits each contact three times. Source: Macklin et al. (2019), Catto (2024).
 """
 
+from tamias2d.generated.soft_contact import bias_rate, impulse_share, mass_share
 from tamias2d.kernels.arrays import (
     Bytes,
     FloatBlocks,
@@ -64,7 +65,7 @@ from tamias2d.stepped.layout import (
     X,
     Y,
 )
-from tamias2d.stepped.manifold_tmp import collide
+from tamias2d.stepped.manifold import collide
 from tamias2d.stepped.pairs import (
     LONGEST,
     fatten,
@@ -77,7 +78,6 @@ from tamias2d.stepped.pairs import (
 )
 from tamias2d.stepped.rows import (
     FILLED,
-    P_PUSH,
     P_TOTAL,
     POINTS,
     SHARED,
@@ -88,8 +88,7 @@ from tamias2d.stepped.rows import (
     fill_rows,
     keep_impulses,
 )
-from tamias2d.stepped.soft import bias_rate, impulse_share, mass_share
-from tamias2d.stepped.solver import bounce, sweep, warm
+from tamias2d.stepped.solver import bounce, relax, sweep, warm
 
 DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, NOT_FINITE = 0, 1, 2, 3, 4
 
@@ -135,6 +134,7 @@ def step(
     rows: FloatRows,
     lanes: PlaceRows,
     bench: Floats,
+    carried: FloatRows,
 ) -> int:
     """Take one step, or say what there is too little room for; called again, it goes on."""
     if counts[PHASE] == 0:
@@ -236,6 +236,7 @@ def step(
         rows,
         lanes,
         bench,
+        carried,
     )
     keep_impulses(counts, rows, lanes, touch)
     move(settings, counts, pose, motion, load, body, kind, used)
@@ -398,6 +399,7 @@ def solve(
     rows: Array,
     lanes: Whole,
     bench: Array,
+    carried: Array,
 ) -> None:
     """Take the substeps of all bodies with contacts, and let them bounce."""
     active = mark_active(counts, kind, used, pair, shape_body, hits, motion)
@@ -406,8 +408,7 @@ def solve(
     substeps = counts[SUBSTEPS]
     blocks, still = counts[BLOCKS], counts[STATIC_BLOCK]
     substep = settings[TIME_STEP] / substeps
-    rate = substeps / settings[TIME_STEP]
-    omega = CIRCLE * HERTZ * rate
+    omega = CIRCLE * HERTZ / substep
     bias = bias_rate(omega, DAMPING, substep)
     share = mass_share(omega, DAMPING, substep)
     keep = impulse_share(omega, DAMPING, substep)
@@ -415,20 +416,56 @@ def solve(
     firm_bias = bias_rate(omega, DAMPING, substep)
     firm_share = mass_share(omega, DAMPING, substep)
     firm_keep = impulse_share(omega, DAMPING, substep)
+    begin(counts, motion, carried, hits)
+    warm(blocks, rows, lanes, motion, bench)
+    carry(counts, motion, carried, hits)
+    back(counts, motion, carried, hits)
     for _ in range(substeps):
-        hasten(settings, counts, motion, load, body, kind, hits)
-        warm(blocks, rows, lanes, motion, bench)
-        sweep(0, still, rows, lanes, motion, bench, rate, bias, share, keep)
-        sweep(still, blocks, rows, lanes, motion, bench, rate, firm_bias, firm_share, firm_keep)
-        for k in range(active):
-            i = hits[1, k]
-            motion[i, DX] += substep * motion[i, VX]
-            motion[i, DY] += substep * motion[i, VY]
-            motion[i, DTURN] += substep * motion[i, SPIN]
-        sweep(0, blocks, rows, lanes, motion, bench, rate, 0.0, 1.0, 0.0)
-    sum_up(blocks, rows, lanes)
+        hasten(settings, counts, motion, load, body, kind, hits, carried)
+        sweep(0, still, rows, lanes, motion, bench, substep, bias, share, keep)
+        sweep(still, blocks, rows, lanes, motion, bench, substep, firm_bias, firm_share, firm_keep)
+        shift(substep, counts, motion, hits)
+        relax(blocks, rows, lanes, motion, bench, substep)
+        carry(counts, motion, carried, hits)
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
     bounce(blocks, rows, lanes, motion, bench, slowest)
+
+
+def begin(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:
+    """Note the velocities before the impulses of the last step are applied again."""
+    for k in range(counts[ACTIVE]):
+        i = hits[1, k]
+        for n in range(3):
+            carried[i, n] = 0.0
+            carried[i, 3 + n] = motion[i, n]
+
+
+def carry(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:
+    """Add what contacts have changed in the velocities to what the next substep starts with.
+
+    Impulses add up, so this is what applying each of them again would do.
+    """
+    for k in range(counts[ACTIVE]):
+        i = hits[1, k]
+        for n in range(3):
+            carried[i, n] += motion[i, n] - carried[i, 3 + n]
+
+
+def back(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:
+    """Go back to the velocities that were noted."""
+    for k in range(counts[ACTIVE]):
+        i = hits[1, k]
+        for n in range(3):
+            motion[i, n] = carried[i, 3 + n]
+
+
+def shift(substep: float, counts: Whole, motion: Array, hits: Whole) -> None:
+    """Move bodies along for a substep, s."""
+    for k in range(counts[ACTIVE]):
+        i = hits[1, k]
+        motion[i, DX] += substep * motion[i, VX]
+        motion[i, DY] += substep * motion[i, VY]
+        motion[i, DTURN] += substep * motion[i, SPIN]
 
 
 def mark_active(
@@ -468,21 +505,24 @@ def hasten(
     body: Array,
     kind: Whole,
     hits: Whole,
+    carried: Array,
 ) -> None:
-    """Let gravity, forces and drag change velocities for a substep."""
+    """Let gravity, forces and drag change velocities for a substep, and contacts as before."""
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
         if kind[i] == DYNAMIC:
             mass = body[i, INVERSE_MASS]
-            by_x, by_y = (
-                settings[GRAVITY_X] + mass * load[i, 0],
-                settings[GRAVITY_Y] + mass * load[i, 1],
-            )
-            motion[i, VX] = body[i, SUB + DECAY] * motion[i, VX] + body[i, SUB + GAIN] * by_x
-            motion[i, VY] = body[i, SUB + DECAY] * motion[i, VY] + body[i, SUB + GAIN] * by_y
-            motion[i, SPIN] = body[i, SUB + ANGULAR + DECAY] * motion[i, SPIN] + body[
-                i, SUB + ANGULAR + GAIN
-            ] * (body[i, INVERSE_INERTIA] * load[i, 2])
+            by_x = settings[GRAVITY_X] + mass * load[i, 0]
+            by_y = settings[GRAVITY_Y] + mass * load[i, 1]
+            turn = body[i, INVERSE_INERTIA] * load[i, 2]
+            decay, gain = body[i, SUB + DECAY], body[i, SUB + GAIN]
+            motion[i, VX] = decay * motion[i, VX] + gain * by_x
+            motion[i, VY] = decay * motion[i, VY] + gain * by_y
+            decay, gain = body[i, SUB + ANGULAR + DECAY], body[i, SUB + ANGULAR + GAIN]
+            motion[i, SPIN] = decay * motion[i, SPIN] + gain * turn
+        for n in range(3):
+            motion[i, n] += carried[i, n]
+            carried[i, 3 + n] = motion[i, n]
 
 
 def move(
@@ -524,16 +564,6 @@ def move(
             body[i, FULL + ANGULAR + DECAY] * motion[i, SPIN]
             + body[i, FULL + ANGULAR + GAIN] * turn
         )
-
-
-def sum_up(blocks: int, rows: Array, lanes: Whole) -> None:
-    """Add the pushes of the last substep to those of the step."""
-    for b in range(blocks):
-        row = rows[b]
-        for n in range(lanes[b, POINTS]):
-            for m in range(lanes[b, FILLED]):
-                at = SHARED + n * SIZE + m
-                row[at + P_TOTAL] += row[at + P_PUSH]
 
 
 def note_touches(counts: Whole, trace: Whole, rows: Array, lanes: Whole) -> None:

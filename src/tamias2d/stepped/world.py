@@ -36,7 +36,7 @@ from tamias2d.stepped.step import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS
 _ORDER = (
     "settings counts pose motion load body home kind used ranked shape_body shape_kind shape_first "
     "shape_count shape_radius surface filters mixed corner turned box curve node found pairs "
-    "touches traces hits fill rows lanes bench"
+    "touches traces hits fill rows lanes bench carried"
 ).split()
 _BODY = ("pose", "motion", "load", "body", "home", "kind", "used", "content")
 _SHAPE = (
@@ -64,6 +64,7 @@ class World:
         self.load = np.zeros((1, 3))
         self.body = np.zeros((1, 18))
         self.home = np.zeros((1, 6))
+        self.carried = np.zeros((1, 6))
         self.kind = np.zeros(1, dtype=np.int8)
         self.used = np.zeros(1, dtype=np.int64)
         self.rank = np.zeros(0, dtype=np.int64)
@@ -219,7 +220,7 @@ class World:
         if self.size + count < len(self.pose):
             return
         room = max(self.size + count, len(self.pose) * 3 // 2) + 1
-        for name in ("pose", "motion", "load", "body", "home", "kind", "used"):
+        for name in ("pose", "motion", "load", "body", "home", "kind", "used", "carried"):
             old = getattr(self, name)
             new = np.zeros((room, *old.shape[1:]), dtype=old.dtype)
             new[: self.size] = old[: self.size]
