@@ -1,0 +1,133 @@
+"""Times of impact against poses between, and where they are known."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from tamias2d.stepped.sweep import MISSED, NEAR, time_of_impact
+from tests.stepped.outlines import Outline, Pairing, box, capsule, disc, half_plane
+from tests.stepped.test_manifold import ANGLES, SHAPES, placed
+
+MOVES = st.tuples(st.floats(-9, 9), st.floats(-9, 9)).map(np.array)
+TURNS = st.one_of(st.just(0.0), st.floats(-4, 4), st.floats(-200, 200))
+
+
+def swept(
+    a: Outline, b: Outline, delta: Any, move: Any, turn_a: float = 0.0, turn_b: float = 0.0
+) -> float:
+    rows = np.vstack([a.rows(), b.rows()])
+    count = len(a.rows())
+    return float(
+        time_of_impact(
+            0,
+            1,
+            *map(float, delta),
+            *map(float, move),
+            turn_a,
+            turn_b,
+            np.array([a.kind, b.kind], np.int8),
+            np.array([0, count], np.int32),
+            np.array([count, len(rows) - count], np.int32),
+            np.array([a.radius, b.radius]),
+            rows,
+            np.zeros((1 + len(rows), 8)),
+        )
+    )
+
+
+def gap_at(a: Outline, b: Outline, delta: Any, move: Any, turns: Any, at: float) -> float:
+    found = Pairing()
+    found(a.turned(turns[0] * at), b.turned(turns[1] * at), delta + at * np.array(move))
+    return float(min(found.gaps))
+
+
+def size(*outlines: Outline) -> float:
+    def one(outline: Outline) -> float:
+        corners = np.asarray(outline.corners)
+        return float(max(np.hypot(*(corners - corners[0]).T)) / 2 + outline.radius)
+
+    return min(one(outline) for outline in outlines if not outline.plane)
+
+
+@settings(max_examples=300, deadline=None)
+@given(placed(), MOVES, TURNS, TURNS)
+def test_nothing_is_passed_and_nothing_is_made_up(pair, move, turn_a, turn_b) -> None:
+    a, b, delta = pair
+    turns = turn_a, turn_b
+    near = NEAR * size(a, b)
+    start = gap_at(a, b, delta, move, turns, 0.0)
+    at = swept(a, b, delta, move, turn_a, turn_b)
+    if start <= near:
+        return
+    until = min(at, 1.0)
+    before = [gap_at(a, b, delta, move, turns, f) for f in np.linspace(0, until, 150)]
+    assert min(before) > 0
+    if at != MISSED:
+        assert 0 < gap_at(a, b, delta, move, turns, at) <= near * (1 + 1e-9)
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.sampled_from(SHAPES), ANGLES, ANGLES, MOVES, TURNS, st.sampled_from([0.0, 0.3, -20.0]))
+def test_half_planes(b, angle, turned, move, turn_b, turn_a) -> None:
+    plane, b = half_plane(-1.2).turned(angle), b.turned(turned)
+    delta = 0.8 * np.array(plane.corners[1])
+    turns = turn_a, turn_b
+    at = swept(plane, b, delta, move, turn_a, turn_b)
+    assert at == swept(b, plane, -delta, -move, turn_b, turn_a)
+    until = min(at, 1.0)
+    before = [gap_at(plane, b, delta, move, turns, f) for f in np.linspace(0, until, 150)]
+    assert min(before) > 0
+    if at != MISSED:
+        assert 0 < gap_at(plane, b, delta, move, turns, at) <= NEAR * size(b) * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("speed", [1e1, 1e2, 1e4, 1e6])
+@pytest.mark.parametrize("thickness", [0.02, 0.0])
+@pytest.mark.parametrize("spin", [0.0, 1e4])
+def test_a_fast_disc_meets_a_thin_wall_where_it_must(speed, thickness, spin) -> None:
+    wall = box(thickness, 4.0) if thickness else capsule(4.0).turned(np.pi / 2)
+    move = speed / 60
+    at = swept(wall, disc(0.1), (-0.3 * move, 0.5), (move, 0.0), 0.0, spin / 60)
+    room = 0.3 * move - 0.1 - thickness / 2
+    if room > 0:
+        assert at * move == pytest.approx(room, abs=1e-4)
+    assert swept(wall, disc(0.1), (-0.3 * move, 2.2), (move, 0.0), 0.0, spin / 60) == MISSED
+
+
+@pytest.mark.parametrize("miss", [1e-3, 1e-6])
+def test_grazing_is_told_from_missing(miss) -> None:
+    for shape in (disc(0.1), box(0.2, 0.2)):
+        ball = disc(0.1)
+        passed = swept(ball, shape, (-50.0, 0.2 + 0.2 * NEAR + miss), (100.0, 0.0))
+        met = swept(ball, shape, (-50.0, 0.2 - miss), (100.0, 0.0))
+        assert passed == MISSED
+        assert met == pytest.approx(0.5, abs=2e-3)
+
+
+@pytest.mark.parametrize("gap", [1e-1, 1e-2, 1e-3])
+def test_a_bar_that_spins_fast_beside_a_wall_does_not_meet_it(gap) -> None:
+    bar, wall = box(2.0, 0.01), box(0.02, 50.0)
+    tip = np.hypot(1.0, 0.005)
+    turn = 1e4 / 60
+    assert swept(wall, bar, (tip + gap + 0.01, 0.0), (0.0, 3.0), 0.0, turn) == MISSED
+    at = swept(wall, bar.turned(np.pi / 2), (tip - gap + 0.01, 0.0), (0.0, 3.0), 0.0, turn)
+    assert at * turn == pytest.approx(np.pi / 2 - np.arccos(1 - gap), abs=0.02)
+
+
+def test_what_touches_at_the_start_meets_again_once_it_has_been_apart() -> None:
+    floor, ball = box(10.0, 1.0), disc(0.5)
+    assert swept(floor, ball, (0.0, 1.0), (0.0, -3.0)) == MISSED
+    assert swept(floor, ball, (0.0, 1.0), (3.0, 0.0)) == MISSED
+    bar = box(2.0, 0.1)  # lies on the floor, turns up and over
+    at = swept(floor, bar, (0.0, 0.55), (0.0, 2.0), 0.0, 7.0)
+    assert at == MISSED
+
+
+@settings(max_examples=100, deadline=None)
+@given(placed(), MOVES, TURNS, st.sampled_from([2.0**-20, 2.0**20]))
+def test_no_size_is_special(pair, move, turn, factor) -> None:
+    a, b, delta = pair
+    one = swept(a, b, delta, move, turn, 0.0)
+    assert one == swept(a.scaled(factor), b.scaled(factor), delta * factor, move * factor, turn)
