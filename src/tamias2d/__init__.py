@@ -53,7 +53,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         scene_text as scene_text,
     )
     from tamias2d.simulate import simulate as simulate
-    from tamias2d.simulator import Contacts as Contacts, Simulator as Simulator
+    from tamias2d.simulator import Contacts as Contacts, Hits as Hits, Simulator as Simulator
     from tamias2d.study.certify import certify as certify
     from tamias2d.study.recommend import ToleranceError as ToleranceError, recommend as recommend
     from tamias2d.trace import trace as trace
@@ -70,7 +70,7 @@ _HOMES = {
     "scene": "Body Box Capsule Compound Disc HalfPlane Part Polygon Scene Segment catalogue load "
     "needs scene_text",
     "simulate": "simulate",
-    "simulator": "Contacts Simulator",
+    "simulator": "Contacts Hits Simulator",
     "study.certify": "certify",
     "study.recommend": "ToleranceError recommend",
     "trace": "trace",

@@ -3,7 +3,8 @@
 Serves: games. Hides: which file holds which concept.
 """
 
+from tamias2d.simulator.asking import Hits
 from tamias2d.simulator.contacts import Contacts
 from tamias2d.simulator.simulator import Simulator
 
-__all__ = ["Contacts", "Simulator"]
+__all__ = ["Contacts", "Hits", "Simulator"]

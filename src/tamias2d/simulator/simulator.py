@@ -15,6 +15,7 @@ from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError, number, shown
 from tamias2d.simulator.acting import Acting
 from tamias2d.simulator.adding import Shapes, added_batch
+from tamias2d.simulator.asking import Hits, Questions, box_corners, one_point
 from tamias2d.simulator.batch import Batch, scene_batch
 from tamias2d.simulator.columns import vectors
 from tamias2d.simulator.contacts import Contacts, Touching, touching
@@ -50,8 +51,8 @@ class Simulator(Views):
     """
 
     __slots__ = (
-        "_acting", "_names", "_pushed", "_roster", "_scene", "_steps", "_substeps", "_time_step",
-        "_touching", "_unsettled",
+        "_acting", "_names", "_pushed", "_questions", "_roster", "_scene", "_steps", "_substeps",
+        "_time_step", "_touching", "_unsettled",
     )  # fmt: skip
 
     def __init__(self, scene: Scene, *, time_step: float = 1 / 60, substeps: int = 4) -> None:
@@ -76,6 +77,7 @@ class Simulator(Views):
         self._roster = Roster(self._world)
         self._roster.place(scene_batch(scene))
         self._roster.mix(scene.friction_of_pairs, scene.restitution_of_pairs)
+        self._questions = Questions(self._world)
         self._acting: Acting | None = None
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
@@ -93,8 +95,7 @@ class Simulator(Views):
         if count.__class__ is not int or count < 0:
             count = _checked_count(count, "count", 0)
         for _ in range(count):
-            if self._unsettled:
-                self._settle()
+            self._settled()
             if self._acting is not None or self._pushed is not None:
                 self._step_loaded()
             elif self._world.step():
@@ -102,7 +103,10 @@ class Simulator(Views):
             self._steps += 1
             self._touching = None
 
-    def _settle(self) -> None:
+    def _settled(self) -> None:
+        """Give what was added its place, and see what acts on what is left."""
+        if not self._unsettled:
+            return
         self._roster.settle()
         rank = self._roster.rank
         there = np.flatnonzero((rank >= 0) & (np.arange(len(rank)) < len(self._scene)))
@@ -315,6 +319,38 @@ class Simulator(Views):
         """
         return self._tell().ended
 
+    # -- asking
+
+    def ray_cast(self, start: object, end: object, *, mask: int | None = None) -> Hits:
+        """Return what rays meet first, from points to points, (2,) or (k, 2) each, m.
+
+        It meets no body in or on which it starts, no sensor, and, if a `mask` is given, none whose
+        category shares no bit with it. A line that it runs along is not met.
+
+        Raises:
+            InputError: a ray has no length, or a value breaks a rule (R4).
+        """
+        return self._asked().rays(start, end, mask)
+
+    def at_point(self, point: object, *, mask: int | None = None) -> Whole:
+        """Return the bodies (k,) at a point (2,), m, but for sensors; `mask` as in `ray_cast`."""
+        place = one_point(point)
+        return self._asked().within(place, place, mask)
+
+    def in_box(self, low: object, high: object, *, mask: int | None = None) -> Whole:
+        """Return the bodies (k,) that reach into a box between two corners (2,), m.
+
+        Sensors are not among them; `mask` is as in `ray_cast`.
+
+        Raises:
+            InputError: `low` is beyond `high`, or a value breaks a rule (R4).
+        """
+        return self._asked().within(*box_corners(low, high), mask)
+
+    def _asked(self) -> Questions:
+        self._settled()
+        return self._questions
+
     def _tell(self) -> Touching:
         if self._touching is None:
             self._touching = touching(self._world)
@@ -325,8 +361,7 @@ class Simulator(Views):
 
         Equal simulators have equal digests, in whatever order they were built.
         """
-        if self._unsettled:
-            self._settle()
+        self._settled()
         there = np.flatnonzero(self._roster.rank >= 0)
         order = there[np.argsort(self._roster.rank[there])]
         total = hashlib.sha256(f"{self._steps} {self._time_step!r}".encode())

@@ -1,0 +1,145 @@
+"""Questions about places: what a ray meets first, what lies at a point or in a box.
+
+Serves: `ray_cast`, `at_point` and `in_box`. Hides: the tree that is asked, and when it is made.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from types import SimpleNamespace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.scene.filters import checked_mask
+from tamias2d.scene.rules import RuleError
+from tamias2d.simulator.columns import vectors
+from tamias2d.state import Array
+from tamias2d.stepped.menu import QUERY
+from tamias2d.stepped.world import World
+
+Whole = NDArray[np.int64]
+_POINT = "Give (x, y) in m."
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hits:
+    """What k rays met first."""
+
+    body: Whole
+    """(k,), index, or -1 where a ray met nothing"""
+    point: Array
+    """(k, 2), where it was met, m; the end of the ray where that met nothing"""
+    normal: Array
+    """(k, 2), unit, out of the body; (0, 0) where the ray met nothing"""
+    fraction: Array
+    """(k,), of the ray up to there; 1 where it met nothing"""
+
+    def __len__(self) -> int:
+        return len(self.body)
+
+
+class Questions:
+    """A world that is asked, with a tree for the places at which its bodies were last found."""
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+        self._pose = np.zeros((0, 3))
+        self._ranked = np.zeros((2, 0), dtype=np.int64)
+        self._sizes = np.zeros(2, dtype=np.int64)
+        self._box = self._node = np.zeros((0, 4))
+        self._curve = np.zeros((4, 0), dtype=np.int64)
+
+    def rays(self, start: object, end: object, mask: object) -> Hits:
+        """Return what rays from points to points, (2,) or (k, 2) each, meet first."""
+        world, of = self._world, "the rays"
+        count = max((len(p) for p in (start, end) if np.ndim(p) == 2), default=1)  # type: ignore
+        rays = np.hstack(
+            [
+                vectors(points, key, of, _POINT, count=count, symbol="position")
+                for key, points in (("start", start), ("end", end))
+            ]
+        )
+        still = np.flatnonzero((rays[:, :2] == rays[:, 2:]).all(axis=1))
+        if len(still):
+            raise RuleError(
+                f"end[{still[0]}] of the rays: found the start: must be another point (R4). Give "
+                "rays with a length, or ask at_point.",
+                "end",
+            )
+        self._look()
+        met, hits = np.empty(count, dtype=np.int64), np.empty((count, 3))
+        _engine().cast(
+            rays, checked_mask(mask, of), world.pose, world.ranked, world.shape_body,
+            world.shape_kind, world.shape_first, world.shape_count, world.shape_radius,
+            world.filters, world.corner, self._box, self._curve, self._node, self._sizes, met, hits,
+            np.empty(len(world.shape_body), dtype=np.int64),
+        )  # fmt: skip
+        fraction = np.minimum(hits[:, 0], 1.0)
+        return Hits(
+            body=np.where(met >= 0, world.shape_body[met], -1) if len(world.shape_body) else met,
+            point=rays[:, :2] + fraction[:, None] * (rays[:, 2:] - rays[:, :2]),
+            normal=hits[:, 1:].copy(),
+            fraction=fraction,
+        )
+
+    def within(self, low: Array, high: Array, mask: object) -> Whole:
+        """Return the bodies (k,) that reach into a box between two corners (2,), by rank."""
+        world = self._world
+        self._look()
+        found = np.empty(len(world.shape_body), dtype=np.int64)
+        total = _engine().gather(
+            *low.tolist(), *high.tolist(), checked_mask(mask, "the question"), world.pose,
+            world.shape_body, world.shape_kind, world.shape_first, world.shape_count,
+            world.shape_radius, world.filters, world.corner, self._box, self._curve, self._node,
+            self._sizes, found,
+        )  # fmt: skip
+        shapes = found[:total][np.argsort(world.ranked[1, found[:total]])]
+        return np.array(list(dict.fromkeys(world.shape_body[shapes].tolist())), dtype=np.int64)
+
+    def _look(self) -> None:
+        """Make the tree anew if a body was moved, added or removed."""
+        world = self._world
+        if self._ranked is world.ranked and np.array_equal(self._pose, world.pose):
+            return
+        if not np.isfinite(world.pose).all():
+            row = int(np.argmin(np.isfinite(world.pose).all(axis=1)))
+            raise RuleError(
+                f"position or orientation[{row}]: must be finite to be asked for (R4). Set it to "
+                "a number."
+            )
+        self._pose, self._ranked = world.pose.copy(), world.ranked
+        if self._box.shape != world.box.shape or self._curve.shape != world.curve.shape:
+            self._box, self._node = np.zeros_like(world.box), np.zeros_like(world.node)
+            self._curve = np.zeros_like(world.curve)
+        _engine().survey(
+            world.kind, world.pose, world.ranked, world.shape_body, world.shape_kind,
+            world.shape_first, world.shape_count, world.shape_radius, world.corner, self._box,
+            self._curve, self._node, self._sizes,
+        )  # fmt: skip
+
+
+def box_corners(low: object, high: object) -> tuple[Array, Array]:
+    """Return the corners of a box, or raise `RuleError`."""
+    of = "the box"
+    least, most = (
+        vectors(corner, key, of, _POINT, count=1, symbol="position")[0]
+        for key, corner in (("low", low), ("high", high))
+    )
+    if (least > most).any():
+        raise RuleError(
+            f"low {least.tolist()} of the box: is beyond high {most.tolist()} (R4). Give the "
+            "lower left and the upper right corner.",
+            "low",
+        )
+    return least, most
+
+
+def one_point(point: object) -> Array:
+    """Return a point (2,), or raise `RuleError`."""
+    place: Array = vectors(point, "point", "the question", _POINT, count=1, symbol="position")[0]
+    return place
+
+
+@cache
+def _engine() -> SimpleNamespace:
+    return QUERY.compiled()

@@ -1,0 +1,161 @@
+"""Rays, points and boxes against all shapes, one by one, in NumPy."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+import tamias2d as t2
+from tamias2d.scene.compound import pieces_of
+from tests.simulator.crowd import crowd
+
+SAME = 1e-9  # m, of places of about 10 m, along rays that are never nearly parallel to a side
+
+
+def outline(body: t2.Body, place: np.ndarray, angle: float) -> list[tuple[np.ndarray, float]]:
+    """The pieces of a body in the world: corners and what lies around them."""
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    return [
+        (place + np.array(piece.core) @ turn.T, piece.shape.rounding)
+        for piece in pieces_of(body.shape)
+    ]
+
+
+def distance(corners: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Of points to a convex shape without rounding; 0 inside it."""
+    ends = np.roll(corners, -1, axis=0)
+    found = np.full(len(points), np.inf)
+    inside = np.full(len(points), len(corners) > 2)
+    for start, end in zip(corners, ends, strict=True):
+        along = end - start
+        size = along @ along
+        share = np.clip((points - start) @ along / size, 0, 1) if size else np.zeros(len(points))
+        gap = points - start - share[:, None] * along
+        found = np.minimum(found, np.hypot(*gap.T))
+        inside &= along[0] * (points - start)[:, 1] - along[1] * (points - start)[:, 0] >= 0
+    return np.where(inside, 0.0, found)
+
+
+def separation(scene: t2.Scene, sim: t2.Simulator, points: np.ndarray) -> np.ndarray:
+    """Of points to each solid body (n, k); not positive within it."""
+    rows = []
+    for k, body in enumerate(scene.bodies):
+        if isinstance(body.shape, t2.HalfPlane):
+            rows.append(points @ np.array(body.shape.normal) - body.shape.offset)
+        else:
+            pieces = outline(body, sim.position[k], sim.orientation[k])
+            rows.append(np.min([distance(c, points) - r for c, r in pieces], axis=0))
+    return np.array(rows)
+
+
+@pytest.fixture(scope="module")
+def crowded() -> tuple[t2.Scene, t2.Simulator]:
+    scene = crowd(60, seed=3)
+    return scene, t2.Simulator(scene)
+
+
+@settings(max_examples=60)
+@given(st.integers(0, 2**32 - 1))
+def test_a_ray_ends_on_the_surface_that_it_meets_first(
+    crowded: tuple[t2.Scene, t2.Simulator], seed: int
+) -> None:
+    scene, sim = crowded
+    chance = np.random.default_rng(seed)
+    start, end = chance.uniform(-9, 9, (2, 2))
+    hit = sim.ray_cast(start, end)
+    path = start + np.linspace(0, 1, 4001)[:, None] * (end - start)
+    gaps = separation(scene, sim, path)
+    gaps[gaps[:, 0] <= 0] = np.inf  # what it starts in is not met
+    met = (gaps <= -1e-6).any(axis=0)
+    first = np.argmax(met) / 4000 if met.any() else 1.0
+    assert hit.fraction[0] <= first + SAME
+    earlier = np.linspace(0, 1, 4001) < hit.fraction[0] - SAME
+    assert (gaps[:, earlier] > -SAME).all()
+    body = int(hit.body[0])
+    if body >= 0:
+        assert abs(separation(scene, sim, hit.point)[body, 0]) < SAME
+        assert np.hypot(*hit.normal[0]) == pytest.approx(1.0, abs=1e-12)
+        assert hit.normal[0] @ (end - start) <= 0
+    else:
+        assert hit.fraction[0] == 1.0
+
+
+@settings(max_examples=60)
+@given(st.integers(0, 2**32 - 1))
+def test_points_and_boxes_find_what_is_there(
+    crowded: tuple[t2.Scene, t2.Simulator], seed: int
+) -> None:
+    scene, sim = crowded
+    chance = np.random.default_rng(seed)
+    point = chance.uniform(-11, 11, 2)
+    gap = separation(scene, sim, point[None])[:, 0]
+    found = set(sim.at_point(point).tolist())
+    assert found == set(np.flatnonzero(gap <= 0).tolist()) or np.abs(gap).min() < SAME
+    low, high = np.sort(chance.uniform(-11, 11, (2, 2)), axis=0)
+    grid = np.stack(np.meshgrid(*np.linspace(low, high, 60).T), axis=-1).reshape(-1, 2)
+    least = separation(scene, sim, grid).min(axis=1)
+    cell = np.hypot(*(high - low) / 59) / 2  # nothing is farther from a point of the grid
+    found = set(sim.in_box(low, high).tolist())
+    assert found >= set(np.flatnonzero(least < 0).tolist())
+    assert found <= set(np.flatnonzero(least <= cell + SAME).tolist())
+
+
+def test_all_at_once_is_one_by_one() -> None:
+    sim = t2.Simulator(crowd(40, seed=5))
+    start, end = np.random.default_rng(1).uniform(-9, 9, (2, 50, 2))
+    many = sim.ray_cast(start, end)
+    for k in range(50):
+        one = sim.ray_cast(start[k], end[k])
+        assert (one.body[0], one.fraction[0]) == (many.body[k], many.fraction[k])
+    assert len(set(many.body.tolist())) > 5
+
+
+def test_known_answers() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), name="floor")
+    scene.add_static(t2.Segment(length=2.0), position=(0.0, 5.0), name="shelf")
+    scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(5.0, 3.0), category=4, name="disc")
+    scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(-5.0, 3.0), sensor=True, name="zone")
+    sim = t2.Simulator(scene)
+    down = sim.ray_cast((0.5, 9.0), (0.5, -1.0))
+    assert (down.body[0], down.point[0].tolist()) == (1, [0.5, 5.0])
+    assert down.normal[0].tolist() == [0.0, 1.0]
+    up = sim.ray_cast((0.5, 3.0), (0.5, 9.0))
+    assert (up.body[0], up.normal[0].tolist()) == (1, [0.0, -1.0])
+    through = sim.ray_cast((9.0, 3.0), (-9.0, 3.0))
+    assert (through.body[0], through.point[0].tolist()) == (2, [6.0, 3.0])
+    assert sim.ray_cast((5.0, 3.0), (9.0, 3.0)).body[0] == -1  # it starts within the disc
+    assert sim.ray_cast((9.0, 3.0), (-9.0, 3.0), mask=1).body[0] == -1  # the zone is not solid
+    assert sim.at_point((5.5, 3.0)).tolist() == [2]
+    assert sim.at_point((-5.5, 3.0)).tolist() == []
+    assert sim.in_box((-1.0, -1.0), (6.0, 3.0)).tolist() == [0, 2]
+    assert sim.in_box((-1.0, -1.0), (6.0, 3.0), mask=4).tolist() == [2]
+
+
+def test_what_was_moved_is_found_where_it_is() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    ball = scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(0.0, 0.0))
+    sim = t2.Simulator(scene)
+    assert sim.at_point((0.0, 0.5)).tolist() == [ball]
+    sim.position[ball] = 100.0, 0.0
+    assert sim.at_point((0.0, 0.5)).tolist() == []
+    assert sim.at_point((100.0, 0.5)).tolist() == [ball]
+    other = sim.add(t2.Disc(radius=1.0), mass=1.0, position=(0.0, 0.0))
+    assert sim.at_point((0.0, 0.5)).tolist() == [other]
+    sim.remove(other)
+    assert sim.at_point((0.0, 0.5)).tolist() == []
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "says"),
+    [
+        ((0, 0), (0, 0), r"end\[0\] of the rays: found the start"),
+        ((0, np.nan), (0, 1), r"start\[0\]\[1\] of the rays: found nan"),
+        ((0, 0, 0), (0, 1), "start of the rays: found an array of shape"),
+        ("here", (0, 1), "start of the rays: found 'here'"),
+    ],
+)
+def test_bad_rays_are_refused(start: object, end: object, says: str) -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    with pytest.raises(t2.InputError, match=says):
+        sim.ray_cast(start, end)
+    assert sim.ray_cast((0, 0), (1, 1)).body.tolist() == [-1]
