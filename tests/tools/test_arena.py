@@ -8,11 +8,12 @@ import pytest
 import tamias2d as t2
 from tools.measurements.arena.box2d import Box2D
 from tools.measurements.arena.chipmunk import Chipmunk
+from tools.measurements.arena.own import Own
 from tools.measurements.arena.surfaces import PeerError
 
 DT = 1 / 60
 SINGLE = 1e-6  # Box2D computes in single precision
-ENGINES = [Chipmunk, Box2D]
+ENGINES = [Own, Chipmunk, Box2D]
 PEERS = [Chipmunk, Box2D]
 
 

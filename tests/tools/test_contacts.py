@@ -1,0 +1,57 @@
+"""The form of what the measurement of contacts finds; no time is looked at."""
+
+import json
+
+import pytest
+
+from tools.measurements import contacts
+from tools.measurements.arena.race import Times
+
+KEYS = {"ratio_to_pymunk", "ratio_to_pyb2d3", "sag", "penetration", "speed_at_end"}
+
+
+@pytest.fixture(scope="module")
+def measured(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("docs")
+    return contacts.measure(["two-discs", "disc-pile"], repeats=1, store=folder), folder
+
+
+def test_every_scene_has_the_five_numbers(measured):
+    found, _ = measured
+    again = json.loads(json.dumps(found, allow_nan=False))
+    assert list(again["scenes"]) == ["two-discs", "disc-pile"]
+    for scene in again["scenes"].values():
+        assert set(scene) == KEYS
+        assert scene["ratio_to_pymunk"] > 0
+        assert scene["ratio_to_pyb2d3"] > 0
+    assert again["scenes"]["disc-pile"]["sag"] is None  # it has no place where it belongs
+    assert abs(again["scenes"]["two-discs"]["sag"]) < 1e-3
+
+
+def test_the_table_has_every_engine_on_every_scene(measured):
+    found, folder = measured
+    heads, rows = contacts.table(found)
+    assert [row[1] for row in rows] == ["Tamias2D", "Pymunk", "pyb2d3"] * 2
+    assert {len(row) for row in rows} == {len(heads)}
+    page = (folder / "contacts.txt").read_text()
+    assert all(cell in page for row in rows for cell in row)
+    assert json.loads((folder / "contacts.json").read_text()) == found
+    assert (folder / "contacts.png").stat().st_size > 10_000
+
+
+def test_a_ratio_is_of_one_repetition():
+    times = Times({"one": [1.0, 10.0, 3.0], "other": [2.0, 30.0, 3.0]})
+    assert times.median("one") == 3.0
+    assert times.ratio("other", "one") == 2.0
+
+
+def test_what_is_stopped_tells_what_it_has(monkeypatch, capsys):
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(contacts, "_scene", stop)
+    found = contacts.measure(["two-discs"], repeats=1)
+    assert found["scenes"] == {}
+    assert "Stopped" in capsys.readouterr().err
+    assert contacts.table(found)[1] == []
+    assert contacts.notes(found) == []

@@ -1,0 +1,33 @@
+"""A scene in this library's simulator, at its defaults.
+
+Serves: the measurement of contacts. Hides: how the simulator is asked.
+"""
+
+import numpy as np
+
+import tamias2d as t2
+from tamias2d.scene import Scene
+from tamias2d.state import Array
+
+
+class Own:
+    """A simulator."""
+
+    name = "Tamias2D"
+
+    def __init__(self, scene: Scene, time_step: float, substeps: int | None = None) -> None:
+        more = {} if substeps is None else {"substeps": substeps}
+        self.simulator = t2.Simulator(scene, time_step=time_step, **more)
+
+    def step(self) -> None:
+        """Go one time step ahead."""
+        self.simulator.step()
+
+    def read(self) -> Array:
+        """Return the positions (n, 2), m: a view, which nobody has to fill."""
+        return np.asarray(self.simulator.position)
+
+    def state(self) -> Array:
+        """Return (n, 6): positions, orientations and their rates."""
+        own = self.simulator
+        return np.column_stack((own.position, own.orientation, own.velocity, own.angular_velocity))

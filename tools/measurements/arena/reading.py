@@ -1,0 +1,29 @@
+"""What it costs to know where everything is after each step.
+
+Serves: the measurement of contacts. Hides: how short times are taken.
+"""
+
+from time import perf_counter
+
+from tamias2d.scene import Scene
+from tools.measurements.arena.engine import Maker
+from tools.measurements.arena.race import TIME_STEP, undisturbed
+
+_STEPS = 200
+
+
+def share_of_a_step(make: Maker, scene: Scene) -> float:
+    """Return the time of reading all positions over that of a step."""
+    engine = make(scene, TIME_STEP)
+    engine.step()
+    engine.read()
+    steps = reads = 0.0
+    with undisturbed():
+        for _ in range(_STEPS):
+            start = perf_counter()
+            engine.step()
+            middle = perf_counter()
+            engine.read()
+            end = perf_counter()
+            steps, reads = steps + middle - start, reads + end - middle
+    return reads / steps
