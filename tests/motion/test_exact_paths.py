@@ -8,7 +8,7 @@ from hypothesis import given, strategies as st
 from scipy.integrate import solve_ivp
 
 from tamias2d.errors import InputError
-from tamias2d.motion import ClosedForm, Piece, Reference
+from tamias2d.motion import ClosedForm, ExponentialDrag, Piece, Reference
 from tamias2d.motion.closed_form import ClosedFormMotion
 from tamias2d.motion.loads import start_states
 from tamias2d.scene import Disc, HalfPlane, Scene, catalogue
@@ -191,3 +191,17 @@ def test_no_exact_path_is_claimed_where_something_else_acts() -> None:
     scene = sprung((0, 0), 5, (0, 0))
     scene.add_field(force=("2[m/s^2]*mass", 1))  # a law, but one that does not change
     assert isinstance(simulate(scene, duration=0.1).method, ClosedForm)
+
+
+def test_angular_drag_slows_turning() -> None:
+    """The angular velocity decays as exp(-c t/I); numbers of linear drag in other units."""
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, inertia=2, position=(0, 0), angular_velocity=10, angular_drag=0.5)
+    scene.add_body(None, mass=1, inertia=2, position=(0, 0), torque=1.0, angular_drag=0.5)
+    ways = [(None, None, 1e-14), (Reference(), None, 1e-12), (ExponentialDrag(), 0.01, 1e-13)]
+    for method, step, tolerance in ways:
+        run = simulate(scene, duration=3.0, method=method, time_step=step)
+        assert run.angular_velocity[-1, 0] == pytest.approx(4.7236655274101471, rel=tolerance)
+        assert run.orientation[-1, 0] == pytest.approx(21.105337890359412, rel=tolerance)
+        ends = 2 * (1 - math.exp(-0.75))  # of the terminal angular velocity, torque over drag
+        assert run.angular_velocity[-1, 1] == pytest.approx(ends, rel=tolerance)

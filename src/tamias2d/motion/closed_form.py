@@ -77,7 +77,7 @@ class ClosedFormMotion:
             return self._bent.restart(body, start, state, end, hold)
         steady = self._loads.steady(body)
         match self._forms.get(body):
-            case "linear drag":
+            case "linear drag" | "angular drag":
                 return Dragged(self._scene.bodies[body], start, end, state, steady, hold)
             case "spring without length":
                 spring = spring_of(self._scene, body)

@@ -1,9 +1,10 @@
-"""Exact paths under linear drag and otherwise constant loads: the closed form of IM6.
+"""Exact paths under linear and angular drag and otherwise constant loads: the closed form of IM6.
 
 Serves: the closed form. Hides: how the path and its bounds are found.
 """
 
 import math
+from typing import Any
 
 from tamias2d.generated import drag, rotation, translation
 from tamias2d.motion.piece import Bounds
@@ -15,7 +16,7 @@ _ROUNDING = 1 + 2.0**-48
 
 
 class Dragged:
-    """A path on which the velocity decays towards a terminal one.
+    """A path on which velocity and angular velocity decay towards terminal ones.
 
     `steady` is what the constant loads alone would give. A contact that lasts takes from it what it
     takes from the drag as well, which is along the velocity.
@@ -37,6 +38,7 @@ class Dragged:
         *linear, self._angular = hold(steady, state) if hold else steady
         self._linear: Vector = (linear[0], linear[1])
         self._rate = drag.drag_rate(body.linear_drag, body.mass)
+        self._angular_rate = drag.angular_drag_rate(body.angular_drag, body.inertia)
 
     def at(self, time: float) -> State:
         """Return the state at a time in s."""
@@ -44,16 +46,33 @@ class Dragged:
         elapsed = time - self.start
         return State(
             drag.position(position, velocity, self._linear, self._rate, elapsed),
-            rotation.orientation(orientation, angular_velocity, self._angular, elapsed),
+            self._orientation(orientation, angular_velocity, elapsed),
             drag.velocity(velocity, self._linear, self._rate, elapsed),
-            rotation.angular_velocity(angular_velocity, self._angular, elapsed),
+            self._spin(angular_velocity, elapsed),
         )
+
+    def _orientation(self, orientation: float, spin: float, elapsed: Any) -> Any:
+        if not self._angular_rate:
+            return rotation.orientation(orientation, spin, self._angular, elapsed)
+        return drag.orientation(orientation, spin, self._angular, self._angular_rate, elapsed)
+
+    def _spin(self, spin: float, elapsed: Any) -> Any:
+        if not self._angular_rate:
+            return rotation.angular_velocity(spin, self._angular, elapsed)
+        return drag.angular_velocity(spin, self._angular, self._angular_rate, elapsed)
 
     def acceleration(self, time: float) -> Acceleration:
         """Return the acceleration at a time in s."""
-        force = drag.linear_drag_force(self._body.linear_drag, self.at(time).velocity)
+        now = self.at(time)
+        force = drag.linear_drag_force(self._body.linear_drag, now.velocity)
         x, y = translation.acceleration(self._linear, force, self._body.mass)
-        return float(x), float(y), self._angular
+        return float(x), float(y), self._angular + self._slowing(now.angular_velocity)
+
+    def _slowing(self, spin: float) -> float:
+        if not self._angular_rate:
+            return 0.0
+        torque = drag.angular_drag_torque(self._body.angular_drag, spin)
+        return float(rotation.angular_acceleration(torque, self._body.inertia))
 
     def bounds(self, first: float, last: float) -> Bounds:
         """Return what holds from `first` to `last`, s.
@@ -61,14 +80,14 @@ class Dragged:
         Velocity and acceleration change along straight lines, from one end to the other.
         """
         early, late = self.at(first), self.at(last)
-        (ax, ay, _), (bx, by, _) = self.acceleration(first), self.acceleration(last)
+        (ax, ay, turn), (bx, by, later) = self.acceleration(first), self.acceleration(last)
         spread = math.hypot(bx - ax, by - ay) / 2 + (_ROUNDING - 1) * (abs(ax) + abs(ay))
         return Bounds(
             ((ax + bx) / 2, (ay + by) / 2),
             spread * _ROUNDING,
             max(math.hypot(*early.velocity), math.hypot(*late.velocity)) * _ROUNDING,
             max(abs(early.angular_velocity), abs(late.angular_velocity)),
-            abs(self._angular),
+            max(abs(turn), abs(later)),
         )
 
     def sample(self, times: Array) -> Array:

@@ -30,6 +30,8 @@ class _Exact(NamedTuple):
 
     mass: Array
     linear_drag: Array
+    inertia: Array
+    angular_drag: Array
     steady: Array
     """(n, 3), of all constant loads"""
 
@@ -38,7 +40,11 @@ class _Exact(NamedTuple):
         force = drag.linear_drag_force(self.linear_drag, (velocity[:, 0], velocity[:, 1]))
         steady = (self.steady[:, 0], self.steady[:, 1])
         x, y = translation.acceleration(steady, force, self.mass)
-        return np.stack((x, y, self.steady[:, 2]), axis=-1)
+        turn = self.steady[:, 2]
+        if self.angular_drag.any():
+            torque = drag.angular_drag_torque(self.angular_drag, velocity[:, 2])
+            turn = turn + rotation.angular_acceleration(torque, self.inertia)
+        return np.stack((x, y, turn), axis=-1)
 
     def moved(self, elapsed: float, q: Array, rate: Array) -> tuple[Array, Array]:
         """Return coordinates and rates (n, 3) after a time in s."""
@@ -49,6 +55,10 @@ class _Exact(NamedTuple):
         later = drag.velocity(velocity, steady, decay, elapsed)
         turned = rotation.orientation(q[:, 2], rate[:, 2], spin, elapsed)
         turning = rotation.angular_velocity(rate[:, 2], spin, elapsed)
+        if self.angular_drag.any():
+            decay = drag.angular_drag_rate(self.angular_drag, self.inertia)
+            turned = drag.orientation(q[:, 2], rate[:, 2], spin, decay, elapsed)
+            turning = drag.angular_velocity(rate[:, 2], spin, decay, elapsed)
         return np.stack((*place, turned), axis=-1), np.stack((*later, turning), axis=-1)
 
 
@@ -172,5 +182,7 @@ class ExponentialGrid(Grid):
         return _Exact(
             np.array([body.mass for body in bodies]),
             np.array([body.linear_drag for body in bodies]),
+            np.array([body.inertia for body in bodies]),
+            np.array([body.angular_drag for body in bodies]),
             np.array(steady).reshape(-1, 3),
         )

@@ -54,6 +54,8 @@ def terms(scene: Scene, bodies: Sequence[int]) -> list[Term]:
         for kind, force in _DRAGS.items()
         if any(getattr(scene.bodies[body], kind) for body in bodies)
     ]
+    if any(scene.bodies[body].angular_drag for body in bodies):
+        found.append(AngularDrag(scene, bodies))
     springs = [s for s in scene.springs if any(body in row_of for body in s.bodies)]
     if springs:
         found.append(Springs(scene, springs, row_of))
@@ -111,6 +113,19 @@ class Drag:
         """Add the drag of each body that has one."""
         force = self._force(self._drags, _vector(velocity[self._rows]))
         loads[self._rows, :2] += np.stack(force, axis=-1)
+
+
+class AngularDrag:
+    """Drag of the turning (IM6)."""
+
+    says = "angular_drag"
+
+    def __init__(self, scene: Scene, bodies: Sequence[int]) -> None:
+        self._drags = np.array([scene.bodies[body].angular_drag for body in bodies])
+
+    def add(self, time: float, position: Array, velocity: Array, loads: Array) -> None:  # noqa: ARG002
+        """Add the torque on each body."""
+        loads[:, 2] += drag.angular_drag_torque(self._drags, velocity[:, 2])
 
 
 class Springs:

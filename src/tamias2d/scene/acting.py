@@ -75,6 +75,8 @@ def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]
             yield k, "under quadratic drag"
         if body.linear_drag:
             yield k, "under linear drag"
+        if body.angular_drag:
+            yield k, "under angular drag"
     for spring in scene.springs:
         yield from ((k, "held by a spring") for k in spring.bodies)
     if scene.attraction is not None and len(moving) > 1:
@@ -90,7 +92,7 @@ def felt_velocity(scene: Scene) -> bool:
     """Return whether a load of any body depends on a velocity."""
     laws = (law for k in range(len(scene)) for _, law in _laws_on(scene, k))
     return (
-        any(body.linear_drag or body.quadratic_drag for body in scene.bodies)
+        any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
         or any(spring.damping for spring in scene.springs)
         or any(isinstance(law, StateLaw) and law.names & _VELOCITIES for law in laws)
     )

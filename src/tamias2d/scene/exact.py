@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from tamias2d.scene.scene import Scene
     from tamias2d.scene.springs import Spring
 
-Form = Literal["constant loads", "linear drag", "spring without length"]
+Form = Literal["constant loads", "linear drag", "angular drag", "spring without length"]
 
 
 def closed_forms(scene: Scene) -> dict[int, Form]:
@@ -29,7 +29,7 @@ def closed_forms(scene: Scene) -> dict[int, Form]:
         if k not in varying:
             forms[k] = "constant loads"
         elif _dragged_only(scene, k):
-            forms[k] = "linear drag"
+            forms[k] = "linear drag" if body.linear_drag else "angular drag"
         elif _sprung_only(scene, k):
             forms[k] = "spring without length"
     return forms
@@ -41,7 +41,7 @@ def spring_of(scene: Scene, k: int) -> Spring:
 
 
 def _dragged_only(scene: Scene, k: int) -> bool:
-    """Whether linear drag is all that varies."""
+    """Whether linear and angular drag are all that varies."""
     held = any(k in spring.bodies for spring in scene.springs)
     return not held and not scene.bodies[k].quadratic_drag and _laws_steady(scene, k)
 
@@ -50,7 +50,8 @@ def _sprung_only(scene: Scene, k: int) -> bool:
     """Whether one spring of no length from its centre to a point is all that varies."""
     body = scene.bodies[k]
     springs = [spring for spring in scene.springs if k in spring.bodies]
-    if len(springs) != 1 or body.linear_drag or body.quadratic_drag or not _laws_steady(scene, k):
+    slowed = body.linear_drag or body.quadratic_drag or body.angular_drag
+    if len(springs) != 1 or slowed or not _laws_steady(scene, k):
         return False
     (spring,) = springs
     return (

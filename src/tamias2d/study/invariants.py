@@ -31,11 +31,13 @@ def energy_drift(run: Run) -> float | None:
 
 
 def _conserves_energy(scene: Scene) -> bool:
-    """Whether all forces but those of impacts are gravity, attraction and springs."""
+    """Whether all forces but those of smooth impacts are gravity, attraction and springs."""
     pushed = any(law != 0 for body in scene.bodies for law in (*body.force, body.torque))
-    slowed = any(body.linear_drag or body.quadratic_drag for body in scene.bodies)
+    slowed = any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
+    rough = any(body.friction for body in scene.bodies) or any(scene.friction_of_pairs.values())
+    driven = any(body.kinematic for body in scene.bodies)
     damped = any(spring.damping for spring in scene.springs)
-    return not (pushed or slowed or damped or scene.fields)
+    return not (pushed or slowed or rough or driven or damped or scene.fields)
 
 
 def _kinetic(run: Run) -> Array:
