@@ -8,7 +8,17 @@ import numpy as np
 import pytest
 
 from tamias2d.errors import InputError
-from tamias2d.scene import Box, Disc, HalfPlane, Polygon, Scene
+from tamias2d.scene import (
+    Box,
+    Capsule,
+    Compound,
+    Disc,
+    HalfPlane,
+    Part,
+    Polygon,
+    Scene,
+    Segment,
+)
 
 NAN, INF = float("nan"), float("inf")
 GOOD: dict[str, Any] = {
@@ -86,6 +96,12 @@ BODY = [
     {"restitution": -0.1},
     {"restitution": "0.5"},
     {"restitution": False},
+    {"friction": -0.1},
+    {"friction": INF},
+    {"friction": "0.5"},
+    {"friction": True},
+    {"angular_drag": -1e-9},
+    {"angular_drag": None},
     {"name": 3},
     {"name": ""},
     {"name": "a\nb"},
@@ -140,6 +156,22 @@ SHAPES: list[Callable[[], object]] = [
     lambda: HalfPlane(normal=(1e308, 1.7e308), offset=0),
     lambda: HalfPlane(normal=(0, 1), offset=NAN),
     lambda: HalfPlane(normal=1, offset=0),  # type: ignore[arg-type]
+    lambda: Capsule(length=0, radius=1),
+    lambda: Capsule(length=1, radius=0),
+    lambda: Capsule(length=NAN, radius=1),
+    lambda: Segment(length=-1),
+    lambda: Segment(length="1 m"),  # type: ignore[arg-type]
+    lambda: Part(shape=HalfPlane(normal=(0, 1), offset=0)),  # type: ignore[arg-type]
+    lambda: Part(shape=Compound(parts=[Part(shape=Disc(radius=1))])),  # type: ignore[arg-type]
+    lambda: Part(shape=None),  # type: ignore[arg-type]
+    lambda: Part(shape=Disc(radius=1), position=(0, NAN)),
+    lambda: Part(shape=Disc(radius=1), orientation=INF),
+    lambda: Compound(parts=[]),
+    lambda: Compound(parts=3),
+    lambda: Compound(parts=[Disc(radius=1)]),
+    lambda: Compound(parts=[Part(shape=Disc(radius=1)), None]),
+    lambda: Compound(parts=[Part(shape=Disc(radius=1e300))]),
+    lambda: Compound(parts=[Part(shape=Disc(radius=1), position=(x, 0)) for x in (9e307, -1e308)]),
 ]
 
 
@@ -168,6 +200,15 @@ SCENES: list[Callable[[Scene], object]] = [
     lambda scene: scene.add_static(HalfPlane(normal=(0, 1), offset=0), position=(0, 1)),
     lambda scene: scene.add_static(HalfPlane(normal=(0, 1), offset=0), orientation=1),
     lambda scene: scene.add_static(Disc(radius=1), restitution=3),
+    lambda scene: scene.set_friction(0, 0, 0.5),
+    lambda scene: scene.set_friction(0, "flor", 0.5),
+    lambda scene: scene.set_friction(0, 1, -0.5),
+    lambda scene: scene.add_kinematic(None, position=(0, 0)),  # type: ignore[arg-type]
+    lambda scene: scene.add_kinematic(HalfPlane(normal=(0, 1), offset=0), position=(0, 0)),
+    lambda scene: scene.add_kinematic(Disc(radius=1), position=(0, 0), velocity=3),  # type: ignore[arg-type]
+    lambda scene: scene.add_kinematic(Disc(radius=1), position=(0, 0), angular_velocity=NAN),
+    lambda scene: scene.add_kinematic(Disc(radius=1), position=(0, 0), friction=-1),
+    lambda scene: scene.add_kinematic(Disc(radius=1), position=(0, 0), name="floor"),
 ]
 
 

@@ -1,12 +1,17 @@
 """Every scene of the catalogue loads, and is set up as its oracle wants it."""
 
+import cProfile
 import math
 from itertools import pairwise
 
+import numpy as np
 import pytest
 
+from tamias2d.contact.core import cores_of
+from tamias2d.contact.overlap import _overlaps
 from tamias2d.errors import SceneError
-from tamias2d.scene import Polygon, Scene, catalogue, load, needs, scene_text
+from tamias2d.scene import Disc, Polygon, Scene, catalogue, load, needs, scene_text
+from tamias2d.state import State
 
 EXPECTED = [
     *(f"tc{k}" for k in (*range(1, 12), 14)),
@@ -17,10 +22,101 @@ EXPECTED = [
     *("drag-fall", "quadratic-drag", "oscillator", "damped-oscillator", "pendulum", "kepler"),
     *("two-body", "figure-eight", "solar", "spring-chain", "own-law"),
 ]
+STEPPED = {
+    "pyramid-30": 465,
+    "pyramid-100": 5050,
+    "stack-10-heavy": 10,
+    "dominoes": 15,
+    "card-house": 40,
+    "arch": 21,
+    "bullet-wall": 13,
+    "incline": 5,
+    "disc-pile": 1000,
+    "tumbler": 1000,
+    "free-discs": 1000,
+}
+"""How many bodies move."""
 
 
 def test_the_catalogue_is_complete() -> None:
-    assert catalogue.names() == sorted(EXPECTED)
+    assert catalogue.names("located") == sorted(EXPECTED)
+    assert catalogue.names("stepped") == sorted(STEPPED)
+    assert catalogue.names() == sorted([*EXPECTED, *STEPPED])
+
+
+@pytest.mark.parametrize("name", [name for name in STEPPED if name != "pyramid-100"])
+def test_a_scene_to_be_stepped_loads_back_and_has_all_it_needs(name: str) -> None:
+    scene = catalogue.load(name)
+    assert scene.name == name
+    assert scene.says
+    assert scene.duration
+    assert sum(body.dynamic for body in scene.bodies) == STEPPED[name]
+    again = load(catalogue.text(name)) if len(scene) < 100 else scene  # YAML is read slowly
+    assert again.digest() == scene.digest()
+    for i, j in needs(scene, 1.0).pairs:
+        assert scene.restitution(i, j) == 0
+        assert scene.friction(i, j) >= 0
+
+
+@pytest.mark.parametrize("name", [name for name in STEPPED if STEPPED[name] < 500])
+def test_nothing_overlaps_at_the_start(name: str) -> None:
+    """All that rounding of the places to nanometres may do."""
+    for a, b, depth in overlaps(catalogue.load(name)):
+        assert depth < 2e-9, (a, b)
+
+
+def overlaps(scene: Scene) -> list[tuple[str, str, float]]:
+    states = [
+        State(body.position, body.orientation, body.velocity, body.angular_velocity)
+        for body in scene.bodies
+    ]
+    return [(a.name, b.name, depth) for a, b, depth in _overlaps(cores_of(scene), states)]
+
+
+@pytest.mark.parametrize("name", ["disc-pile", "free-discs"])
+def test_no_discs_overlap_at_the_start(name: str) -> None:
+    discs = [body for body in catalogue.load(name).bodies if body.dynamic]
+    x, y = np.array([disc.position for disc in discs]).T
+    radius = np.array([disc.shape.bounding_radius for disc in discs])  # type: ignore[union-attr]
+    apart = np.hypot(x[:, None] - x, y[:, None] - y) - radius[:, None] - radius
+    assert apart[~np.eye(len(discs), dtype=bool)].min() > 0
+
+
+def test_the_stones_of_the_tumbler_lie_apart_in_their_drum() -> None:
+    drum, *stones = catalogue.load("tumbler").bodies
+    assert drum.kinematic
+    assert [len(stone.shape.vertices) for stone in stones[:6]] == [3, 4, 5, 6, 7, 8]  # type: ignore[union-attr]
+    places = np.array([stone.position for stone in stones])
+    assert np.abs(places).max() + 0.3 < 10
+    assert len(np.unique(places, axis=0)) == 1000
+
+
+def test_a_pyramid_of_5050_boxes_is_built_from_the_floor_up() -> None:
+    """Row by row a box less, each row half a box higher and in the middle of the one below."""
+    _, *boxes = catalogue.load("pyramid-100").bodies
+    places = np.array([box.position for box in boxes])
+    for row in range(100):
+        x = places[places[:, 1] == row + 0.5, 0]
+        assert len(x) == 100 - row
+        assert x.sum() == pytest.approx(0, abs=1e-6)
+
+
+def test_the_work_of_adding_a_body_does_not_grow_with_their_number() -> None:
+    """Counted in calls, not timed: the last hundred of thousands take as many as the first."""
+    scene = Scene(gravity=(0, 0))
+
+    def calls() -> int:
+        profile = cProfile.Profile()
+        profile.enable()
+        for k in range(100):
+            scene.add_body(Disc(radius=0.1), mass=1.0, position=(k, 0))
+        profile.disable()
+        return sum(entry.callcount for entry in profile.getstats())
+
+    first = calls()
+    for _ in range(30):
+        last = calls()
+    assert last == first
 
 
 @pytest.mark.parametrize("name", EXPECTED)

@@ -57,7 +57,7 @@ class _Truth:
 
 def measure() -> dict[str, Any]:
     """Return shares and medians over the catalogue, those over held-out scenes, and all pairs."""
-    known = [(name, catalogue.load(name)) for name in catalogue.names()]
+    known = [(name, catalogue.load(name)) for name in catalogue.names("located")]
     new = [(scene.name, scene) for scene in held_out.scenes()]
     parts = [
         [pair for name, scene in part for pair in _pairs(name, scene)] for part in (known, new)

@@ -50,9 +50,9 @@ def _stem(name: str) -> str:
     import tamias2d
 
     package = Path(tamias2d.__file__).parent
-    sources = [Path(__file__), package / f"scene/catalogue/{name}.yaml"]
+    sources = [Path(__file__)]
     sources += [path for part in _SOURCES for path in sorted((package / part).glob("*.py"))]
-    content = b"".join(path.read_bytes() for path in sources)
+    content = b"".join([catalogue.text(name).encode(), *(path.read_bytes() for path in sources)])
     return f"{name}-{hashlib.sha256(content).hexdigest()[:8]}"
 
 

@@ -24,10 +24,11 @@ def on_builder_inited(app: Sphinx) -> None:
     """Draw the scenes whose picture is missing or out of date."""
     folder = Path(app.srcdir) / PICTURES
     folder.mkdir(parents=True, exist_ok=True)
-    wanted = {folder / _file(name) for name in catalogue.names()}
+    names = catalogue.names("located")
+    wanted = {folder / _file(name) for name in names}
     for old in set(folder.glob("*.png")) - wanted:
         old.unlink()
-    todo = [name for name in catalogue.names() if not (folder / _file(name)).is_file()]
+    todo = [name for name in names if not (folder / _file(name)).is_file()]
     if todo and find_spec("matplotlib"):
         with ProcessPoolExecutor() as pool:
             list(pool.map(_draw, todo, [folder / _file(name) for name in todo]))
@@ -38,8 +39,8 @@ def _file(name: str) -> str:
     import tamias2d
 
     package = Path(tamias2d.__file__).parent
-    sources = [package / f"scene/catalogue/{name}.yaml", *sorted(package.glob("record/*.py"))]
-    content = b"".join(path.read_bytes() for path in sources)
+    sources = [path.read_bytes() for path in sorted(package.glob("record/*.py"))]
+    content = b"".join([catalogue.text(name).encode(), *sources])
     return f"{name}-{hashlib.sha256(content).hexdigest()[:8]}.png"
 
 

@@ -9,12 +9,16 @@ time, a pair too few an impact.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.generated import detection, translation
 from tamias2d.scene.acting import Load, steady_load, varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.compound import pieces_of
+from tamias2d.scene.filters import filters
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Disc, HalfPlane
@@ -22,69 +26,67 @@ from tamias2d.scene.shapes import Disc, HalfPlane
 _MARGIN = 1e-12  # of all lengths involved: more than rounding can do to a bound
 _X, _Y = (1.0, 0.0), (0.0, 1.0)
 
-
-@dataclass(frozen=True)
-class _Bounds:
-    """An axis-parallel box, as IM4 takes it."""
-
-    index: int
-    center: Vector
-    width: float
-    height: float
-
-    @property
-    def left(self) -> float:
-        return self.center[0] - self.width / 2
-
-    @property
-    def right(self) -> float:
-        return self.center[0] + self.width / 2
+_Bounds: TypeAlias = tuple[Vector, float, float]
+"""An axis-parallel box as IM4 takes it: its middle, width and height, m."""
 
 
 def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
     """Return all pairs (i, j), i < j, that may meet: one moves, and their swept bounds meet."""
     varying = varying_loads(scene)
     loads = {k: steady_load(scene, k) for k in range(len(scene)) if k not in varying}
-    bodies = [
+    solid = [
         (k, body)
         for k, body in enumerate(scene.bodies)
         if body.shape is not None and not body.sensor
     ]
-    walls = [(k, body.shape) for k, body in bodies if isinstance(body.shape, HalfPlane)]
-    bounded = [(k, body) for k, body in bodies if not isinstance(body.shape, HalfPlane)]
-    found = {
-        (min(j, k), max(j, k))
+    walls = [(k, body.shape) for k, body in solid if isinstance(body.shape, HalfPlane)]
+    bounded = [(k, body) for k, body in solid if not isinstance(body.shape, HalfPlane)]
+    found = [
+        _ordered(j, k)
         for j, wall in walls
         for k, body in bounded
         if body.dynamic and _reaches(body, wall, scene.gravity, loads.get(k), duration)
-    }
-    bounds = [_swept(k, body, scene.gravity, loads.get(k), duration) for k, body in bounded]
-    found.update(pair for pair in _overlaps(bounds) if _moves(scene, pair))
-    return sorted(pair for pair in found if scene.collides(*pair))
+    ]
+    bounds = [_swept(body, scene.gravity, loads.get(k), duration) for k, body in bounded]
+    moves = np.array([body.dynamic for _, body in bounded], dtype=bool)
+    index = [k for k, _ in bounded]
+    found += [_ordered(index[one], index[other]) for one, other in _overlaps(bounds, moves)]
+    if any(filters(body) for _, body in solid):
+        found = [pair for pair in found if scene.collides(*pair)]
+    return sorted(found)
 
 
-def _moves(scene: Scene, pair: tuple[int, int]) -> bool:
-    return any(scene.bodies[k].dynamic for k in pair)
+def _overlaps(bounds: list[_Bounds], moves: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
+    """Find all overlaps of which one moves, by place.
+
+    A box is compared with those that start before it ends (along x).
+    """
+    rows = [(*middle, width, height) for middle, width, height in bounds]
+    left = np.array([x - width / 2 for x, _, width, _ in rows])
+    order = np.argsort(left, kind="stable")
+    x, y, width, height = np.array(rows, dtype=np.float64).reshape(-1, 4)[order].T
+    moves = moves[order]
+    ends = np.searchsorted(left[order], x + width / 2, side="right")
+    for k, end in enumerate(ends.tolist()):
+        near = slice(k + 1, max(end, k + 1))
+        meets = detection.overlap(
+            (x[k], y[k]), width[k], height[k], (x[near], y[near]), width[near], height[near]
+        )
+        others = order[near][meets & (moves[near] | moves[k])]
+        yield from ((int(order[k]), other) for other in others.tolist())
 
 
-def _overlaps(bounds: list[_Bounds]) -> Iterator[tuple[int, int]]:
-    """Find all overlaps; a box is compared with those that start before it ends (along x)."""
-    ordered = sorted(bounds, key=lambda box: box.left)
-    for k, a in enumerate(ordered):
-        for b in ordered[k + 1 :]:
-            if b.left > a.right:
-                break
-            if detection.overlap(a.center, a.width, a.height, b.center, b.width, b.height):
-                yield min(a.index, b.index), max(a.index, b.index)
+def _ordered(i: int, j: int) -> tuple[int, int]:
+    return min(i, j), max(i, j)
 
 
-def _swept(index: int, body: Body, gravity: Vector, load: Load | None, duration: float) -> _Bounds:
+def _swept(body: Body, gravity: Vector, load: Load | None, duration: float) -> _Bounds:
     left, right = _shadow(body, gravity, load, duration, _X)
     low, high = _shadow(body, gravity, load, duration, _Y)
     center = ((left + right) / 2, (low + high) / 2)
     if not all(map(math.isfinite, center)):  # without bound: everywhere
-        return _Bounds(index, body.position, math.inf, math.inf)
-    return _Bounds(index, center, right - left, high - low)
+        return body.position, math.inf, math.inf
+    return center, right - left, high - low
 
 
 def _reaches(

@@ -13,6 +13,8 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
+from tamias2d.scene import catalogue
+
 Item = Mapping[str, Any]
 _LABEL = re.compile(r"([A-Z]+)(\d+)([a-z]?)")
 
@@ -58,5 +60,4 @@ def fingerprint(case: Item) -> str:
 def _scene(case: Item) -> str:
     """Return the text of the catalogue's scene that a case names; nothing without one."""
     scene = case["data"].get("scene")
-    file = files("tamias2d.scene.catalogue") / f"{scene}.yaml"
-    return file.read_text(encoding="utf-8") if isinstance(scene, str) and file.is_file() else ""
+    return catalogue.text(scene) if scene in catalogue.names() else ""

@@ -2,23 +2,47 @@
 
 Serves: tests, docs, the command line. Hides: where the files are.
 
-One YAML file a scene; a file is found by its name.
+One YAML file a scene; a file is found by its name. Scenes of many bodies that stay in contact are
+made by functions: a file of five thousand boxes is not for reading.
 """
 
 import difflib
+from collections.abc import Callable
+from functools import partial
 from importlib.resources import files
+from typing import Literal
 
 from tamias2d.errors import SceneError
+from tamias2d.scene.catalogue import crowds, stacks
 from tamias2d.scene.reading import read_scene
 from tamias2d.scene.scene import Scene
+from tamias2d.scene.writing import scene_text
 
 _SUFFIX = ".yaml"
+_MADE: dict[str, Callable[[str], Scene]] = {
+    "pyramid-30": partial(stacks.pyramid, rows=30),
+    "pyramid-100": partial(stacks.pyramid, rows=100),
+    "stack-10-heavy": stacks.heavy_column,
+    "dominoes": stacks.dominoes,
+    "card-house": stacks.card_house,
+    "arch": stacks.arch,
+    "bullet-wall": stacks.bullet_wall,
+    "incline": stacks.incline,
+    "disc-pile": crowds.disc_pile,
+    "tumbler": crowds.tumbler,
+    "free-discs": crowds.free_discs,
+}
 
 
-def names() -> list[str]:
-    """Return the names of all scenes, in alphabetical order."""
-    found = (entry.name for entry in files(__name__).iterdir())
-    return sorted(name.removesuffix(_SUFFIX) for name in found if name.endswith(_SUFFIX))
+def names(way: Literal["located", "stepped"] | None = None) -> list[str]:
+    """Return the names of all scenes, or of those for one way, in alphabetical order.
+
+    Those for the stepped way have too many contacts, or too lasting ones, to be located.
+    """
+    entries = [entry.name for entry in files(__name__).iterdir()]
+    located = [name.removesuffix(_SUFFIX) for name in entries if name.endswith(_SUFFIX)]
+    of_ways = {None: [*located, *_MADE], "located": located, "stepped": list(_MADE)}
+    return sorted(of_ways[way])
 
 
 def load(name: str) -> Scene:
@@ -27,9 +51,27 @@ def load(name: str) -> Scene:
     Raises:
         SceneError: the catalogue has no such scene.
     """
-    if name not in names():
-        close = difflib.get_close_matches(name, names(), n=1)
-        hint = f"Did you mean '{close[0]}'?" if close else f"Take one of {', '.join(names())}."
+    _refuse_unknown(name)
+    if name not in _MADE:
+        return read_scene(text(name), file=f"{name}{_SUFFIX}", name=name)
+    return _MADE[name](name)
+
+
+def text(name: str) -> str:
+    """Return a scene of the catalogue as YAML.
+
+    Raises:
+        SceneError: the catalogue has no such scene.
+    """
+    _refuse_unknown(name)
+    if name in _MADE:
+        return scene_text(load(name))
+    return (files(__name__) / f"{name}{_SUFFIX}").read_text(encoding="utf-8")
+
+
+def _refuse_unknown(name: str) -> None:
+    known = names()
+    if name not in known:
+        close = difflib.get_close_matches(name, known, n=1)
+        hint = f"Did you mean '{close[0]}'?" if close else f"Take one of {', '.join(known)}."
         raise SceneError(f"scene '{name}': not in the catalogue (R2). {hint}")
-    text = (files(__name__) / f"{name}{_SUFFIX}").read_text(encoding="utf-8")
-    return read_scene(text, file=f"{name}{_SUFFIX}", name=name)
