@@ -15,6 +15,18 @@ from math import sqrt
 
 from tamias2d.state import Array
 from tamias2d.stepped.clip import NAMES, TINY, touch_sides
+from tamias2d.stepped.hint import (
+    APART,
+    LED_BY_A,
+    LED_BY_B,
+    LED_BY_EITHER,
+    NONE,
+    keep_apart,
+    keep_sides,
+    lever_of,
+    pose_seen,
+    recalled,
+)
 from tamias2d.stepped.layout import (
     COUNT,
     FEATURE,
@@ -30,7 +42,7 @@ from tamias2d.stepped.layout import (
     RUB,
     Whole,
 )
-from tamias2d.stepped.separation import facing_side, roomiest
+from tamias2d.stepped.separation import find_sides, slack_of
 
 
 def collide(
@@ -55,22 +67,90 @@ def collide(
     zeros, and serves one pair of shapes.
     """
     row, ids = touch[slot], trace[slot]
-    first, second = touch_pair(
-        row,
-        int(shape_kind[a]),
-        int(shape_kind[b]),
-        int(shape_first[a]),
-        int(shape_count[a]),
-        int(shape_first[b]),
-        int(shape_count[b]),
-        float(delta_x),
-        float(delta_y),
-        float(shape_radius[a]),
-        float(shape_radius[b]),
-        margin,
-        turned,
-    )
+    kind_a, kind_b = int(shape_kind[a]), int(shape_kind[b])
+    first_a, first_b = int(shape_first[a]), int(shape_first[b])
+    count_a, count_b = int(shape_count[a]), int(shape_count[b])
+    radius_a, radius_b = float(shape_radius[a]), float(shape_radius[b])
+    x, y = float(delta_x), float(delta_y)
+    if count_a > 1 and count_b > 1:
+        first, second = touch_again(
+            row,
+            ids,
+            first_a,
+            count_a,
+            first_b,
+            count_b,
+            x,
+            y,
+            radius_a,
+            radius_b,
+            margin,
+            turned,
+        )
+    else:
+        first, second = touch_pair(
+            row,
+            kind_a,
+            kind_b,
+            first_a,
+            count_a,
+            first_b,
+            count_b,
+            x,
+            y,
+            radius_a,
+            radius_b,
+            margin,
+            turned,
+        )
     return kept(row, ids, first, second)
+
+
+def touch_again(
+    row: Array,
+    ids: Whole,
+    first_a: int,
+    count_a: int,
+    first_b: int,
+    count_b: int,
+    x: float,
+    y: float,
+    radius_a: float,
+    radius_b: float,
+    margin: float,
+    turned: Array,
+) -> tuple[int, int]:
+    """Write the points between two shapes with sides, by a hint where it holds."""
+    enough = margin + radius_a + radius_b
+    along, across, cosine, sine = pose_seen(first_a, first_b, x, y, turned)
+    state, side_a, side_b = recalled(row, ids, along, across, cosine, sine, enough)
+    if state == NONE:
+        state, side_a, side_b, room, other = find_sides(
+            first_a, count_a, first_b, count_b, x, y, enough, turned
+        )
+        lever = lever_of(first_a, count_a, first_b, count_b, x, y, turned)
+        if state == APART:
+            keep_apart(row, ids, along, across, cosine, sine, lever, room, enough)
+        else:
+            if state == LED_BY_A:
+                either, slack = slack_of(
+                    first_a, count_a, side_a, first_b, count_b, side_b,
+                    x, y, lever, room, other, turned,
+                )  # fmt: skip
+            else:
+                either, slack = slack_of(
+                    first_b, count_b, side_b, first_a, count_a, side_a,
+                    -x, -y, lever, room, other, turned,
+                )  # fmt: skip
+            if either:
+                state = LED_BY_EITHER
+            keep_sides(row, ids, along, across, cosine, sine, lever, state, side_a, side_b, slack)
+    if state == APART:
+        return 0, 0
+    return touch_led(
+        row, state, first_a, count_a, side_a, first_b, count_b, side_b,
+        x, y, radius_a, radius_b, margin, turned,
+    )  # fmt: skip
 
 
 def touch_pair(
@@ -294,35 +374,71 @@ def touch_polygons(
     turned: Array,
 ) -> tuple[int, int]:
     """Write the points between two shapes with sides; return their names, or 0."""
-    enough = margin + radius_a + radius_b
-    room_a, side_a, corner_b, _ = roomiest(
-        first_a, count_a, first_b, count_b, x, y, 1.0, 0.0, enough, turned
+    state, side_a, side_b, _, _ = find_sides(
+        first_a, count_a, first_b, count_b, x, y, margin + radius_a + radius_b, turned
     )
-    if room_a >= enough:
+    if state == APART:
         return 0, 0
-    room_b, side_b, corner_a, _ = roomiest(
-        first_b, count_b, first_a, count_a, -x, -y, 1.0, 0.0, enough, turned
-    )
-    if room_b >= enough:
-        return 0, 0
-    bare = count_a == 2 and count_b == 2
-    if room_b > room_a:
-        lead = first_b + side_b
-        side_a = facing_side(first_a, count_a, corner_a, turned[lead, 2], turned[lead, 3], turned)
-    else:
-        lead = first_a + side_a
-        side_b = facing_side(first_b, count_b, corner_b, turned[lead, 2], turned[lead, 3], turned)
+    return touch_led(
+        row, state, first_a, count_a, side_a, first_b, count_b, side_b,
+        x, y, radius_a, radius_b, margin, turned,
+    )  # fmt: skip
+
+
+def touch_led(
+    row: Array,
+    state: int,
+    first_a: int,
+    count_a: int,
+    side_a: int,
+    first_b: int,
+    count_b: int,
+    side_b: int,
+    x: float,
+    y: float,
+    radius_a: float,
+    radius_b: float,
+    margin: float,
+    turned: Array,
+) -> tuple[int, int]:
+    """Write the points between two sides that face each other; the state says which leads."""
     next_a = side_a + 1 if side_a + 1 < count_a else 0
     next_b = side_b + 1 if side_b + 1 < count_b else 0
-    if room_b > room_a:
-        return touch_sides(
-            row, first_b, side_b, next_b, first_a, side_a, next_a,
-            -x, -y, radius_b, radius_a, margin, bare, True, turned,
-        )  # fmt: skip
+    swapped = state == LED_BY_B
+    if state == LED_BY_EITHER:
+        swapped = room_of(first_b, side_b, first_a, side_a, next_a, -x, -y, turned) > room_of(
+            first_a, side_a, first_b, side_b, next_b, x, y, turned
+        )
+    bare = count_a == 2 and count_b == 2
+    if swapped:
+        first_a, first_b = first_b, first_a
+        side_a, side_b = side_b, side_a
+        next_a, next_b = next_b, next_a
+        radius_a, radius_b = radius_b, radius_a
+        x, y = -x, -y
     return touch_sides(
         row, first_a, side_a, next_a, first_b, side_b, next_b,
-        x, y, radius_a, radius_b, margin, bare, False, turned,
+        x, y, radius_a, radius_b, margin, bare, swapped, turned,
     )  # fmt: skip
+
+
+def room_of(
+    first_p: int,
+    side: int,
+    first_q: int,
+    one: int,
+    other: int,
+    x: float,
+    y: float,
+    turned: Array,
+) -> float:
+    """Return the room that a side of P leaves to the nearer of two corners of Q, m."""
+    p = first_p + side
+    q, r = first_q + one, first_q + other
+    nx, ny = turned[p, 2], turned[p, 3]
+    low = min(nx * turned[q, 0] + ny * turned[q, 1], nx * turned[r, 0] + ny * turned[r, 1])
+    room: float = nx * (x - turned[p, 0]) + ny * (y - turned[p, 1]) + low
+    return room
 
 
 def bends(
