@@ -148,11 +148,13 @@ def within(part: Part, x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize(("length", "radius"), [(2, 0.3), (0.1, 1), (1, 1), (5, 1)])
 def test_area_and_inertia_of_a_capsule_by_counting_points(length: float, radius: float) -> None:
-    capsule = Capsule(length=length, radius=radius)
-    area, center, moment = second_moment(capsule, 1500)
-    assert capsule.area == pytest.approx(area, rel=1e-3)
+    capsule, points = Capsule(length=length, radius=radius), 1500
+    area, center, moment = second_moment(capsule, points)
+    rim = 2 * length + 2 * math.pi * radius
+    off = rim * capsule.bounding_radius / points / area  # half a cell along the whole rim
+    assert capsule.area == pytest.approx(area, rel=off)
     assert center == pytest.approx((0, 0), abs=1e-9)
-    assert capsule.inertia(3) == pytest.approx(3 * moment, rel=1e-3)
+    assert capsule.inertia(3) == pytest.approx(3 * moment, rel=2 * off)
 
 
 def test_a_capsule_lies_between_a_disc_and_a_segment() -> None:
