@@ -146,6 +146,76 @@ def test_oa14b_many_turns_made_to_measure_with_all_terms() -> None:
     passes("OA14b")
 
 
+def test_of1a_block_that_slides_down_a_slope_of_30_degrees() -> None:
+    """OF1a, srs/verification/friction.md:14; verifies R3, R8, R11."""
+    passes("OF1a")
+
+
+def test_of1b_block_that_stays_on_a_slope_of_30_degrees_for_100_s() -> None:
+    """OF1b, srs/verification/friction.md:64; verifies R3, R8, R11."""
+    passes("OF1b")
+
+
+def test_of1c_blocks_beside_the_angle_of_friction() -> None:
+    """OF1c, srs/verification/friction.md:100; verifies R3, R8, R11."""
+    passes("OF1c")
+
+
+def test_of2_block_that_slides_on_a_floor_until_it_stops() -> None:
+    """OF2, srs/verification/friction.md:147; verifies R3, R8, R11."""
+    passes("OF2")
+
+
+def test_of3a_disc_that_slips_on_a_floor() -> None:
+    """OF3a, srs/verification/friction.md:202; verifies R3, R8, R11."""
+    passes("OF3a")
+
+
+def test_of3b_disc_that_sticks_to_a_floor() -> None:
+    """OF3b, srs/verification/friction.md:244; verifies R3, R8, R11."""
+    passes("OF3b")
+
+
+def test_of4_oblique_impact_of_two_spinning_rough_bodies() -> None:
+    """OF4, srs/verification/friction.md:292; verifies R8, R11."""
+    passes("OF4")
+
+
+def test_of5a_disc_that_rolls_down_20_degrees() -> None:
+    """OF5a, srs/verification/friction.md:375; verifies R3, R8, R11."""
+    passes("OF5a")
+
+
+def test_of5b_hoop_that_rolls_down_20_degrees() -> None:
+    """OF5b, srs/verification/friction.md:408; verifies R3, R8, R11."""
+    passes("OF5b")
+
+
+def test_of5c_disc_that_slips_while_it_turns() -> None:
+    """OF5c, srs/verification/friction.md:442; verifies R3, R8, R11."""
+    passes("OF5c")
+
+
+def test_of6_ball_that_is_thrown_and_begins_to_roll() -> None:
+    """OF6, srs/verification/friction.md:480; verifies R3, R8, R11."""
+    passes("OF6")
+
+
+def test_of7_rod_of_painlev() -> None:
+    """OF7, srs/verification/friction.md:534; verifies R8, R11."""
+    passes("OF7")
+
+
+def test_of8_coefficients_of_friction_that_cannot_be_meant() -> None:
+    """OF8, srs/verification/friction.md:563; verifies R4, R11."""
+    passes("OF8")
+
+
+def test_of9_spin_against_angular_drag() -> None:
+    """OF9, srs/verification/friction.md:600; verifies R2, R6, R9."""
+    passes("OF9")
+
+
 def test_tc10_bodies_of_the_same_mass_that_never_meet() -> None:
     """TC10, srs/verification/impact.md:12; verifies R1, R2, R3, R4, R5, R7."""
     passes("TC10")
