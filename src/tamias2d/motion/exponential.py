@@ -121,6 +121,8 @@ class _Kicked(Stretch):
 class ExponentialGrid(Grid):
     """Exponential steps on a grid."""
 
+    plain = False
+
     def __init__(self, scene: Scene, duration: float, time_step: float) -> None:
         super().__init__(schemes.velocity_verlet, duration, time_step)
         self._scene = scene

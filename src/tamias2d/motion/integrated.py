@@ -8,10 +8,13 @@ from typing import Protocol
 
 import numpy as np
 
+from tamias2d.errors import TamiasError
 from tamias2d.motion.bent import Bent
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.piece import Piece, Tally
 from tamias2d.motion.polynomial import Chain, Stretch
+from tamias2d.motion.stepped import Grid
+from tamias2d.motion.strides import Steps, Strides
 from tamias2d.motion.uniform import Uniform
 from tamias2d.motion.watched import Watched
 from tamias2d.scene import Scene
@@ -20,6 +23,8 @@ from tamias2d.state import Acceleration, Array, History, Hold, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 _NEAR = 1e-3  # of a step: so close to its ends a path is as good as there
+_MOST = 64  # steps that are taken at once
+_SHARE = 2  # of the steps since the last impact are taken at once: what is beyond the next is lost
 
 
 class Integrator(Protocol):
@@ -44,6 +49,8 @@ class IntegratedMotion:
         self._scene = scene
         self._duration = duration
         self._integrator = integrator
+        self._grid = integrator if isinstance(integrator, Grid) and integrator.plain else None
+        self._since = 0  # steps without an impact
         self.tally = Tally()
         self._loads = Loads(scene)
         self._bent = Bent(scene, self.tally)
@@ -54,11 +61,16 @@ class IntegratedMotion:
     def segment(
         self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
     ) -> tuple[float, list[Piece]]:
-        """Return the end of one step and the path of every body to it."""
+        """Return the end of one step, or of some, and the path of every body to it.
+
+        Where nothing is held and nothing has met for a while, several steps are taken at once.
+        """
         straight = [i for i in self._moving if not _bends(holds[i])]
         field = self._field(straight, holds)
-        q, rate = coordinates([states[i] for i in straight])
-        stretch = next(self._stretches(field, start, self._duration, q, rate))
+        now = coordinates([states[i] for i in straight])
+        many = 1 if any(holds) else min(self._since // _SHARE, _MOST)
+        stretch = next(self._strides(field, start, self._duration, now, many))
+        self._since += len(stretch.times) - 1 if isinstance(stretch, Strides) else 1
         end = stretch.end
         paths: dict[int, Piece] = {body: stretch.piece(k) for k, body in enumerate(straight)}
         bent = [i for i in self._moving if i not in paths]
@@ -79,10 +91,12 @@ class IntegratedMotion:
     ) -> dict[int, Piece]:
         """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
 
-        Where a hold bends a path, it is one step; the body is one that no other acts on.
+        Where a hold bends a path, it is one step; the body is one that no other acts on. A path
+        ends before its time where a force has no value further on: it may be beyond a wall.
         """
         groups = {min(group): group for group in map(self._loads.group_of.__getitem__, bodies)}
         pieces: dict[int, Piece] = {}
+        self._since *= not groups
         for group in groups.values():
             body = group[0]
             if (hold := holds[body]) and hold.bends:
@@ -90,7 +104,8 @@ class IntegratedMotion:
                 continue
             field = self._field(group, holds)
             now = coordinates([state(i) for i in group])
-            steps = list(self._stretches(field, start, end, *now))
+            many = 1 if any(holds[i] for i in group) else _MOST
+            steps = list(_begun(self._strides(field, start, end, now, many)))
             for k, body in enumerate(group):
                 parts: list[Piece] = [step.piece(k) for step in steps]
                 parts = parts or [_instant(start, state(body))]
@@ -117,22 +132,30 @@ class IntegratedMotion:
             if any(_bends(holds[i]) for i in group):
                 continue
             now = path(group[0])
-            near = _NEAR * (now.end - now.start)
-            if now.start + near < time < now.end - near:
-                pieces |= self._knotted(group, time, now, path, holds)
+            start, end = now.around(time) if isinstance(now, Steps) else (now.start, now.end)
+            near = _NEAR * (end - start)
+            if start + near < time < end - near:
+                pieces |= self._knotted(group, time, start, path, holds)
         return pieces
 
     def _knotted(
         self,
         group: Sequence[int],
         time: float,
-        now: Piece,
+        start: float,
         path: Callable[[int], Piece],
         holds: Sequence[Hold | None],
     ) -> dict[int, Piece]:
-        before = self.restart(group, now.start, lambda i: path(i).at(now.start), time, holds)
-        after = self.restart(group, time, lambda i: before[i].at(time), now.end, holds)
-        return {body: Chain([before[body], after[body]]) for body in group}
+        """Return the paths of now until `start`, from where on a step ends at `time`."""
+        end = path(group[0]).end
+        before = self.restart(group, start, lambda i: path(i).at(start), time, holds)
+        after = self.restart(group, time, lambda i: before[i].at(time), end, holds)
+        pieces: dict[int, Piece] = {}
+        for body in group:
+            now = path(body)
+            kept = [now.until(start)] if isinstance(now, Steps) and now.start < start else []
+            pieces[body] = Chain([*kept, before[body], after[body]])
+        return pieces
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of a body that nothing holds, at a time in s."""
@@ -171,9 +194,34 @@ class IntegratedMotion:
             yield stretch
             start, (position, velocity) = stretch.end, stretch.last
 
+    def _strides(
+        self, field: Watched, start: float, end: float, now: tuple[Array, Array], most: int
+    ) -> Iterator[Stretch | Strides]:
+        """Yield steps, up to `most` of them as one where the integrator can do that."""
+        if self._grid is None or most <= 1:
+            yield from self._stretches(field, start, end, *now)
+            return
+        while start < end:
+            strides = self._grid.march(field, start, end, *now, most=most)
+            self.tally.steps += len(strides.times) - 1
+            yield strides
+            start, now = strides.end, strides.last
+
 
 def _bends(hold: Hold | None) -> bool:
     return hold is not None and hold.bends
+
+
+def _begun(steps: Iterator[Stretch | Strides]) -> Iterator[Stretch | Strides]:
+    """Yield steps up to one that cannot be taken, which is no fault but of the first."""
+    begun = False
+    try:
+        for step in steps:
+            yield step
+            begun = True
+    except TamiasError:
+        if not begun:
+            raise
 
 
 def _instant(time: float, state: State) -> Piece:

@@ -63,7 +63,15 @@ def hermite(
     last: tuple[Array, Array, Array],
 ) -> Stretch:
     """Return the quintic with given coordinates, rates and accelerations (n, 3) at both ends."""
-    half = (end - start) / 2
+    powers = quintic((end - start) / 2, first, last)
+    return Stretch(start, end, first[:2], last[:2], powers)
+
+
+def quintic(half: float | Array, first: tuple[Array, ...], last: tuple[Array, ...]) -> Array:
+    """Return the coefficients of quintics, stacked, for steps of which half is given in s.
+
+    They have given coordinates, rates and accelerations at both ends.
+    """
     value, slope, bend = (  # of the even part and of the odd one, at x = 1
         ((end_ + start_) / 2 * scale, (end_ - start_) / 2 * scale)
         for start_, end_, scale in zip(first, last, (1.0, half, half * half), strict=True)
@@ -80,7 +88,7 @@ def hermite(
         fourth,
         fifth,
     ]
-    return Stretch(start, end, first[:2], last[:2], np.stack(powers))
+    return np.stack(powers)
 
 
 class Polynomial:
@@ -131,8 +139,8 @@ class Polynomial:
     @cached_property
     def _bounds(self) -> Bounds:
         half = (self.end - self.start) / 2
-        rates = np.abs(_derivative(self._coefficients, 1)).sum(axis=0) / half
-        second = _derivative(self._coefficients, 2) / half**2
+        rates = np.abs(derivative(self._coefficients, 1)).sum(axis=0) / half
+        second = derivative(self._coefficients, 2) / half**2
         spread = np.abs(second[1:]).sum(axis=0)
         x, y, angular = second[0].tolist()
         return Bounds(
@@ -198,8 +206,10 @@ def _place(step: "Stretch | Polynomial", time: float) -> tuple[float, float]:
     return half, (time - step.start) / half - 1
 
 
-def _derivative(coefficients: list[list[float]], order: int) -> Array:
+def derivative(coefficients: list[list[float]] | Array, order: int) -> Array:
+    """Return the coefficients, along the first axis, of a derivative by x."""
     powers = np.array(coefficients)
     for _ in range(order):
-        powers = powers[1:] * np.arange(1, len(powers))[:, None]
+        weights = np.arange(1, len(powers)).reshape(-1, *[1] * (powers.ndim - 1))
+        powers = powers[1:] * weights
     return powers

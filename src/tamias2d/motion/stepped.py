@@ -8,8 +8,10 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from tamias2d.errors import TamiasError
 from tamias2d.motion.loads import Field
 from tamias2d.motion.polynomial import Stretch, hermite
+from tamias2d.motion.strides import Strides
 from tamias2d.motion.watched import Watched
 from tamias2d.state import Array
 
@@ -21,6 +23,8 @@ class Grid:
     """Steps of a scheme that end at the multiples of the time step, and at the end of the run."""
 
     best_at_ends = True
+    plain = True
+    """Whether the path of a step is the polynomial through its ends."""
 
     def __init__(self, scheme: Scheme, duration: float, time_step: float) -> None:
         self._scheme = scheme
@@ -34,6 +38,38 @@ class Grid:
         first = (position, velocity, field(start, position, velocity))
         q, rate = self.advance(field, start, end - start, position, velocity)
         return hermite(start, end, first, (q, rate, field(end, q, rate)))
+
+    def march(
+        self,
+        field: Watched,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: int,
+    ) -> Strides:
+        """Take several steps at once, fewer where a force has no value further on.
+
+        Raises:
+            TamiasError: there is no value within the first step.
+        """
+        first = int(np.searchsorted(self.times, start, side="right"))
+        times, q, rate = [start], position, velocity
+        knots = [(q, rate, field(start, q, rate))]
+        for end in self.times[first : first + most].tolist():
+            if times[-1] >= limit:
+                break
+            end = min(end, limit)
+            try:
+                q, rate = self.advance(field, times[-1], end - times[-1], q, rate)
+                knots.append((q, rate, field(end, q, rate)))
+            except TamiasError:  # it may be beyond a wall
+                if len(times) == 1:
+                    raise
+                break
+            times.append(end)
+        return Strides(times, np.array(knots))
 
     def _end(self, start: float, limit: float) -> float:
         return min(limit, float(self.times[np.searchsorted(self.times, start, side="right")]))

@@ -42,8 +42,8 @@ class Watched:
         known = self._known.get(time)
         if (
             known is not None
-            and np.array_equal(known[0], position)
-            and (not self._felt_velocity or np.array_equal(known[1], velocity))
+            and _same(known[0], position)
+            and (not self._felt_velocity or _same(known[1], velocity))
         ):
             return known[2]
         self.tally.force_evaluations += 1
@@ -52,3 +52,7 @@ class Watched:
             self._known.clear()
         self._known[time] = (position, velocity, result)
         return result
+
+
+def _same(one: Array, other: Array) -> bool:
+    return one is other or np.array_equal(one, other)

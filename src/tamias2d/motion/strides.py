@@ -1,0 +1,132 @@
+"""Many steps of a scheme as one path: whoever looks for contacts looks once for all of them.
+
+Serves: schemes on equal steps, between impacts. Hides: into which step a time falls.
+"""
+
+from bisect import bisect_left, bisect_right
+from functools import cached_property
+
+import numpy as np
+
+from tamias2d.motion.loads import state_of
+from tamias2d.motion.piece import Bounds, Piece
+from tamias2d.motion.polynomial import Polynomial, derivative, quintic, sampled
+from tamias2d.state import Acceleration, Array, State
+
+
+class Strides:
+    """Steps of n bodies from each of the `times` (k + 1,), s, to the next.
+
+    `knots` (k + 1, 3, n, 3) are coordinates, rates and accelerations at these times.
+    """
+
+    def __init__(self, times: list[float], knots: Array) -> None:
+        self.times = times
+        self.end = times[-1]
+        self.knots = knots
+
+    @property
+    def last(self) -> tuple[Array, Array]:
+        """Coordinates and rates (n, 3) at the end."""
+        return self.knots[-1, 0], self.knots[-1, 1]
+
+    def piece(self, body: int) -> Piece:
+        """Return the path of one of the bodies."""
+        return Steps(self, body, 0, len(self.times) - 1)
+
+    @cached_property
+    def half(self) -> Array:
+        """(k,), half the length of each step, s."""
+        return np.diff(self.times) / 2
+
+    @cached_property
+    def coefficients(self) -> Array:
+        """(6, k, n, 3), as those of a `Stretch`."""
+        first, last = np.moveaxis(self.knots[:-1], 1, 0), np.moveaxis(self.knots[1:], 1, 0)
+        return quintic(self.half[:, None, None], tuple(first), tuple(last))
+
+    @cached_property
+    def bounds(self) -> Array:
+        """(k, n, 6): those of each step, in the order of `Bounds`."""
+        half = self.half[:, None, None]
+        rates = np.abs(derivative(self.coefficients, 1)).sum(axis=0) / half
+        second = derivative(self.coefficients, 2) / half**2
+        spread = np.abs(second[1:]).sum(axis=0)
+        columns = (
+            second[0, ..., 0],
+            second[0, ..., 1],
+            np.hypot(spread[..., 0], spread[..., 1]),
+            np.hypot(rates[..., 0], rates[..., 1]),
+            rates[..., 2],
+            np.abs(second[0, ..., 2]) + spread[..., 2],
+        )
+        return np.stack(columns, axis=-1)
+
+
+class Steps:
+    """The path of one body over some of the steps of all."""
+
+    def __init__(self, all_steps: Strides, body: int, first: int, last: int) -> None:
+        self.start = all_steps.times[first]
+        self.end = all_steps.times[last]
+        self._all = all_steps
+        self._body = body
+        self._span = first, last
+        self._known: dict[int, Polynomial] = {}
+
+    def around(self, time: float) -> tuple[float, float]:
+        """Return start and end of the step that a time falls into, s."""
+        k = self._index(time)
+        return self._all.times[k], self._all.times[k + 1]
+
+    def until(self, time: float) -> "Steps":
+        """Return the path up to one of its times between steps, s."""
+        first, _ = self._span
+        return Steps(self._all, self._body, first, bisect_left(self._all.times, time))
+
+    def at(self, time: float) -> State:
+        """Return the state at a time in s, to the bit between two steps."""
+        return self._step(time).at(time)
+
+    def acceleration(self, time: float) -> Acceleration:
+        """Return the acceleration at a time in s."""
+        return self._step(time).acceleration(time)
+
+    def bounds(self, first: float, last: float) -> Bounds:
+        """Return what holds from `first` to `last`, s: over all steps that they touch."""
+        low, high = self._index(first), self._index(last) + 1
+        if (low, high) == self._span:
+            return self._whole
+        return self._over(low, high)
+
+    def sample(self, times: Array) -> Array:
+        """Return (k, 6) at times (k,), s."""
+        return sampled(self, times)
+
+    @cached_property
+    def _whole(self) -> Bounds:
+        return self._over(*self._span)
+
+    def _over(self, low: int, high: int) -> Bounds:
+        rows = self._all.bounds[low:high, self._body]
+        least, most = rows.min(axis=0), rows.max(axis=0)
+        x, y = ((least[:2] + most[:2]) / 2).tolist()
+        off = rows[:, 2] + np.hypot(rows[:, 0] - x, rows[:, 1] - y)
+        return Bounds((x, y), float(off.max()), *most[3:].tolist())
+
+    def _index(self, time: float) -> int:
+        first, last = self._span
+        return min(max(bisect_right(self._all.times, time) - 1, first), last - 1)
+
+    def _step(self, time: float) -> Polynomial:
+        k = self._index(time)
+        if k not in self._known:
+            times, knots, body = self._all.times, self._all.knots, self._body
+            self._known[k] = Polynomial(
+                times[k],
+                times[k + 1],
+                state_of(knots[k, 0, body], knots[k, 1, body]),
+                state_of(knots[k + 1, 0, body], knots[k + 1, 1, body]),
+                self._all.coefficients[:, k, body].tolist(),
+            )
+        return self._known[k]
