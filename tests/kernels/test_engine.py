@@ -166,7 +166,7 @@ def two_halves(x: float) -> float:
         (summed, r"functions\.total: 'np.sum' is"),
         (shadowed, "'LANES' is also a variable"),
         (untyped, "argument 'x': an entry of a kernel takes"),
-        (two_halves, "'HALF' has two meanings"),
+        (two_halves, r"two_halves: 'HALF' has another meaning in tamias2d\.\w+\.test\.two_halves"),
     ],
     ids=lambda case: getattr(case, "__name__", ""),
 )

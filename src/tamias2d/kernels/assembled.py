@@ -61,12 +61,13 @@ class _Parts:
         self.imports: set[str] = set()
         self.constants: dict[str, float] = {}
         self.texts: list[str] = []
-        self.meanings: dict[str, Any] = {}
+        self.meanings: dict[str, tuple[Any, Function]] = {}
+        """What a name means, and for which function it was taken up."""
 
     def add(self, function: Function) -> str:
         """Add a function, unless it is there, and what it uses; return its name here."""
         name = _name(function)
-        if self.meanings.get(name) is function:
+        if name in self.meanings and self.meanings[name][0] is function:
             return name
         self._claim(name, function, function)
         names = {}
@@ -89,6 +90,7 @@ class _Parts:
             self._claim(name, value, function)
             self.constants[name] = value
         elif getattr(math, name, None) is value:
+            self._claim(name, value, function)
             self.imports.add(name)
         elif isinstance(value, FunctionType) and value.__module__.startswith("tamias2d."):
             name = self.add(value)
@@ -103,10 +105,11 @@ class _Parts:
         return name
 
     def _claim(self, name: str, value: Any, function: Function) -> None:
-        known = self.meanings.setdefault(name, value)
+        known, user = self.meanings.setdefault(name, (value, function))
         same = known is value or (type(known) is type(value) is not FunctionType and known == value)
         if not same:
-            raise _refusal(function, f"'{name}' has two meanings in one kernel. Rename one.")
+            other = f"another meaning in {user.__module__}.{user.__name__}"
+            raise _refusal(function, f"'{name}' has {other}. Rename one, for they are one source.")
 
 
 def _name(function: Function) -> str:
