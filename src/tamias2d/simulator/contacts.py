@@ -3,8 +3,9 @@
 Serves: games that play sounds or count hits. Hides: where the engine keeps impulses.
 """
 
-from dataclasses import dataclass
-from typing import NamedTuple
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,6 +54,25 @@ class Touching:
     """One point for each pair: that with the largest impulse, with the impulse of all of them."""
     ended: Whole
     """(k, 2), indices of bodies"""
+
+
+def arrays_of(told: Touching) -> dict[str, NDArray[Any]]:
+    """Return all of it as arrays by name."""
+    points = {"contacts": told.contacts, "began": told.began}
+    return {"ended": told.ended} | {
+        f"{which}.{field.name}": getattr(found, field.name)
+        for which, found in points.items()
+        for field in fields(Contacts)
+    }
+
+
+def touching_of(arrays: Mapping[str, NDArray[Any]]) -> Touching:
+    """Return what `arrays_of` was given."""
+    contacts, began = (
+        Contacts(**{field.name: arrays[f"{which}.{field.name}"] for field in fields(Contacts)})
+        for which in ("contacts", "began")
+    )
+    return Touching(contacts=contacts, began=began, ended=arrays["ended"])
 
 
 def touching(world: World) -> Touching:

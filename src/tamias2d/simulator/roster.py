@@ -9,6 +9,7 @@ adding changes nothing. Bodies that are equal in all of it can be swapped withou
 """
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,6 +60,7 @@ class Roster:
         world.motion[rows, :3] = batch.motion
         world.load[rows] = batch.load
         world.body[rows] = 0.0
+        world.carried[rows] = 0.0
         world.body[rows, INVERSE_MASS] = 1 / batch.mass
         world.body[rows, INVERSE_INERTIA] = 1 / batch.inertia
         world._flow(rows, drag.drag_rate(batch.linear_drag, batch.mass), 0)
@@ -100,6 +102,27 @@ class Roster:
         ]
         self.world.mixed = np.array(rows, dtype=np.float64).reshape(-1, 4)
         self.world.forget()
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Return all that it knows; everything must have its rank."""
+        slots = [(count, slot) for count, free in self._free_shapes.items() for slot in free]
+        return {
+            "rank": self.rank,
+            "order": self._order,
+            "free": np.array(self._free, dtype=np.int64),
+            "free_shapes": np.array(slots, dtype=np.int64).reshape(-1, 2),
+            "sizes": np.array([self._shapes, self._corners, self._next]),
+        }
+
+    def take_over(self, arrays: Mapping[str, NDArray[Any]]) -> None:
+        """Know what another one knew."""
+        self.rank, self._order = arrays["rank"].copy(), arrays["order"].copy()
+        self._free = arrays["free"].tolist()
+        self._free_shapes = {}
+        for count, slot in arrays["free_shapes"].tolist():
+            self._free_shapes.setdefault(count, []).append(slot)
+        self._shapes, self._corners, self._next = arrays["sizes"].tolist()
+        self._new = {}
 
     def settle(self) -> None:
         """Give all that is new its rank."""

@@ -4,21 +4,27 @@ Serves: `tamias2d.Simulator`. Hides: the engine, and what is done only where som
 """
 
 import hashlib
+import json
 from collections.abc import Mapping
+from copy import deepcopy
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.errors import RecordingError
 from tamias2d.generated import definitions, impact
-from tamias2d.scene import Scene
+from tamias2d.scene import Scene, scene_text
+from tamias2d.scene.reading import read_scene
 from tamias2d.scene.rules import RuleError, number, shown
+from tamias2d.simulator import saving
 from tamias2d.simulator.acting import Acting
 from tamias2d.simulator.adding import Shapes, added_batch
 from tamias2d.simulator.asking import Hits, Questions, box_corners, one_point
 from tamias2d.simulator.batch import Batch, scene_batch
 from tamias2d.simulator.columns import vectors
-from tamias2d.simulator.contacts import Contacts, Touching, touching
+from tamias2d.simulator.contacts import Contacts, Touching, arrays_of, touching, touching_of
 from tamias2d.simulator.fault import fault
 from tamias2d.simulator.roster import Roster
 from tamias2d.simulator.selection import Bodies, selected
@@ -51,8 +57,18 @@ class Simulator(Views):
     """
 
     __slots__ = (
-        "_acting", "_names", "_pushed", "_questions", "_roster", "_scene", "_steps", "_substeps",
-        "_time_step", "_touching", "_unsettled",
+        "_acting",
+        "_names",
+        "_pushed",
+        "_questions",
+        "_roster",
+        "_scene",
+        "_staying",
+        "_steps",
+        "_substeps",
+        "_time_step",
+        "_touching",
+        "_unsettled",
     )  # fmt: skip
 
     def __init__(self, scene: Scene, *, time_step: float = 1 / 60, substeps: int = 4) -> None:
@@ -68,15 +84,19 @@ class Simulator(Views):
         remedy = "Give it in s, such as 1/60."
         self._time_step = number(time_step, "time_step", "the simulator", remedy, at=("time_step",))
         self._substeps = _checked_count(substeps, "substeps", 1)
-        self._scene = scene
+        varies = not Acting(scene, range(len(scene))).empty
+        self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it
         self._steps = 0
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
-        self._world = World(
-            gravity=scene.gravity, time_step=self._time_step, substeps=self._substeps
-        )
-        self._roster = Roster(self._world)
+        self._staying = list(range(len(scene)))
+        gravity, substeps = scene.gravity, self._substeps
+        self._begin(World(gravity=gravity, time_step=self._time_step, substeps=substeps))
         self._roster.place(scene_batch(scene))
         self._roster.mix(scene.friction_of_pairs, scene.restitution_of_pairs)
+
+    def _begin(self, world: World) -> None:
+        self._world = world
+        self._roster = Roster(world)
         self._questions = Questions(self._world)
         self._acting: Acting | None = None
         self._pushed: Array | None = None  # loads for the next step only
@@ -108,11 +128,11 @@ class Simulator(Views):
         if not self._unsettled:
             return
         self._roster.settle()
-        rank = self._roster.rank
-        there = np.flatnonzero((rank >= 0) & (np.arange(len(rank)) < len(self._scene)))
-        acting = Acting(self._scene, there[np.argsort(rank[there])].tolist())
-        self._acting = None if acting.empty else acting
         self._unsettled = False
+        self._acting = None
+        if self._scene is not None:
+            acting = Acting(self._scene, sorted(self._staying, key=self._roster.rank.__getitem__))
+            self._acting = None if acting.empty else acting
 
     def _step_loaded(self) -> None:
         """Take a step with loads that count for this one only."""
@@ -289,7 +309,9 @@ class Simulator(Views):
         self._roster.remove(rows)
         if self._pushed is not None:
             self._pushed[rows[rows < len(self._pushed)]] = 0.0
-        self._names = {name: k for name, k in self._names.items() if k not in set(rows.tolist())}
+        gone = set(rows.tolist())
+        self._names = {name: k for name, k in self._names.items() if k not in gone}
+        self._staying = [k for k in self._staying if k not in gone]
         self._unsettled = True
 
     def index(self, name: str) -> int:
@@ -356,6 +378,60 @@ class Simulator(Views):
             self._touching = touching(self._world)
         return self._touching
 
+    # -- keeping
+
+    def save(self, path: str | Path) -> None:
+        """Write all of it to a file (.npz), from which `restore` goes on with the same bits.
+
+        Raises:
+            RecordingError: the name does not end in .npz, or the file cannot be written.
+        """
+        saving.write(Path(path), self._arrays())
+
+    @classmethod
+    def restore(cls, path: str | Path) -> "Simulator":
+        """Return the simulator that was saved in a file; it goes on with the same bits.
+
+        Raises:
+            RecordingError: there is no file, or it is damaged, of another kind or version.
+        """
+        return _restored(saving.read(Path(path)), str(path))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._arrays(), "pickle")
+
+    def _arrays(self) -> dict[str, NDArray[Any]]:
+        self._settled()
+        about = {
+            "time_step": self._time_step,
+            "substeps": self._substeps,
+            "steps": self._steps,
+            "names": self._names,
+            "staying": self._staying,
+            "scene": None if self._scene is None else scene_text(self._scene),
+        }
+        parts = {
+            "world": saving.world_arrays(self._world),
+            "roster": self._roster.arrays(),
+            "touching": arrays_of(self._tell()),
+            "pushed": {} if self._pushed is None else {"load": self._pushed},
+        }
+        found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
+        return {"about": np.array(json.dumps(about)), **found}
+
+    def _take_over(self, arrays: Mapping[str, NDArray[Any]], where: str) -> None:
+        about = json.loads(str(arrays["about"]))
+        self._time_step, self._substeps = about["time_step"], about["substeps"]
+        self._steps, self._names, self._staying = about["steps"], about["names"], about["staying"]
+        text = about["scene"]
+        self._scene = None if text is None else read_scene(text, file=where)
+        world = World(gravity=(0.0, 0.0), time_step=self._time_step, substeps=self._substeps)
+        saving.fill(world, saving.part(arrays, "world"), where)
+        self._begin(world)
+        self._roster.take_over(saving.part(arrays, "roster"))
+        self._touching = touching_of(saving.part(arrays, "touching"))
+        self._pushed = arrays.get("pushed.load")
+
     def digest(self) -> str:
         """Return the SHA-256 of the time and of the state of all bodies, in canonical order.
 
@@ -378,6 +454,18 @@ class Simulator(Views):
     def _name_of(self, row: int) -> str:
         names: Mapping[int, str] = {k: name for name, k in self._names.items()}
         return f"body '{names[row]}'" if row in names else f"body {row}"
+
+
+def _restored(arrays: Mapping[str, NDArray[Any]], where: str) -> Simulator:
+    """Return a simulator that goes on where the one went on whose arrays they are."""
+    sim = Simulator.__new__(Simulator)
+    try:
+        sim._take_over(arrays, where)
+    except (KeyError, TypeError, ValueError) as error:
+        raise RecordingError(
+            f"{where}: {error}: it is damaged, or was saved by another version. Save it again."
+        ) from error
+    return sim
 
 
 def _pair(rows: Array) -> tuple[Array, Array]:
