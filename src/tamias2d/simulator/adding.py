@@ -16,7 +16,7 @@ from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
 from tamias2d.scene.rules import RuleError, sequence
 from tamias2d.scene.shapes import HalfPlane
 from tamias2d.simulator.batch import UNSTATED, Batch
-from tamias2d.simulator.columns import numbers, vectors, wholes
+from tamias2d.simulator.columns import as_array, numbers, vectors, wholes
 from tamias2d.state import Array
 from tamias2d.stepped.layout import DYNAMIC, KINEMATIC, STATIC
 
@@ -81,7 +81,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
 
 def _counted(shapes: object, position: object, of: str) -> tuple[Shape | None, ...]:
     """Return a shape for each body: one for all, as many as there are positions, or a list."""
-    place = np.asarray(position)
+    place = as_array(position, "position", of, _VECTORS["position"])
     single = shapes is None or not isinstance(shapes, Sequence | np.ndarray)
     listed: Any = (shapes,) if single else sequence(shapes, of, "Give shapes.", at=("shape",))
     rows = place.shape[0] if place.ndim == 2 else None

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tamias2d.scene.filters import checked_mask
 from tamias2d.scene.rules import RuleError
-from tamias2d.simulator.columns import vectors
+from tamias2d.simulator.columns import as_array, vectors
 from tamias2d.state import Array
 from tamias2d.stepped.menu import QUERY
 from tamias2d.stepped.world import World
@@ -52,7 +52,7 @@ class Questions:
     def rays(self, start: object, end: object, mask: object) -> Hits:
         """Return what rays from points to points, (2,) or (k, 2) each, meet first."""
         world, of = self._world, "the rays"
-        count = max((len(p) for p in (start, end) if np.ndim(p) == 2), default=1)  # type: ignore
+        count = max(_rows(start, "start", of), _rows(end, "end", of))
         rays = np.hstack(
             [
                 vectors(points, key, of, _POINT, count=count, symbol="position")
@@ -116,6 +116,11 @@ class Questions:
             world.shape_first, world.shape_count, world.shape_radius, world.corner, self._box,
             self._curve, self._node, self._sizes,
         )  # fmt: skip
+
+
+def _rows(points: object, key: str, of: str) -> int:
+    given = as_array(points, key, of, _POINT)
+    return len(given) if given.ndim == 2 else 1
 
 
 def box_corners(low: object, high: object) -> tuple[Array, Array]:

@@ -28,7 +28,7 @@ def vectors(value: object, key: str, of: str, remedy: str, *, count: int, symbol
 
 def wholes(value: object, key: str, of: str, *, count: int, check: Callable[..., int]) -> Whole:
     """Return a whole number for each of so many bodies (count,); `check` judges one of them."""
-    given = _array(value, key, of, "Give whole numbers.")
+    given = as_array(value, key, of, "Give whole numbers.")
     if given.ndim and given.shape != (count,):
         raise _misshapen(given, key, of, (count,), "Give one number, or one for each body.")
     checked = {item: check(item, key, of) for item in set(given.ravel().tolist())}
@@ -39,7 +39,7 @@ def wholes(value: object, key: str, of: str, *, count: int, check: Callable[...,
 
 def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...]) -> Array:
     """Return real numbers, each row for one body; one row alone stands for all."""
-    given = _array(value, key, of, remedy)
+    given = as_array(value, key, of, remedy)
     if given.dtype.kind not in "fiu":
         raise RuleError(
             f"{label((key,))} of {of}: found {shown(value)}: must be real numbers (R4). {remedy}",
@@ -50,7 +50,8 @@ def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...
     return np.broadcast_to(given, shape).astype(np.float64) + 0.0  # no negative zeros
 
 
-def _array(value: object, key: str, of: str, remedy: str) -> NDArray[np.generic]:
+def as_array(value: object, key: str, of: str, remedy: str) -> NDArray[np.generic]:
+    """Return an array of whatever numbers, or raise `RuleError` if its rows differ in length."""
     try:
         return np.asarray(value)
     except ValueError:  # rows of different lengths

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.scene.rules import RuleError, shown
+from tamias2d.simulator.columns import as_array
 from tamias2d.stepped.layout import ABSENT
 
 Whole = NDArray[np.int64]
@@ -20,16 +21,17 @@ _REMEDY = "Give an index or a name, an array of indices, or a truth value for ea
 
 def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -> Whole:
     """Return the rows of bodies (k,), or raise `RuleError` if one is not there."""
-    given = np.asarray(names.get(bodies, bodies) if isinstance(bodies, str) else bodies)
+    found = names.get(bodies, bodies) if isinstance(bodies, str) else bodies
+    given: NDArray[np.generic] = as_array(found, "bodies", "the selection", _REMEDY)
     if given.dtype.kind == "U":
-        given = np.array([names.get(str(name), -1) for name in given.ravel()])
-        if (given < 0).any():
-            missing = shown(np.asarray(bodies).ravel()[int(np.argmin(given))].item())
+        missing = [name for name in given.ravel().tolist() if name not in names]
+        if missing:
             raise RuleError(
-                f"body {missing}: the simulator has none such (R1). Name one of "
+                f"body '{missing[0]}': the simulator has none such (R1). Name one of "
                 f"{shown(list(names))}.",
                 "bodies",
             )
+        given = np.array([names[name] for name in given.ravel().tolist()], dtype=np.int64)
     elif given.dtype.kind == "b":
         if given.shape != kind.shape:
             raise RuleError(

@@ -1,0 +1,108 @@
+"""What touched is told as geometry and mechanics have it."""
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tests.simulator.crowd import crowd
+
+FLOOR = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+
+
+def bouncing(restitution: float) -> t2.Simulator:
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    scene.add_body(t2.Disc(radius=0.5), mass=2.0, position=(0.0, 1.5), restitution=restitution)
+    scene.add_static(FLOOR, friction=0.0, name="floor")
+    return t2.Simulator(scene)
+
+
+def test_a_bounce_begins_and_ends_once_and_its_impulse_is_the_change_of_momentum() -> None:
+    sim = bouncing(0.5)
+    told = []
+    for step in range(40):
+        before = sim.velocity[0, 1]
+        sim.step()
+        change = 2.0 * (sim.velocity[0, 1] - before + 10.0 / 60)
+        assert sim.contacts.impulse.sum() == pytest.approx(change, abs=1e-12)
+        if len(sim.began):
+            told.append(("began", step))
+            assert sim.began.bodies.tolist() == [[1, 0]]
+            assert sim.began.normal.tolist() == [[0.0, 1.0]]
+            assert sim.began.impulse[0] == pytest.approx(change, abs=1e-12)
+            assert sim.began.point[0] == pytest.approx((0.0, 0.0), abs=0.1)
+        if len(sim.ended):
+            told.append(("ended", step))
+            assert sim.ended.tolist() == [[1, 0]]
+    assert [what for what, _ in told] == ["began", "ended"]
+    fall = np.sqrt(2 * 1.0 / 10.0) * 60  # steps until it touches
+    assert told[0][1] == pytest.approx(fall, abs=1.0)
+
+
+def test_a_stack_carries_its_weight() -> None:
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    scene.add_static(FLOOR, restitution=0.0, friction=0.5)
+    for k in range(3):
+        scene.add_body(t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 0.5 + k))
+    sim = t2.Simulator(scene)
+    sim.step(200)
+    found = sim.contacts
+    pairs = [tuple(sorted(pair)) for pair in found.bodies.tolist()]
+    assert sorted(set(pairs)) == [(0, 1), (1, 2), (2, 3)]
+    for pair, weight in (((0, 1), 30.0), ((1, 2), 20.0), ((2, 3), 10.0)):
+        here = [k for k, p in enumerate(pairs) if p == pair]
+        assert len(here) == 2
+        # at rest a step of gravity is carried; what is left of the settling is far below
+        assert found.impulse[here].sum() == pytest.approx(weight / 60, rel=1e-3)
+        assert np.abs(found.point[here, 0]) == pytest.approx(0.5, abs=1e-2)
+        assert found.point[here, 1] == pytest.approx(pair[0], abs=1e-2)
+        assert np.abs(found.normal[here, 1]) == pytest.approx(1.0, abs=1e-6)
+        assert (np.abs(found.separation[here]) < 1e-2).all()
+    assert (len(sim.began), len(sim.ended)) == (0, 0)
+
+
+def test_what_began_and_did_not_end_is_what_touches() -> None:
+    sim = t2.Simulator(crowd(40, seed=6, overlap=False))
+    touching: set[tuple[int, int]] = set()
+    for _ in range(200):
+        sim.step()
+        began = {tuple(sorted(pair)) for pair in sim.began.bodies.tolist()}
+        ended = {tuple(sorted(pair)) for pair in sim.ended.tolist()}
+        assert not began & touching
+        assert ended <= touching
+        touching = (touching | began) - ended
+        assert touching == {tuple(sorted(pair)) for pair in sim.contacts.bodies.tolist()}
+    assert len(touching) > 30
+
+
+def test_a_body_of_several_shapes_touches_once() -> None:
+    """Both feet of a table on the floor are one touch, though not one point."""
+    foot = t2.Box(width=0.2, height=1.0)
+    table = t2.Compound(
+        parts=[t2.Part(shape=foot, position=(x, 0.0)) for x in (-1.0, 1.0)]
+        + [t2.Part(shape=t2.Box(width=2.2, height=0.2), position=(0.0, 0.6))]
+    )
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    scene.add_static(FLOOR, restitution=0.0, friction=0.5)
+    low = min(y for part in table.pieces for _, y in part.core)
+    scene.add_body(table, mass=1.0, position=(0.0, -low + 0.1))
+    sim = t2.Simulator(scene)
+    begun = 0
+    for _ in range(120):
+        sim.step()
+        begun += len(sim.began)
+    assert begun == 1
+    assert len(sim.contacts) == 4
+
+
+def test_who_does_not_touch_by_filter() -> None:
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    scene.add_static(FLOOR, restitution=0.0, category=2)
+    ghost = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 2.0), mask=1)
+    ball = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(3.0, 2.0), mask=3)
+    one = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(6.0, 0.5), group=-1)
+    two = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(6.2, 0.5), group=-1)
+    sim = t2.Simulator(scene)
+    sim.step(120)
+    assert sim.position[ghost, 1] < -1.0
+    assert sim.position[ball, 1] == pytest.approx(0.5, abs=1e-2)
+    assert sim.position[[one, two], 0].tolist() == [6.0, 6.2]

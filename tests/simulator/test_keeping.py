@@ -1,0 +1,107 @@
+"""What is restored goes on with the same bits; what is not a simulator is refused."""
+
+import copy
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tests.simulator.crowd import SHAPES, crowd
+
+
+def lively(seed: int) -> t2.Simulator:
+    """A crowd that has been stepped, and changed."""
+    sim = t2.Simulator(crowd(30, seed=seed))
+    sim.step(40)
+    sim.remove([5, 9, 20])
+    sim.add(list(SHAPES[:2]), mass=[1.0, 2.0], position=[(0.0, 15.0), (3.0, 15.0)], friction=0.3)
+    sim.apply_force([3, 4], (1.0, 50.0))
+    return sim
+
+
+def history(sim: t2.Simulator, steps: int) -> list[str]:
+    """Digests after each step, and of what touched."""
+    found = []
+    for _ in range(steps):
+        sim.step()
+        found.append(sim.digest())
+        found.append(repr((sim.contacts, sim.began, sim.ended)))
+    return found
+
+
+def everything(sim: t2.Simulator) -> dict[str, bytes]:
+    return {key: np.asarray(value).tobytes() for key, value in sim._arrays().items()}
+
+
+@pytest.mark.parametrize("way", ["file", "pickle", "copy"])
+def test_it_goes_on_with_the_same_bits(way: str, tmp_path: Path) -> None:
+    sim = lively(seed=1)
+    if way == "file":
+        sim.save(tmp_path / "game.npz")
+        other = t2.Simulator.restore(tmp_path / "game.npz")
+    else:
+        other = pickle.loads(pickle.dumps(sim)) if way == "pickle" else copy.copy(sim)
+    assert other.digest() == sim.digest()
+    assert repr(other.contacts) == repr(sim.contacts)
+    assert history(other, 60) == history(sim, 60)
+    assert everything(other) == everything(sim)
+    other.velocity[0] = 7.0  # and they share nothing
+    assert sim.velocity[0, 0] != 7.0
+
+
+def test_laws_and_names_are_kept() -> None:
+    scene = t2.catalogue.load("spring-chain")
+    sim = t2.Simulator(scene)
+    sim.step(20)
+    other = pickle.loads(pickle.dumps(sim))
+    assert history(other, 20) == history(sim, 20)
+    name = scene.bodies[-1].name
+    assert other.index(name) == sim.index(name)
+    still = t2.Simulator(scene)
+    assert still.digest() != sim.digest()
+
+
+def test_two_threads_give_the_bits_of_one() -> None:
+    alone = [history(lively(seed), 40) for seed in (2, 3)]
+    with ThreadPoolExecutor(2) as threads:
+        together = list(threads.map(lambda seed: history(lively(seed), 40), (2, 3)))
+    assert together == alone
+
+
+def test_many_steps_are_one_after_another() -> None:
+    one, other = lively(4), lively(4)
+    one.step(50)
+    for _ in range(50):
+        other.step()
+    assert one.digest() == other.digest()
+
+
+def test_bad_files_are_refused(tmp_path: Path) -> None:
+    sim, path = lively(5), tmp_path / "game.npz"
+    with pytest.raises(t2.RecordingError, match="a simulator is saved as"):
+        sim.save(tmp_path / "game.zip")
+    with pytest.raises(t2.RecordingError, match="cannot be written"):
+        sim.save(tmp_path / "nowhere" / "game.npz")
+    with pytest.raises(t2.RecordingError, match="no such file"):
+        t2.Simulator.restore(path)
+    sim.save(path)
+    content = path.read_bytes()
+    damaged = bytearray(content)
+    damaged[len(content) // 2] ^= 1
+    for bad in (b"", b"text", content[: len(content) // 2], bytes(damaged)):
+        path.write_bytes(bad)
+        with pytest.raises(t2.RecordingError, match="damaged, or no saved simulator"):
+            t2.Simulator.restore(path)
+    np.savez(path, something=np.zeros(3))
+    with pytest.raises(t2.RecordingError, match="damaged, or no saved simulator"):
+        t2.Simulator.restore(path)
+    np.savez(path, mark=np.array("tamias2d simulator"), version=0)
+    with pytest.raises(t2.RecordingError, match="of version 0: must be"):
+        t2.Simulator.restore(path)
+    np.savez(path, mark=np.array("tamias2d simulator"), version=1, about=np.array("{}"))
+    with pytest.raises(t2.RecordingError, match="saved by another version"):
+        t2.Simulator.restore(path)
+    assert list(tmp_path.iterdir()) == [path]
