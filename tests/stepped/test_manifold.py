@@ -143,6 +143,20 @@ def test_a_hint_finds_what_a_search_finds(seed: int) -> None:
     assert 400 < hinted < 1600
 
 
+def test_shapes_that_come_together_are_seen() -> None:
+    rng = np.random.default_rng(5)
+    for _ in range(100):
+        found, searches = Pairing(), Pairing()
+        turned = rng.uniform(0, 6)
+        found(box(1, 1), box(1, 1).turned(turned), (0.0, 3.0), 0.1)
+        start = found.touch[0, 12:16].copy()
+        for height in np.arange(3.0, 1.0, -0.02):
+            count = found(box(1, 1), box(1, 1).turned(turned), (0.0, height), 0.1)
+            assert count == searches(box(1, 1), box(1, 1).turned(turned), (0.0, height), 0.1)
+            searches = Pairing()
+        assert (start != found.touch[0, 12:16]).any()
+
+
 def test_pairs_that_rest_are_not_searched(monkeypatch: pytest.MonkeyPatch) -> None:
     searched = []
     search = manifold.find_sides
