@@ -37,6 +37,17 @@ def scene() -> t2.Scene:
     return scene
 
 
+def shapes() -> t2.Scene:
+    """A capsule, a segment, filters and friction."""
+    scene = t2.Scene(gravity=(0.0, -9.81), name="shapes")
+    scene.add_body(t2.Capsule(length=1.0, radius=0.2), mass=1.0, position=(0.0, 1.0), category=6)
+    scene.add_body(
+        t2.Segment(length=2.0), mass=0.5, position=(3.0, 4.0), angular_velocity=1.0, friction=0.5
+    )
+    scene.add_static(t2.Segment(length=9.0), position=(0.0, -9.0), mask=1, group=-4)
+    return scene
+
+
 def with_impacts(run: t2.Run) -> t2.Run:
     """The run with impacts made up, two of them at one instant."""
     none = np.zeros((3, 2))
@@ -75,6 +86,7 @@ RUNS: dict[str, Callable[[], t2.Run]] = {
     ),
     "reference": _driven,
     "own times": lambda: t2.simulate(scene(), duration=0.5, times=[0.0, 0.1, 1 / 3]),
+    "all shapes": lambda: t2.simulate(shapes(), duration=0.5),
     "impacts made up": lambda: with_impacts(t2.simulate(scene(), duration=0.5)),
 }
 

@@ -24,6 +24,27 @@ def test_outlines_enclose_their_shapes(run: t2.Run) -> None:
     assert drawing.outlines(speck) == []
 
 
+def test_each_piece_of_a_body_has_its_outline() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    capsule = t2.Capsule(length=2.0, radius=0.5)
+    parts = [
+        t2.Part(shape=capsule, position=(0.0, 3.0), orientation=math.pi / 2),
+        t2.Part(shape=t2.Segment(length=1.0), position=(0.0, -1.0)),
+    ]
+    scene.add_kinematic(t2.Compound(parts=parts), position=(1.0, 1.0))
+    scene.add_body(capsule, mass=1.0, position=(9.0, 0.0), sensor=True)
+    body, sensor = scene.bodies
+    rim, line = drawing.outlines(body)
+    assert area(rim) == pytest.approx(capsule.area, rel=2e-3)
+    assert rim.mean(axis=0) == pytest.approx((0.0, 0.0), abs=0.05)  # the segment weighs nothing
+    assert np.ptp(rim, axis=0) == pytest.approx((1.0, 3.0), rel=2e-3)
+    assert line == pytest.approx(np.array([(-0.5, -4.0), (0.5, -4.0), (-0.5, -4.0)]))
+    assert len(drawing.fillings(body)) == 1
+    assert drawing.fillings(sensor) == []
+    _, spoke = drawing.strokes(sensor, drawing.View(center=(0.0, 0.0), half=(1.0, 1.0)))
+    assert spoke[1] == pytest.approx((1.5, 0.0), abs=2e-3)
+
+
 def test_the_filling_covers_its_shape(run: t2.Run) -> None:
     for body, whole in zip(run.scene.bodies[2:4], (0.5, 0.5), strict=True):
         ((lines, half),) = drawing.fillings(body)

@@ -1,12 +1,13 @@
 """Every fault of a scene file is one SceneError that says where it is and what to do."""
 
+import math
 import re
 from pathlib import Path
 
 import pytest
 
 from tamias2d.errors import SceneError
-from tamias2d.scene import load
+from tamias2d.scene import Box, Capsule, Compound, Part, Segment, load
 
 GOOD = """\
 name: pile
@@ -235,6 +236,93 @@ def test_a_file_that_is_no_scene(content: bytes, words: str, tmp_path: Path) -> 
 def test_a_path_that_leads_to_no_file(path: str) -> None:
     with pytest.raises(SceneError):
         load(path)
+
+
+SHAPES = """\
+gravity: [0 m/s^2, 0 m/s^2]
+bodies:
+  bar:
+    shape: capsule
+    length: 2 m
+    radius: 25 cm
+    mass: 1 kg
+    position: [0 m, 5 m]
+    friction: 0.5
+    angular_drag: 2 kg*m^2/s
+    category: 0b10
+    mask: 0xff
+    group: -3
+    sensor: true
+kinematics:
+  drum:
+    shape: compound
+    parts:
+      - {shape: box, width: 2 m, height: 10 cm, position: [0 m, 1 m]}
+      - {shape: segment, length: 2 m, position: [1 m, 0 m], orientation: 90 deg}
+    position: [0 m, 0 m]
+    angular_velocity: 30 deg/s
+statics:
+  wall:
+    shape: segment
+    length: 3 m
+friction_of_pairs:
+  - {bodies: [bar, wall], friction: 0.25}
+"""
+BAD_SHAPES = [
+    ("radius: 25 cm", "radius: 0 cm", "6:13", "radius 0 m of a capsule: must be > 0"),
+    ("    length: 2 m\n", "", "3:3", "'length' is missing"),
+    ("friction: 0.5", "friction: -1", "9:15", "friction -1 of body 'bar': must be >= 0"),
+    ("friction: 0.5", "friction: 1 m", "9:15", "must be a pure number"),
+    ("2 kg*m^2/s", "2 kg/s", "10:19", "must be in kg m^2 s^-1"),
+    ("0b10", "two", "11:15", "found 'two': must be a whole number (R3). Write it like 5"),
+    ("0xff", "-1", "12:11", "mask -1 of body 'bar': must be from 0 to"),
+    ("group: -3", "group: 1.5", "13:12", "found '1.5'"),
+    ("sensor: true", "sensor: yes", "14:13", "must be true or false"),
+    ("height: 10 cm", "height: 0 m", "19:42", "height 0 m of a box"),
+    ("shape: segment, length: 2 m,", "shape: segment,", "20:9", "'length' is missing"),
+    (
+        "shape: segment, length: 2 m,",
+        "shape: compound, parts: [],",
+        "20:34",
+        "parts of a compound: found none",
+    ),
+    ("shape: segment, length: 2 m,", "shape: sgment, length: 2 m,", "20:17", "'segment'"),
+    ("orientation: 90 deg}", "orientation: 90}", "20:74", "rad or deg"),
+    ("orientation: 90 deg}", "turn: 90 deg}", "20:61", "turn"),
+    ("30 deg/s", "30 m/s", "22:23", "angular velocity"),
+    ("    angular_velocity", "    mass: 1 kg\n    angular_velocity", "22:5", "key 'mass'"),
+    ("friction: 0.25", "restitution: 0.25", "28:27", "friction"),
+]
+
+
+def test_a_file_with_all_shapes_says_what_it_says() -> None:
+    bar, drum, wall = load(SHAPES)
+    assert (bar.shape, wall.shape) == (Capsule(length=2, radius=0.25), Segment(length=3))
+    assert (bar.friction, bar.angular_drag, bar.sensor) == (0.5, 2, True)
+    assert (bar.category, bar.mask, bar.group) == (2, 255, -3)
+    assert drum.kinematic
+    assert drum.angular_velocity == pytest.approx(math.pi / 6)
+    assert drum.shape == Compound(
+        parts=[
+            Part(shape=Box(width=2, height=0.1), position=(0, 1)),
+            Part(shape=Segment(length=2), position=(1, 0), orientation=math.pi / 2),
+        ]
+    )
+    assert load(SHAPES).friction(0, 2) == 0.25
+
+
+@pytest.mark.parametrize(
+    ("good", "bad", "place", "words"), BAD_SHAPES, ids=[row[1][:40] for row in BAD_SHAPES]
+)
+def test_a_fault_of_a_shape_is_named_at_its_place(
+    good: str, bad: str, place: str, words: str
+) -> None:
+    assert SHAPES.count(good) == 1
+    with pytest.raises(SceneError) as caught:
+        load(SHAPES.replace(good, bad))
+    message = str(caught.value)
+    assert message.startswith(f"scene:{place}: "), message
+    assert words in message
 
 
 def test_a_bare_zero_fits_any_unit() -> None:

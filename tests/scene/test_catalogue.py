@@ -116,7 +116,7 @@ def test_the_work_of_adding_a_body_does_not_grow_with_their_number() -> None:
     first = calls()
     for _ in range(30):
         last = calls()
-    assert last == first
+    assert last < 1.01 * first  # a few are not the scene's
 
 
 @pytest.mark.parametrize("name", EXPECTED)

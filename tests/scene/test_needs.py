@@ -142,6 +142,7 @@ NOTHING_ELSE_ACTS = [
     "omits attraction between bodies (IM5): the scene states no attraction",
     "omits linear drag (IM6): no body has a linear drag",
     "omits quadratic drag (IM6): no body has a quadratic drag",
+    "omits angular drag (IM6): no body has an angular drag",
     "omits springs and dampers (IM7): the scene has no spring",
     "omits force fields (IM8): the scene has no field",
 ]
@@ -161,6 +162,7 @@ def test_an_empty_scene_needs_nothing() -> None:
         "omits detection (IM4): no body has a shape",
         "omits impact (IM3): no two bounds meet within 2 s",
         "omits resting contact (GD3): no two bounds meet within 2 s",
+        "omits friction (IM9, GD8): no two bounds meet within 2 s",
         "omits closed form: no body moves",
         "omits integration of the equations of motion: no body moves",
         APART,
@@ -186,6 +188,7 @@ def test_one_disc_alone_pushed_and_twisted() -> None:
         "omits detection (IM4): 1 body has a shape: there is no pair",
         "omits impact (IM3): no two bounds meet within 0.5 s",
         "omits resting contact (GD3): no two bounds meet within 0.5 s",
+        "omits friction (IM9, GD8): no two bounds meet within 0.5 s",
         f"omits closed form: 'a' is {varies}",
         f"needs integration of the equations of motion: 'a' is {varies}",
         APART,
@@ -203,12 +206,13 @@ def test_three_bodies_that_meet() -> None:
     assert needs(scene, 3.0).pairs == ((0, 1), (0, 2))
     turned = "'a' and 2 more are turned when hit beside the centre of mass"
     assert found[1] == f"needs orientation, angular velocity: {turned}"
-    assert found[11:] == [
+    assert found[12:] == [
         f"needs rotation (IM2): {turned}",
         "needs detection (IM4): 3 bodies have shapes",
         f"needs impact (IM3): {met}",
         "needs resting contact (GD3): bodies that can meet are pressed together by gravity "
         "or a force",
+        "omits friction (IM9, GD8): no body states friction (A6)",
         "needs closed form: every force and torque is constant",
         "omits integration of the equations of motion: every force and torque is constant",
         APART,
@@ -319,3 +323,14 @@ def test_no_corner_that_reaches_a_wall_is_missed(
     corner = 4 + y * t - 1.5 * t**2 + np.sin(angle) * px + np.cos(angle) * py
     if (corner <= 0).any():
         assert pairs_that_can_meet(scene, duration) == [(0, 1)]
+
+
+def test_friction_turns_discs() -> None:
+    scene = Scene(gravity=(0, -9.81))
+    scene.add_static(HalfPlane(normal=(0, 1), offset=0), name="floor", friction=0.5)
+    scene.add_body(Disc(radius=1), mass=1, position=(0, 1), name="ball")
+    found = table(scene, 1.0)
+    assert "needs friction (IM9, GD8): 'floor' is rough" in found
+    assert "needs rotation (IM2): 'floor' is rough, and friction turns what touches" in found
+    scene.set_friction("floor", "ball", 0.0)
+    assert "friction (IM9, GD8)" in needs(scene, 1.0)  # another body may come

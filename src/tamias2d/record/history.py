@@ -8,6 +8,7 @@ The file holds plain arrays (never pickles, which could run code) and the header
 from __future__ import annotations
 
 import json
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +18,8 @@ from tamias2d.errors import RecordingError, TamiasError
 from tamias2d.record import header as headers
 from tamias2d.record.aside import aside
 from tamias2d.run import Impacts, Run
-from tamias2d.scene import Scene, load as load_scene
+from tamias2d.scene import Scene
+from tamias2d.scene.reading import read_scene
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -107,7 +109,7 @@ def _certificate(header: headers.Header, where: str) -> Certificate | None:
 
 def _scene(header: headers.Header, where: str) -> Scene:
     try:
-        scene = load_scene(header.scene)
+        scene = read_scene(header.scene, file="scene", longest=math.inf)
     except TamiasError as fault:
         raise RecordingError(f"{where}: the scene in it: {fault}") from fault
     names = tuple(body.name for body in scene.bodies)

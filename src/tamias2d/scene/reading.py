@@ -66,14 +66,16 @@ def _file_text(path: FilePath) -> str:
         raise SceneError(f"{shown(str(path))}: {error} (R2). Give a file to read.") from None
 
 
-def read_scene(text: str, *, file: str, name: str = "") -> Scene:
-    """Return the scene of a text; `name` is its name unless the text gives one.
+def read_scene(text: str, *, file: str, name: str = "", longest: float = MAX_SIZE) -> Scene:
+    """Return the scene of a text of at most `longest` characters.
+
+    `name` is its name unless the text gives one.
 
     Raises:
         SceneError: as `load`.
     """
     try:
-        tree, marks = compose(text, file=file)
+        tree, marks = compose(text, file=file, longest=longest)
     except MarkupError as error:
         raise SceneError(str(error)) from None
     try:
