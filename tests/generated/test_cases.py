@@ -376,6 +376,16 @@ def test_os1_showcase() -> None:
     passes("OS1")
 
 
+def test_og1_rows_of_a_contact() -> None:
+    """OG1, srs/verification/soft_contact.md:9; verifies R12."""
+    passes("OG1")
+
+
+def test_og2_visits_of_a_soft_contact() -> None:
+    """OG2, srs/verification/soft_contact.md:54; verifies R12."""
+    passes("OG2")
+
+
 def test_oa9h_unstable_steps() -> None:
     """OA9h, srs/verification/stability.md:9; verifies R5."""
     passes("OA9h")
