@@ -65,11 +65,14 @@ def test_disc_into_another_corner_is_refused():
         t2.simulate(wedge(0.6), duration=2.0)
 
 
-def test_corner_on_corner_is_refused():
+@pytest.mark.parametrize(("speed", "restitution"), [(0, 1), (1, 0)])
+def test_corner_that_stays_on_a_corner_is_refused(speed: float, restitution: float):
     scene = t2.Scene(gravity=(0, 0))
     box = t2.Box(width=1, height=1)
-    scene.add_body(box, mass=1, position=(-3, -3), velocity=(1, 1), restitution=1)
-    scene.add_body(box, mass=1, position=(3, 3), velocity=(-1, -1))
+    apart = 0.5 + 2 * speed
+    scene.add_body(box, mass=1, position=(-apart, -apart), velocity=(speed, speed), restitution=1)
+    scene.add_body(box, mass=1, position=(apart, apart), velocity=(-speed, -speed))
+    scene.set_restitution(0, 1, restitution)
     with pytest.raises(UndecidedContactError, match="corner meets corner"):
         t2.simulate(scene, duration=4.0)
 

@@ -266,48 +266,53 @@ def test_ob4_spinning_square_that_hits_a_floor_with_a_corner() -> None:
     passes("OB4")
 
 
+def test_ob13_squares_that_meet_tip_to_tip_corner_to_corner_and_side_to_side() -> None:
+    """OB13, srs/verification/oracles_impact.md:286; verifies R3, R7, R8."""
+    passes("OB13")
+
+
 def test_ob6a_bouncing_ball_with_restitution_0_5() -> None:
-    """OB6a, srs/verification/oracles_impact.md:285; verifies R3, R7, R8."""
+    """OB6a, srs/verification/oracles_impact.md:373; verifies R3, R7, R8."""
     passes("OB6a")
 
 
 def test_ob6b_bouncing_ball_with_restitution_0_8() -> None:
-    """OB6b, srs/verification/oracles_impact.md:360; verifies R3, R7, R8."""
+    """OB6b, srs/verification/oracles_impact.md:448; verifies R3, R7, R8."""
     passes("OB6b")
 
 
 def test_ob6c_bouncing_ball_with_restitution_0_9() -> None:
-    """OB6c, srs/verification/oracles_impact.md:435; verifies R3, R7, R8."""
+    """OB6c, srs/verification/oracles_impact.md:523; verifies R3, R7, R8."""
     passes("OB6c")
 
 
 def test_ob6d_bouncing_ball_with_restitution_1_for_100_s() -> None:
-    """OB6d, srs/verification/oracles_impact.md:513; verifies R3, R7, R8."""
+    """OB6d, srs/verification/oracles_impact.md:601; verifies R3, R7, R8."""
     passes("OB6d")
 
 
 def test_ob12_bodies_at_rest_on_a_floor() -> None:
-    """OB12, srs/verification/oracles_impact.md:563; verifies R3, R7, R8."""
+    """OB12, srs/verification/oracles_impact.md:651; verifies R3, R7, R8."""
     passes("OB12")
 
 
 def test_ob8a_3_impacts_for_a_mass_ratio_of_1() -> None:
-    """OB8a, srs/verification/oracles_impact.md:605; verifies R3, R7, R8."""
+    """OB8a, srs/verification/oracles_impact.md:693; verifies R3, R7, R8."""
     passes("OB8a")
 
 
 def test_ob8b_31_impacts_for_a_mass_ratio_of_100() -> None:
-    """OB8b, srs/verification/oracles_impact.md:650; verifies R3, R7, R8."""
+    """OB8b, srs/verification/oracles_impact.md:738; verifies R3, R7, R8."""
     passes("OB8b")
 
 
 def test_ob8c_314_impacts_for_a_mass_ratio_of_10000() -> None:
-    """OB8c, srs/verification/oracles_impact.md:680; verifies R3, R7, R8."""
+    """OB8c, srs/verification/oracles_impact.md:768; verifies R3, R7, R8."""
     passes("OB8c")
 
 
 def test_ob8d_3141_impacts_for_a_mass_ratio_of_1000000() -> None:
-    """OB8d, srs/verification/oracles_impact.md:727; verifies R3, R7, R8."""
+    """OB8d, srs/verification/oracles_impact.md:815; verifies R3, R7, R8."""
     passes("OB8d")
 
 

@@ -145,15 +145,25 @@ def test_pair_restitution_is_dd17(**given: Value) -> None:
     agrees(definitions.pair_restitution, "min(restitution_a, restitution_b)", given)
 
 
+@given(point_velocity_a=values("point_velocity_a"), point_velocity_b=values("point_velocity_b"))
+def test_normal_is_gd11(**given: Value) -> None:
+    """GD11, srs/definitions.md:389."""
+    agrees(
+        definitions.normal,
+        "(point_velocity_a - point_velocity_b)/norm(point_velocity_a - point_velocity_b)",
+        given,
+    )
+
+
 @given(normal=values("normal"))
 def test_tangent_is_dd22(**given: Value) -> None:
-    """DD22, srs/definitions.md:375."""
+    """DD22, srs/definitions.md:413."""
     agrees(definitions.tangent, "perp(normal)", given)
 
 
 @given(friction_a=values("friction_a"), friction_b=values("friction_b"))
 def test_pair_friction_is_dd23(**given: Value) -> None:
-    """DD23, srs/definitions.md:387."""
+    """DD23, srs/definitions.md:425."""
     agrees(definitions.pair_friction, "sqrt(friction_a*friction_b)", given)
 
 
@@ -164,7 +174,7 @@ def test_pair_friction_is_dd23(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_kinetic_energy_is_dd15(**given: Value) -> None:
-    """DD15, srs/definitions.md:407."""
+    """DD15, srs/definitions.md:445."""
     agrees(
         definitions.kinetic_energy,
         "mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2",
@@ -174,7 +184,7 @@ def test_kinetic_energy_is_dd15(**given: Value) -> None:
 
 @given(mass=values("mass"), gravity=values("gravity"), position=values("position"))
 def test_potential_energy_is_dd16(**given: Value) -> None:
-    """DD16, srs/definitions.md:421."""
+    """DD16, srs/definitions.md:459."""
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 

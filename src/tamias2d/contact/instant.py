@@ -14,7 +14,7 @@ from typing import NamedTuple
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.gap import EPSILON, axes, resolution, slight_opening
 from tamias2d.contact.hold import opening
-from tamias2d.contact.manifold import Contact, approach, manifold, speeds, tangent_of
+from tamias2d.contact.manifold import Contact, approach, cornered, manifold, speeds, tangent_of
 from tamias2d.contact.refusal import SimultaneousImpactsError, UndecidedContactError, named
 from tamias2d.contact.response import coupling, impulses, pushed
 from tamias2d.contact.rest import Island
@@ -239,6 +239,7 @@ class Instant:
             for contact in touch.contacts
             if abs(self._rate(contact)) <= touch.noise
         ]
+        self._refuse_corners(staying)
         islands = self._islands(staying)
         while low := self._too_low(islands, staying):
             staying += low
@@ -252,6 +253,13 @@ class Instant:
                 self._hold(island)
         was_held = {i for pair in self.touches if pair in self._world.held for i in pair}
         self.changed |= {i for i in was_held if self._world.cores[i].dynamic}
+
+    def _refuse_corners(self, staying: Sequence[Contact]) -> None:
+        for contact in staying:
+            a, b = (self._world.cores[i] for i in (contact.a, contact.b))
+            sharp = not (a.radius or b.radius) and len(a.corners) > 1 and len(b.corners) > 1
+            if sharp and contact.axis.side is None:
+                raise cornered(a, b, self.time)
 
     def _islands(self, contacts: Sequence[Contact]) -> list[Island]:
         """Return the islands that contacts make."""

@@ -9,8 +9,8 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from tamias2d.contact.core import Placed
-from tamias2d.contact.gap import Axis, Gap, axes, gaps
+from tamias2d.contact.core import Core, Placed
+from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, gaps
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.generated import definitions, friction, impact, rest
 from tamias2d.state import Acceleration, State, Vector
@@ -44,7 +44,8 @@ def manifold(
     """
     found = axes(a, b)
     axis = max(found, key=lambda each: each.gap)
-    _refuse_corner_on_corner(a, b, found, axis, tolerance, time)
+    if directions := _several(found, axis, tolerance):
+        return [_corner_on_corner(a, b, axis, directions, time)]
     if axis.side is None:
         return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
     same = [contact.found for contact in kept] + [
@@ -236,15 +237,54 @@ def _facing(normal: Vector, direction: Vector) -> float:
     return normal[0] * direction[0] + normal[1] * direction[1]
 
 
-def _refuse_corner_on_corner(
-    a: Placed, b: Placed, found: list[Axis], best: Axis, tolerance: float, time: float
-) -> None:
+def _several(found: list[Axis], best: Axis, tolerance: float) -> list[Vector]:
+    """Return all directions from A to B in which a pair only just touches, if they differ."""
     ux, uy = best.direction
-    for axis in found:
-        across = abs(ux * axis.direction[1] - uy * axis.direction[0])
-        if axis.gap >= best.gap - tolerance and across > 1e-9:
-            raise UndecidedContactError(
-                f"{named(a.core.name, b.core.name)} at {time!r} s: corner meets corner, so that "
-                "the normal is not unique (IM3). Move one of them a little.",
-                time=time,
-            )
+    equal = [axis for axis in found if axis.gap >= best.gap - tolerance]
+    if all(abs(ux * v - uy * u) <= 1e-9 for _, _, (u, v), _ in equal):
+        return []
+    return [(-u, -v) if swapped else (u, v) for swapped, _, (u, v), _ in equal]
+
+
+def _corner_on_corner(
+    a: Placed, b: Placed, axis: Axis, directions: list[Vector], time: float
+) -> Contact:
+    """Return the contact of two corners: along their approach, or as near to it as can be (GD11).
+
+    Raises:
+        UndecidedContactError: they do not approach.
+    """
+    contact = _contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))
+    at_a, at_b = (
+        definitions.point_velocity(body.state.velocity, body.state.angular_velocity, arm)
+        for body, arm in ((a, contact.arm_a), (b, contact.arm_b))
+    )
+    if at_a != at_b:
+        normal = definitions.normal(at_a, at_b)
+        if not _between(normal, directions):
+            normal = max(directions, key=lambda each: _facing(each, normal))
+        contact = contact._replace(
+            normal=normal,
+            axis=Axis(False, None, normal, axis.gap),
+            gap=contact.gap._replace(corner=contact.arm_b, corner_p=contact.arm_a),
+        )
+        if approach(contact, a.state, b.state) < -64 * EPSILON * speeds(contact, a.state, b.state):
+            return contact
+    raise cornered(a.core, b.core, time)
+
+
+def cornered(a: Core, b: Core, time: float) -> UndecidedContactError:
+    """Return the refusal of a sharp corner that stays on another."""
+    return UndecidedContactError(
+        f"{named(a.name, b.name)} at {time!r} s: corner meets corner without approach, so that "
+        "the normal is not unique (GD11). Move one of them a little.",
+        time=time,
+    )
+
+
+def _between(direction: Vector, others: list[Vector]) -> bool:
+    """Whether a direction is a sum of others, none of them turned around."""
+    x, y = direction
+    turns = [x * v - y * u for u, v in others]
+    ahead = [x * u + y * v > 0 for u, v in others]
+    return all(ahead) and min(turns) <= 0 <= max(turns)

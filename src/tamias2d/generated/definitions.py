@@ -1,6 +1,6 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
-of a capsule; Bodies of several parts; Momentum; Restitution of a pair; Tangential velocity of a
-contact; Friction of a pair; Kinetic energy; Potential energy.
+of a capsule; Bodies of several parts; Momentum; Restitution of a pair; Contact of two vertices;
+Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential energy.
 
 Generated from srs/definitions.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -317,6 +317,35 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
     return least(restitution_a, restitution_b)
 
 
+def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
+    """Unit normal of a contact, from body A to body B (1).
+
+    normal = (point_velocity_a - point_velocity_b)/norm(point_velocity_a - point_velocity_b)
+
+    Args:
+        point_velocity_a: Velocity of the point of a body that sits at the end of an arm; of
+            body A, m/s
+        point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
+            body B, m/s
+
+    Source: GD11, srs/definitions.md:395.
+    """
+    point_velocity_a_x, point_velocity_a_y = point_velocity_a
+    point_velocity_b_x, point_velocity_b_y = point_velocity_b
+    return (
+        (point_velocity_a_x - point_velocity_b_x)
+        / sqrt(
+            (point_velocity_a_x - point_velocity_b_x) * (point_velocity_a_x - point_velocity_b_x)
+            + (point_velocity_a_y - point_velocity_b_y) * (point_velocity_a_y - point_velocity_b_y)
+        ),
+        (point_velocity_a_y - point_velocity_b_y)
+        / sqrt(
+            (point_velocity_a_x - point_velocity_b_x) * (point_velocity_a_x - point_velocity_b_x)
+            + (point_velocity_a_y - point_velocity_b_y) * (point_velocity_a_y - point_velocity_b_y)
+        ),
+    )
+
+
 def tangent(normal: Vector) -> Vector:
     """Unit tangent of a contact, the normal turned left by a quarter turn (1).
 
@@ -325,7 +354,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:381.
+    Source: DD22, srs/definitions.md:419.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -342,7 +371,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:394.
+    Source: DD23, srs/definitions.md:432.
     """
     return sqrt(friction_a * friction_b)
 
@@ -360,7 +389,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:412.
+    Source: DD15, srs/definitions.md:450.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -379,7 +408,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:426.
+    Source: DD16, srs/definitions.md:464.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
