@@ -35,6 +35,7 @@ class Block:
 
 PAGES = (
     "docs/tutorial.md",
+    "docs/scenes.md",
     "docs/own_force.md",
     "docs/choosing.md",
     "docs/certificates.md",

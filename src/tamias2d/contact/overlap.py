@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from tamias2d.contact.core import Core, cores_of, place
 from tamias2d.contact.gap import axes, resolution
 from tamias2d.contact.refusal import OverlapError, UnlocatedContactError, named
+from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.scene import Scene
 from tamias2d.scene.filters import may_touch
 from tamias2d.state import Array, History, State
@@ -25,6 +26,7 @@ def refuse_overlap(cores: Sequence[Core], states: Sequence[State]) -> None:
 
 def refuse_contact(scene: Scene, times: Array, history: History) -> None:
     """Raise `UnlocatedContactError` if two bodies overlap at one of the times (k,), s."""
+    refuse_stepwise(scene)
     cores = cores_of(scene)
     for k, time in enumerate(times.tolist()):
         states = [
