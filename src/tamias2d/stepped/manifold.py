@@ -13,6 +13,7 @@ touching, with the normal between nearest corners.
 
 from math import sqrt
 
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 from tamias2d.stepped.clip import NAMES, TINY, touch_sides
 from tamias2d.stepped.hint import (
@@ -45,6 +46,7 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.separation import find_sides, slack_of
 
 
+@inlined
 def collide(
     slot: int,
     a: int,

@@ -242,12 +242,12 @@ def sweep(
         row, lane = rows[b], lanes[b]
         load(lane, motion, bench)
         load_moved(lane, motion, bench)
-        rub_lanes(FIRST, row, bench)
-        if lane[POINTS] == 2:
-            rub_lanes(SECOND, row, bench)
         push_lanes(FIRST, row, bench, substep, bias_rate, share, keep)
         if lane[POINTS] == 2:
             push_lanes(SECOND, row, bench, substep, bias_rate, share, keep)
+        rub_lanes(FIRST, row, bench)
+        if lane[POINTS] == 2:
+            rub_lanes(SECOND, row, bench)
         store(lane, motion, bench)
 
 
@@ -258,12 +258,12 @@ def relax(
     for b in range(blocks):
         row, lane = rows[b], lanes[b]
         load(lane, motion, bench)
-        rub_lanes(FIRST, row, bench)
-        if lane[POINTS] == 2:
-            rub_lanes(SECOND, row, bench)
         relax_lanes(FIRST, row, bench, substep)
         if lane[POINTS] == 2:
             relax_lanes(SECOND, row, bench, substep)
+        rub_lanes(FIRST, row, bench)
+        if lane[POINTS] == 2:
+            rub_lanes(SECOND, row, bench)
         store(lane, motion, bench)
 
 

@@ -95,10 +95,10 @@ DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, NOT_FINITE = 0, 1, 2, 3, 4
 CLOSE = 0.02  # of the smaller reach: what is nearer is a contact already
 AHEAD = 0.1  # of the smaller reach: how far the motion of a step can make it one
 CIRCLE = 6.283185307179586
-HERTZ = 0.25  # of a contact's spring, in one substep
+HERTZ = 0.125  # of a contact's spring, in one substep
 DAMPING = 10.0  # of the contact's spring, where 1 is critical
 FIRMER = 2.0  # the spring against what does not move, to the others
-APART = 0.02  # of the smaller reach: how far an overlap is pushed apart in a substep, at most
+FASTEST = 0.02  # of the smaller reach: how far an overlap is pushed apart in a substep, at most
 
 
 def step(
@@ -218,7 +218,7 @@ def step(
         fill,
         rows,
         lanes,
-        APART * counts[SUBSTEPS] / settings[TIME_STEP],
+        FASTEST * counts[SUBSTEPS] / settings[TIME_STEP],
         surface,
     )
     solve(
