@@ -1,0 +1,47 @@
+"""A body at rest overlaps the ground by what the model of the soft contact states, at any scale."""
+
+import pytest
+
+import tamias2d as t2
+from tamias2d.generated import soft_contact
+from tamias2d.simulator import Simulator
+from tamias2d.stepped.step import CIRCLE, FIRMER, HERTZ
+
+GRAVITY = 9.81
+
+
+def overlap(body: t2.Disc | t2.Box, mass: float, height: float, substeps: int) -> float:
+    """How far a body has sunk in after it has come to rest, m."""
+    scene = t2.Scene(gravity=(0.0, -GRAVITY))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0))
+    scene.add_body(body, mass=mass, position=(0.0, height))
+    sim = Simulator(scene, substeps=substeps)
+    sim.step(6000)
+    assert abs(sim.velocity[1]).max() < 1e-15 * GRAVITY  # at rest, but for rounding
+    return height - float(sim.position[1, 1])
+
+
+def stated(push: float, row_mass: float, substeps: int) -> float:
+    """The overlap of a contact that carries a push, N s in each substep, on what does not move."""
+    substep = 1 / 60 / substeps
+    frequency = CIRCLE * HERTZ / substep * FIRMER
+    return -soft_contact.separation_rest(push, row_mass, frequency, substep)
+
+
+@pytest.mark.parametrize(
+    ("radius", "mass", "substeps"), [(0.5, 1.0, 4), (0.5, 7.0, 4), (5e-3, 1e-3, 8), (300.0, 1e6, 2)]
+)
+def test_a_disc_overlaps_by_what_is_stated(radius: float, mass: float, substeps: int) -> None:
+    found = overlap(t2.Disc(radius=radius), mass, radius, substeps)
+    weight = mass * GRAVITY / 60 / substeps
+    # positions are rounded to 1e-16 of the radius
+    expected = stated(weight, mass, substeps)
+    assert found == pytest.approx(expected, rel=1e-9, abs=1e-15 * radius)
+
+
+def test_the_two_contacts_of_a_box_share_its_weight() -> None:
+    found = overlap(t2.Box(width=1.0, height=1.0), 3.0, 0.5, 4)
+    inverse_mass, inverse_inertia = 1 / 3.0, 6 / 3.0
+    row_mass = soft_contact.row_mass(0.0, 0.0, 0.0, inverse_mass, inverse_inertia, 0.5)
+    expected = stated(3.0 * GRAVITY / 240 / 2, row_mass, 4)
+    assert found == pytest.approx(expected, rel=1e-9)
