@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pytest
 
-from tamias2d.scene import Box, Disc, HalfPlane, Scene, catalogue
+from tamias2d.scene import Box, Capsule, Disc, HalfPlane, Scene, Segment, catalogue
 from tamias2d.simulate import simulate as exact
 from tamias2d.study.peers import simulate
 from tamias2d.study.pymunk_world import PeerError
@@ -64,6 +64,38 @@ def test_restitutions_that_differ_are_refused() -> None:
     for x, kept in ((-2.0, 1.0), (0.0, 1.0), (2.0, 0.5)):
         scene.add_body(Disc(radius=0.5), mass=1.0, position=(x, 0.0), restitution=kept)
     with pytest.raises(PeerError, match="differs from pair to pair"):
+        simulate(scene, duration=1.0, steps=10, times=[1.0])
+
+
+def test_a_box_with_friction_slides_as_far_as_coulomb_says() -> None:
+    """v^2/(2 mu g), the oldest sum there is; here 1.019 m."""
+    scene = Scene(gravity=(0.0, -9.81), name="slide")
+    scene.add_body(
+        Box(width=1.0, height=0.2),
+        mass=1.0,
+        position=(0.0, 0.1),
+        velocity=(2.0, 0.0),
+        restitution=0.0,
+        friction=0.2,
+    )
+    scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), friction=0.2)
+    run = simulate(scene, duration=2.0, steps=480, times=[2.0])
+    assert run.position[0, 0, 0] == pytest.approx(4 / (2 * 0.2 * 9.81), rel=0.02)
+
+
+def test_a_capsule_lands_on_a_segment() -> None:
+    scene = Scene(gravity=(0.0, -9.81), name="capsule")
+    capsule = Capsule(length=1.0, radius=0.25)
+    scene.add_body(capsule, mass=1.0, position=(0.0, 3.0), restitution=0.0)
+    scene.add_static(Segment(length=9.0), position=(0.0, 1.0))
+    run = simulate(scene, duration=3.0, steps=480, times=[3.0])
+    assert run.position[0, 0, 1] == pytest.approx(1.25, abs=1e-3)
+
+
+def test_what_is_not_translated_is_refused() -> None:
+    scene = Scene(gravity=(0.0, 0.0))
+    scene.add_body(Disc(radius=0.5), mass=1.0, position=(0.0, 0.0), category=2)
+    with pytest.raises(PeerError, match="filters"):
         simulate(scene, duration=1.0, steps=10, times=[1.0])
 
 

@@ -2,8 +2,7 @@
 
 Serves: Pymunk as a way. Hides: how shapes and settings are translated.
 
-Floors are thick, the slop is small for the scene's lengths, nothing rubs, and the iterations are
-its own default.
+Floors are thick, the slop is small for the scene's lengths, and the iterations are its own default.
 """
 
 import math
@@ -17,8 +16,9 @@ import numpy as np
 
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.run import Impacts
-from tamias2d.scene import Body, Box, Disc, HalfPlane, Polygon, Scene
+from tamias2d.scene import Body, Box, Capsule, Disc, HalfPlane, Polygon, Scene, Segment
 from tamias2d.scene.acting import Load
+from tamias2d.scene.filters import filters
 from tamias2d.state import Array
 from tamias2d.study.pymunk_loads import Loading, loading
 
@@ -83,7 +83,8 @@ class World:
         self._space = pymunk.Space()
         self._space.gravity = scene.gravity
         self._space.collision_slop = _SLOP * _smallest(scene)
-        elasticity = math.sqrt(_restitution(scene))
+        elasticity = math.sqrt(_of_all_pairs(scene, scene.restitution, "restitution"))
+        friction = math.sqrt(_of_all_pairs(scene, scene.friction, "friction"))
         self._bodies = [_body(pymunk, body) for body in scene.bodies]
         self._index = {body: k for k, body in enumerate(self._bodies)}
         self._new: dict[tuple[int, int], int] = {}
@@ -91,7 +92,7 @@ class World:
             self._space.add(own)
             if body.shape is not None:
                 shape = _shape(pymunk, own, body, _size(scene))
-                shape.elasticity, shape.friction = elasticity, 0.0
+                shape.elasticity, shape.friction = elasticity, friction
                 self._space.add(shape)
         self._space.on_collision(begin=self._begun, post_solve=self._solved)
         self._fault: Exception | None = None
@@ -160,6 +161,11 @@ class World:
 
 
 def _body(pymunk: Any, body: Body) -> Any:
+    if body.kinematic or body.sensor or filters(body):
+        raise PeerError(
+            f"Pymunk: body '{body.name}': kinematic bodies, sensors and filters are not "
+            "translated. Leave Pymunk out."
+        )
     if not body.dynamic:
         own = pymunk.Body(body_type=pymunk.Body.STATIC)
     else:
@@ -175,6 +181,8 @@ def _shape(pymunk: Any, own: Any, body: Body, size: float) -> Any:
         return pymunk.Circle(own, shape.radius)
     if isinstance(shape, Box | Polygon):
         return pymunk.Poly(own, list(shape.vertices))
+    if isinstance(shape, Capsule | Segment):
+        return pymunk.Segment(own, *shape.core, shape.rounding)
     if not isinstance(shape, HalfPlane):
         raise PeerError(f"Pymunk: shape of '{body.name}': there is none such. Leave Pymunk out.")
     (x, y), depth = shape.normal, _WIDE * size
@@ -202,18 +210,18 @@ def _smallest(scene: Scene) -> float:
     return min(_reaches(scene), default=1.0)
 
 
-def _restitution(scene: Scene) -> float:
-    """Return the one restitution of all pairs: Pymunk has a product of two of its own instead."""
+def _of_all_pairs(scene: Scene, of_pair: Callable[[int, int], float], what: str) -> float:
+    """Return what all pairs have in common: Pymunk has a product of two of its own instead."""
     solid = [k for k, body in enumerate(scene.bodies) if body.shape is not None]
     moving = [body.dynamic for body in scene.bodies]
     pairs = [(i, j) for i, j in combinations(solid, 2) if moving[i] or moving[j]]
     found = set()
     for i, j in pairs:
         with suppress(SceneError):  # pairs that never meet need not state any
-            found.add(scene.restitution(i, j))
+            found.add(of_pair(i, j))
     if len(found) > 1:
         raise PeerError(
-            "Pymunk: restitution: it differs from pair to pair, which Pymunk's product of two "
+            f"Pymunk: {what}: it differs from pair to pair, which Pymunk's product of two "
             "cannot say. Leave Pymunk out."
         )
     return found.pop() if found else 0.0
