@@ -344,6 +344,7 @@ each.__module__ = "tamias2d.stepped.test"  # as in a module of the package
 
 def test_compiled_and_plain_manifolds_have_the_same_bits() -> None:
     engine = Engine("narrow phase of the tests", (each,))
+    assert "forceinline=True)\ndef collide(" in engine.source()
     rng = np.random.default_rng(3)
     shapes = [*SHAPES, half_plane(0.1)]
     pairs = np.array([(i, j) for i in range(len(shapes)) for j in range(len(shapes))], np.int32)

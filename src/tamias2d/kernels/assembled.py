@@ -10,12 +10,13 @@ import builtins
 import math
 from collections.abc import Callable, Hashable
 from types import FunctionType, ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 from tamias2d.kernels.arrays import signature
 from tamias2d.kernels.copied import Function, copied, references
 from tamias2d.spec import functions as elementary
 
+F = TypeVar("F", bound=Function)
 _HEAD = '''"""{says}
 
 Assembled by tamias2d.kernels from plain functions, which are to be edited in their own modules.
@@ -23,6 +24,7 @@ Assembled by tamias2d.kernels from plain functions, which are to be edited in th
 '''
 _BARE = 'error_model="numpy", _nrt=False'  # references to arrays are not counted: that takes longer
 _HELPER = f"@njit({_BARE}, no_cpython_wrapper=True, no_cfunc_wrapper=True)"
+_INLINED = _HELPER[:-1] + ", forceinline=True)"
 _ENTRY = f'@njit("{{signature}}", cache=True, {_BARE}, nogil=True, no_cfunc_wrapper=True)'
 _SAME: dict[Any, Any] = {
     getattr(elementary, name): getattr(math, name)
@@ -30,6 +32,18 @@ _SAME: dict[Any, Any] = {
 } | {elementary.least: min, elementary.largest: max}
 """What elementary functions are on numbers. The compiler knows these, to the bit: of two equal
 numbers, zeros of both signs too, and where one is no number, min and max return the first."""
+
+
+_inlined: set[Function] = set()
+
+
+def inlined(function: F) -> F:
+    """Mark a function whose code is put where it is called: a call passes all parts of its arrays.
+
+    For what is called once in the source and often in a run; elsewhere it makes code long.
+    """
+    _inlined.add(function)
+    return function
 
 
 def assembled(*entries: Function, says: str) -> str:
@@ -75,7 +89,8 @@ class _Parts:
             names[ast.unparse(node)] = self._use(function, node)
         text = copied(function, names).replace(f"def {function.__name__}(", f"def {name}(", 1)
         entry = function in self.entries
-        decorator = _ENTRY.format(signature=signature(function)) if entry else _HELPER
+        helper = _INLINED if function in _inlined else _HELPER
+        decorator = _ENTRY.format(signature=signature(function)) if entry else helper
         self.texts.append(f"{decorator}\n{text}")
         return name
 

@@ -28,7 +28,7 @@ def _source(function: Function) -> str:
 
 
 def references(function: Function) -> Iterator[ast.Name | ast.Attribute]:
-    """Yield the names that a function reads and does not set, types apart.
+    """Yield the names that a function reads and does not set, types and marks apart.
 
     A dotted name is yielded as a whole.
     """
@@ -37,14 +37,19 @@ def references(function: Function) -> Iterator[ast.Name | ast.Attribute]:
 
 
 def copied(function: Function, names: Mapping[str, str]) -> str:
-    """Return the text of a function without types and with other names for what it reads.
+    """Return the text of a function without types and marks, with other names for what it reads.
 
     Of its docstring the first line and the source stay.
     """
     source = _source(function).encode()
     tree = function_of(function)
     text = _Text(source)
-    edits = [*_signature(tree, text), *_docstring(tree, text), *_typed(tree, text)]
+    edits = [
+        (0, text.starts[tree.lineno - 1], ""),
+        *_signature(tree, text),
+        *_docstring(tree, text),
+        *_typed(tree, text),
+    ]
     for node in references(function):
         old = ast.unparse(node)
         if names.get(old, old) != old:
@@ -64,7 +69,7 @@ def _read(node: ast.AST, own: set[str]) -> Iterator[ast.Name | ast.Attribute]:
             yield node
         return
     for name, value in ast.iter_fields(node):
-        if name in ("annotation", "returns"):
+        if name in ("annotation", "returns", "decorator_list"):
             continue
         for child in value if isinstance(value, list) else [value]:
             if isinstance(child, ast.AST):
