@@ -274,7 +274,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:266.
+    Source: DD21, srs/definitions.md:268.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -294,7 +294,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:267.
+    Source: DD21, srs/definitions.md:269.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -312,7 +312,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:362.
+    Source: DD17, srs/definitions.md:364.
     """
     return least(restitution_a, restitution_b)
 
@@ -328,7 +328,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:395.
+    Source: GD11, srs/definitions.md:397.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -354,7 +354,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:419.
+    Source: DD22, srs/definitions.md:421.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -371,7 +371,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:432.
+    Source: DD23, srs/definitions.md:434.
     """
     return sqrt(friction_a * friction_b)
 
@@ -389,7 +389,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:450.
+    Source: DD15, srs/definitions.md:452.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -408,7 +408,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:464.
+    Source: DD16, srs/definitions.md:466.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
