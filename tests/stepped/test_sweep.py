@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from tamias2d.kernels import Engine
+from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, IndexRows, Indices
 from tamias2d.stepped.sweep import MISSED, NEAR, time_of_impact
 from tests.stepped.outlines import Outline, Pairing, box, capsule, disc, half_plane
 from tests.stepped.test_manifold import ANGLES, SHAPES, placed
@@ -131,3 +133,66 @@ def test_no_size_is_special(pair, move, turn, factor) -> None:
     a, b, delta = pair
     one = swept(a, b, delta, move, turn, 0.0)
     assert one == swept(a.scaled(factor), b.scaled(factor), delta * factor, move * factor, turn)
+
+
+def sweep_each(
+    pairs: IndexRows,
+    ways: FloatRows,
+    shape_kind: Bytes,
+    shape_first: Indices,
+    shape_count: Indices,
+    shape_radius: Floats,
+    turned: FloatRows,
+    scratch: FloatRows,
+    found: Floats,
+) -> None:
+    """Find the times of impact of all pairs."""
+    for p in range(len(pairs)):
+        way = ways[p]
+        found[p] = time_of_impact(
+            pairs[p, 0],
+            pairs[p, 1],
+            way[0],
+            way[1],
+            way[2],
+            way[3],
+            way[4],
+            way[5],
+            shape_kind,
+            shape_first,
+            shape_count,
+            shape_radius,
+            turned,
+            scratch,
+        )
+
+
+sweep_each.__module__ = "tamias2d.stepped.test"  # as in a module of the package
+
+
+def test_compiled_and_plain_sweeps_have_the_same_bits() -> None:
+    engine = Engine("sweeps of the tests", (sweep_each,))
+    rng = np.random.default_rng(4)
+    shapes = [*SHAPES, half_plane(-2.0)]
+    rows = [shape.rows() for shape in shapes]
+    counts = np.array([len(each) for each in rows], np.int32)
+    first = (np.cumsum(counts) - counts).astype(np.int32)
+    pairs = rng.integers(len(shapes), size=(300, 2)).astype(np.int32)
+    ways = rng.normal(size=(300, 6)) * [2, 2, 5, 5, 9, 9]
+    results = []
+    for made in (engine.plain(), engine.compiled()):
+        found = np.zeros(300)
+        made.sweep_each(
+            pairs,
+            ways,
+            np.array([shape.kind for shape in shapes], np.int8),
+            first,
+            counts,
+            np.array([shape.radius for shape in shapes]),
+            np.vstack(rows),
+            np.zeros((32, 8)),
+            found,
+        )
+        results.append(found.tolist())
+    assert results[0] == results[1]
+    assert 30 < sum(value <= 1 for value in results[0]) < 270
