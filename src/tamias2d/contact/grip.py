@@ -16,6 +16,8 @@ from tamias2d.generated import definitions
 from tamias2d.state import Acceleration, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
+_SEEN = 4e-10
+"""Of the forces: by how much one may be beyond its bound; more than what modes leave of loads."""
 _AXES: tuple[Acceleration, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -44,7 +46,9 @@ class Gripped:
         rows, columns = closed(mode), ways(mode)
         feels = np.array([_felt(body, contact) for contact in directed(rows)])
         gives = np.array([_given(core, body, contact) for contact in columns]).T
-        left = np.eye(3) - gives @ np.linalg.pinv(effects(cores, rows, columns)) @ feels
+        self._mode = mode
+        self._forces = -np.linalg.pinv(effects(cores, rows, columns)) @ feels
+        left = np.eye(3) + gives @ self._forces
         x, y, turn = (left @ axis for axis in np.array(_AXES))
         self._left = tuple(
             zip(
@@ -58,6 +62,23 @@ class Gripped:
         x, y, turn = acceleration
         ahead, up, round_ = (p * x + q * y + r * turn + 0.0 for p, q, r in self._left)
         return ahead, up, round_
+
+    def fits(self, acceleration: Acceleration) -> bool:
+        """Return whether forces of the mode can be seen to be within Coulomb's bounds.
+
+        Where several sets of forces do the same, one of them is looked at.
+        """
+        forces = (self._forces @ acceleration).tolist()
+        unseen = _SEEN * max(map(abs, forces))
+        along = iter(forces[sum(len(part.pressed) for part in self._mode) :])
+        across = iter(forces)
+        for part in self._mode:
+            normal = [next(across) for _ in part.pressed]
+            if min(normal, default=0.0) < -unseen:
+                return False
+            if part.sticks and abs(next(along)) > part.patch.roughness * sum(normal) + unseen:
+                return False
+        return True
 
     def slides(self, state: State) -> bool:
         """Return whether all that slides still does so in its sense, in a state of the body."""

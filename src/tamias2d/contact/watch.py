@@ -73,6 +73,11 @@ class Watch:
         return high
 
     def _lasts(self, path: Piece, time: float, hold: Hold) -> bool:
+        if isinstance(hold, Gripped) and all(self._cores[i].endless for i in self._supports):
+            if not hold.slides(path.at(time)):
+                return False
+            if hold.fits(self._free(time)):
+                return True
         states = {**self._supports, self._body: path.at(time)}
         placed = {i: place(self._cores[i], state) for i, state in states.items()}
         try:
