@@ -90,6 +90,8 @@ def test_rows_stay_and_freed_ones_are_used_again() -> None:
     assert (sim.position[others] == before[others]).all()
     with pytest.raises(t2.InputError, match="body 4: the simulator has none such"):
         sim.remove(4)
+    sim.step()
+    assert not sim.position[[4, 7]].any()
     new = sim.add(t2.Disc(radius=0.1), mass=1.0, position=[(0.0, 30.0 + k) for k in range(3)])
     assert new.tolist() == [4, 7, 13]
     assert sim.position[[4, 7, 13]].tolist() == [[0, 30], [0, 31], [0, 32]]

@@ -106,6 +106,7 @@ def test_a_spring_goes_with_its_body() -> None:
     assert sim.velocity[ball, 0] < 0
     sim.remove(other)
     before = sim.velocity[ball].copy()
+    sim.step()
     again = sim.add(t2.Disc(radius=0.1), mass=1.0, position=(-1.0, 0.0))
     assert again == other
     sim.step()

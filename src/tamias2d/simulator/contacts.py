@@ -81,6 +81,8 @@ def touching(world: World) -> Touching:
     bodies = world.shape_body[world.pairs[side, :size]].astype(np.int64).reshape(-1, 2)
     code = bodies.min(axis=1) * len(world.pose) + bodies.max(axis=1)
     noted = world.traces[side, :size, TOUCHED]
+    if not noted.any():
+        bodies, code, noted = bodies[:0], code[:0], noted[:0]
     now, before = (np.unique(code[noted & bit != 0]) for bit in (1, 2))
     pushed = _pushed(world)
     sensed = np.setdiff1d(np.flatnonzero(noted & 1), pushed.pair)

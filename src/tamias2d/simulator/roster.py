@@ -22,6 +22,7 @@ from tamias2d.stepped.layout import (
     ABSENT,
     ANGULAR,
     ARM,
+    FULL,
     INVERSE_INERTIA,
     INVERSE_MASS,
     PAIRS,
@@ -50,6 +51,8 @@ class Roster:
         self._shapes = self._corners = 0  # rows ever taken
         self._next = 0
         self._new: dict[int, tuple[float, ...]] = {}  # bodies without a rank, and their form
+        self._leaving = np.zeros(0, dtype=np.int64)  # removed since it was settled
+        self._flow: Array | None = None  # columns of a body without drag
 
     def place(self, batch: Batch) -> Whole:
         """Add the bodies of a batch, and return their rows."""
@@ -63,30 +66,18 @@ class Roster:
         world.carried[rows] = 0.0
         world.body[rows, INVERSE_MASS] = 1 / batch.mass
         world.body[rows, INVERSE_INERTIA] = 1 / batch.inertia
-        world._flow(rows, drag.drag_rate(batch.linear_drag, batch.mass), 0)
-        world._flow(rows, drag.angular_drag_rate(batch.angular_drag, batch.inertia), ANGULAR)
+        self._set_flow(batch, rows)
         world.kind[rows] = batch.kind
         self._place_shapes(batch, rows)
         world.forget()
         return rows
 
     def remove(self, rows: Whole) -> None:
-        """Take bodies out; the rows of all others stay."""
-        world = self.world
-        self._drop_pairs(rows)
-        gone = np.isin(world.shape_body, rows)
-        for slot in np.flatnonzero(gone).tolist():
-            self._free_shapes.setdefault(int(world.shape_count[slot]), []).append(slot)
-        world.shape_body[gone] = self._idle
-        self._order = self._order[~gone[self._order]]
-        for values in (world.pose, world.motion, world.load, world.body):
-            values[rows] = 0.0
-        world.kind[rows] = ABSENT
-        self.rank[rows] = -1
+        """Take bodies out; the rows of all others stay, and theirs are free once it is settled."""
+        self.world.kind[rows] = ABSENT
+        self._leaving = np.concatenate((self._leaving, rows))
         for row in rows.tolist():
             self._new.pop(row, None)
-        self._free = sorted({*self._free, *rows.tolist()}, reverse=True)
-        self._publish()
 
     def mix(
         self,
@@ -125,10 +116,31 @@ class Roster:
         self._new = {}
 
     def settle(self) -> None:
-        """Give all that is new its rank."""
-        if not self._new:
-            return
-        world, rows = self.world, np.array(list(self._new), dtype=np.int64)
+        """Let go of what was removed, and give all that is new its rank."""
+        if len(self._leaving):
+            self._let_go(self._leaving)
+            self._leaving = self._leaving[:0]
+        if self._new:
+            self._rank(np.array(list(self._new), dtype=np.int64))
+            self._new.clear()
+        self._publish()
+
+    def _let_go(self, rows: Whole) -> None:
+        world = self.world
+        self._drop_pairs(rows)
+        gone = np.isin(world.shape_body, rows)
+        for slot in np.flatnonzero(gone).tolist():
+            self._free_shapes.setdefault(int(world.shape_count[slot]), []).append(slot)
+        world.shape_body[gone] = self._idle
+        self._order = self._order[~gone[self._order]]
+        for values in (world.pose, world.motion, world.load, world.body):
+            values[rows] = 0.0
+        self.rank[rows] = -1
+        self._free = sorted({*self._free, *rows.tolist()}, reverse=True)
+
+    def _rank(self, rows: Whole) -> None:
+        """Order new bodies by what and where they are."""
+        world = self.world
         owned = np.flatnonzero(np.isin(world.shape_body, rows))
         first = np.full(len(world.pose), -1)
         first[world.shape_body[owned][::-1]] = owned[::-1]
@@ -143,8 +155,6 @@ class Roster:
         self._next += len(rows)
         order = np.lexsort((owned, self.rank[world.shape_body[owned]]))
         self._order = np.concatenate((self._order, owned[order]))
-        self._new.clear()
-        self._publish()
 
     def _forms(self) -> Whole:
         """Return a number for the form of each new body, in the order of the forms themselves."""
@@ -176,6 +186,18 @@ class Roster:
         world.size += more
         self.rank = np.concatenate((self.rank, np.full(more, -1)))
         return rows
+
+    def _set_flow(self, batch: Batch, rows: Whole) -> None:
+        """Set how drag slows bodies; most have none, and share what follows from that."""
+        world = self.world
+        dragged = batch.linear_drag.any() or batch.angular_drag.any()
+        if dragged or self._flow is None:
+            world._flow(rows, drag.drag_rate(batch.linear_drag, batch.mass), 0)
+            world._flow(rows, drag.angular_drag_rate(batch.angular_drag, batch.inertia), ANGULAR)
+            if not dragged and len(rows):
+                self._flow = world.body[rows[0], FULL:].copy()
+        else:
+            world.body[rows, FULL:] = self._flow
 
     def _place_shapes(self, batch: Batch, rows: Whole) -> None:
         made = {shape: pieces(shape) for shape in dict.fromkeys(batch.shapes)}

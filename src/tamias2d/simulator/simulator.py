@@ -48,8 +48,8 @@ class Simulator(Views):
     `position` (n, 2), `orientation` (n,), `velocity` (n, 2), `angular_velocity` (n,), `force`
     (n, 2) and `torque` (n,) are views of what the engine works on, in SI units: reading them copies
     nothing, and what is written counts from the next step on. Rows are the bodies in the order of
-    the scene and then of adding; a removed body leaves a row of zeros, which the next one that is
-    added takes. Adding may put the arrays elsewhere: take a view anew after it.
+    the scene and then of adding; the row of a removed body is one of zeros after the next step, and
+    then free for one that is added. Adding may put the arrays elsewhere: take a view anew after it.
 
     Forces that vary with time or state (laws, springs, attraction, fields, quadratic drag) are
     evaluated once a step, at its start, and held through it: an error of first order in the time
@@ -133,6 +133,12 @@ class Simulator(Views):
         if self._scene is not None:
             acting = Acting(self._scene, sorted(self._staying, key=self._roster.rank.__getitem__))
             self._acting = None if acting.empty else acting
+
+    def _kept(self) -> None:
+        """Settle between steps: what touched is told before what was removed is forgotten."""
+        if self._unsettled:
+            self._tell()
+            self._settled()
 
     def _step_loaded(self) -> None:
         """Take a step with loads that count for this one only."""
@@ -305,7 +311,6 @@ class Simulator(Views):
             InputError: a body is not there.
         """
         rows = np.unique(self._rows(bodies))
-        self._tell()
         self._roster.remove(rows)
         if self._pushed is not None:
             self._pushed[rows[rows < len(self._pushed)]] = 0.0
@@ -370,7 +375,7 @@ class Simulator(Views):
         return self._asked().within(*box_corners(low, high), mask)
 
     def _asked(self) -> Questions:
-        self._settled()
+        self._kept()
         return self._questions
 
     def _tell(self) -> Touching:
@@ -401,7 +406,7 @@ class Simulator(Views):
         return _restored, (self._arrays(), "pickle")
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
-        self._settled()
+        self._kept()
         about = {
             "time_step": self._time_step,
             "substeps": self._substeps,
@@ -437,7 +442,7 @@ class Simulator(Views):
 
         Equal simulators have equal digests, in whatever order they were built.
         """
-        self._settled()
+        self._kept()
         there = np.flatnonzero(self._roster.rank >= 0)
         order = there[np.argsort(self._roster.rank[there])]
         total = hashlib.sha256(f"{self._steps} {self._time_step!r}".encode())
