@@ -8,9 +8,9 @@ from hypothesis import given, settings, strategies as st
 
 from tamias2d.kernels import Engine
 from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, IndexRows, Indices
-from tamias2d.stepped import manifold
+from tamias2d.stepped import polygons
 from tamias2d.stepped.layout import PUSH
-from tamias2d.stepped.manifold import bends, collide
+from tamias2d.stepped.manifold import collide
 from tests.stepped.outlines import (
     Outline,
     Pairing,
@@ -159,8 +159,8 @@ def test_shapes_that_come_together_are_seen() -> None:
 
 def test_pairs_that_rest_are_not_searched(monkeypatch: pytest.MonkeyPatch) -> None:
     searched = []
-    search = manifold.find_sides
-    monkeypatch.setattr(manifold, "find_sides", lambda *a: searched.append(a) or search(*a))
+    search = polygons.find_sides
+    monkeypatch.setattr(polygons, "find_sides", lambda *a: searched.append(a) or search(*a))
     rng = np.random.default_rng(1)
     for b, height in (
         (box(1.0, 1.0), 1.0),
@@ -293,13 +293,15 @@ def test_half_planes_hold_the_lowest_corners(pair) -> None:
 
 @settings(max_examples=200, deadline=None)
 @given(placed())
-def test_bends_are_what_reaches_along_the_normal_without_rounding(pair) -> None:
+def test_what_turns_reaches_along_the_normal_as_is_said(pair) -> None:
     a, b, delta = pair
     found = Pairing()
     for k in range(found(a, b, delta)):
-        of_a, of_b = bends(found.touch[0], k, *delta, a.radius, b.radius)
-        gap = of_b - of_a + found.normal @ delta - a.radius - b.radius
-        assert gap == pytest.approx(found.gaps[k], abs=1e-12)
+        half = 0.5 * found.gaps[k]
+        of_a = found.points[k] @ found.normal - a.radius - half
+        of_b = (found.points[k] - delta) @ found.normal + b.radius + half
+        cores = of_b + found.normal @ delta - of_a
+        assert cores - a.radius - b.radius == pytest.approx(found.gaps[k], abs=1e-12)
         if a.kind == 0:
             assert of_a == pytest.approx(found.normal @ a.corners[0], abs=1e-12)
         if b.kind == 0:

@@ -3,31 +3,19 @@
 Serves: a step, for each pair at its start. Hides: the kinds of shapes, and what a pair remembers.
 
 All shapes but half-planes are corners grown by a radius: a disc has one corner, a capsule two. A
-point is midway between the surfaces, so that from the arm `p` of A to it, the part that turns with
-the sides and corners of A is p - (radius_a + separation/2) n, and B's is p - delta + (radius_b +
-separation/2) n: a disc's is zero, for rolling does not change its distance (`bends`).
+point is midway between the surfaces. So of the arm p from the centre of A to it, p.n - radius_a -
+separation/2 reaches along the normal and turns with the sides and corners of A, and of the arm q
+from B's centre q.n + radius_b + separation/2: both are 0 for a disc, which may roll.
 
-Sources: [Gregorius 2013] the side that leaves most room, and clipping; [Catto 2024] points ahead of
-touching, with the normal between nearest corners.
+Sources: Gregorius, The separating axis test between convex polyhedra (GDC 2013), for the side that
+leaves most room; Catto, Box2D v3 (2024), for points of pairs that do not touch yet.
 """
 
 from math import sqrt
 
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
-from tamias2d.stepped.clip import NAMES, TINY, touch_sides
-from tamias2d.stepped.hint import (
-    APART,
-    LED_BY_A,
-    LED_BY_B,
-    LED_BY_EITHER,
-    NONE,
-    keep_apart,
-    keep_sides,
-    lever_of,
-    pose_seen,
-    recalled,
-)
+from tamias2d.stepped.clip import NAMES, TINY
 from tamias2d.stepped.layout import (
     COUNT,
     FEATURE,
@@ -43,7 +31,7 @@ from tamias2d.stepped.layout import (
     RUB,
     Whole,
 )
-from tamias2d.stepped.separation import find_sides, slack_of
+from tamias2d.stepped.polygons import touch_again, touch_polygons
 
 
 @inlined
@@ -106,53 +94,6 @@ def collide(
             turned,
         )
     return kept(row, ids, first, second)
-
-
-def touch_again(
-    row: Array,
-    ids: Whole,
-    first_a: int,
-    count_a: int,
-    first_b: int,
-    count_b: int,
-    x: float,
-    y: float,
-    radius_a: float,
-    radius_b: float,
-    margin: float,
-    turned: Array,
-) -> tuple[int, int]:
-    """Write the points between two shapes with sides, by a hint where it holds."""
-    enough = margin + radius_a + radius_b
-    along, across, cosine, sine = pose_seen(first_a, first_b, x, y, turned)
-    state, side_a, side_b = recalled(row, ids, along, across, cosine, sine, enough)
-    if state == NONE:
-        state, side_a, side_b, room, other = find_sides(
-            first_a, count_a, first_b, count_b, x, y, enough, turned
-        )
-        lever = lever_of(first_a, count_a, first_b, count_b, x, y, turned)
-        if state == APART:
-            keep_apart(row, ids, along, across, cosine, sine, lever, room, enough)
-        else:
-            if state == LED_BY_A:
-                either, slack = slack_of(
-                    first_a, count_a, side_a, first_b, count_b, side_b,
-                    x, y, lever, room, other, turned,
-                )  # fmt: skip
-            else:
-                either, slack = slack_of(
-                    first_b, count_b, side_b, first_a, count_a, side_a,
-                    -x, -y, lever, room, other, turned,
-                )  # fmt: skip
-            if either:
-                state = LED_BY_EITHER
-            keep_sides(row, ids, along, across, cosine, sine, lever, state, side_a, side_b, slack)
-    if state == APART:
-        return 0, 0
-    return touch_led(
-        row, state, first_a, count_a, side_a, first_b, count_b, side_b,
-        x, y, radius_a, radius_b, margin, turned,
-    )  # fmt: skip
 
 
 def touch_pair(
@@ -360,99 +301,3 @@ def touch_corner(
     row[PX + at] = x + turned[corner, 0] - nx * down
     row[PY + at] = y + turned[corner, 1] - ny * down
     row[GAP + at] = gap
-
-
-def touch_polygons(
-    row: Array,
-    first_a: int,
-    count_a: int,
-    first_b: int,
-    count_b: int,
-    x: float,
-    y: float,
-    radius_a: float,
-    radius_b: float,
-    margin: float,
-    turned: Array,
-) -> tuple[int, int]:
-    """Write the points between two shapes with sides; return their names, or 0."""
-    state, side_a, side_b, _, _ = find_sides(
-        first_a, count_a, first_b, count_b, x, y, margin + radius_a + radius_b, turned
-    )
-    if state == APART:
-        return 0, 0
-    return touch_led(
-        row, state, first_a, count_a, side_a, first_b, count_b, side_b,
-        x, y, radius_a, radius_b, margin, turned,
-    )  # fmt: skip
-
-
-def touch_led(
-    row: Array,
-    state: int,
-    first_a: int,
-    count_a: int,
-    side_a: int,
-    first_b: int,
-    count_b: int,
-    side_b: int,
-    x: float,
-    y: float,
-    radius_a: float,
-    radius_b: float,
-    margin: float,
-    turned: Array,
-) -> tuple[int, int]:
-    """Write the points between two sides that face each other; the state says which leads."""
-    next_a = side_a + 1 if side_a + 1 < count_a else 0
-    next_b = side_b + 1 if side_b + 1 < count_b else 0
-    swapped = state == LED_BY_B
-    if state == LED_BY_EITHER:
-        swapped = room_of(first_b, side_b, first_a, side_a, next_a, -x, -y, turned) > room_of(
-            first_a, side_a, first_b, side_b, next_b, x, y, turned
-        )
-    bare = count_a == 2 and count_b == 2
-    if swapped:
-        first_a, first_b = first_b, first_a
-        side_a, side_b = side_b, side_a
-        next_a, next_b = next_b, next_a
-        radius_a, radius_b = radius_b, radius_a
-        x, y = -x, -y
-    return touch_sides(
-        row, first_a, side_a, next_a, first_b, side_b, next_b,
-        x, y, radius_a, radius_b, margin, bare, swapped, turned,
-    )  # fmt: skip
-
-
-def room_of(
-    first_p: int,
-    side: int,
-    first_q: int,
-    one: int,
-    other: int,
-    x: float,
-    y: float,
-    turned: Array,
-) -> float:
-    """Return the room that a side of P leaves to the nearer of two corners of Q, m."""
-    p = first_p + side
-    q, r = first_q + one, first_q + other
-    nx, ny = turned[p, 2], turned[p, 3]
-    low = min(nx * turned[q, 0] + ny * turned[q, 1], nx * turned[r, 0] + ny * turned[r, 1])
-    room: float = nx * (x - turned[p, 0]) + ny * (y - turned[p, 1]) + low
-    return room
-
-
-def bends(
-    row: Array, k: int, delta_x: float, delta_y: float, radius_a: float, radius_b: float
-) -> tuple[float, float]:
-    """Return how far the sides or corners at point k reach along the normal, m, for A and for B.
-
-    From the centre of A or B; what a turn by an angle changes of it is (cos(angle) - 1) times as
-    much, besides the sine's part along the tangent.
-    """
-    at = POINT * k
-    arm = row[NX] * row[PX + at] + row[NY] * row[PY + at]
-    half = 0.5 * row[GAP + at]
-    apart = row[NX] * delta_x + row[NY] * delta_y
-    return arm - radius_a - half, arm - apart + radius_b + half
