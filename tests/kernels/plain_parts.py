@@ -5,6 +5,7 @@ from math import cos
 from tamias2d.generated import impact
 from tamias2d.generated.translation import acceleration as pulled
 from tamias2d.kernels.arrays import FloatRows
+from tamias2d.kernels.assembled import inlined
 from tamias2d.spec.functions import largest, least, sqrt
 
 LANES = 16
@@ -22,6 +23,7 @@ def halved(number: float) -> float:
     return result
 
 
+@inlined
 def clamped(number: float, low: float, high: float) -> float:
     return least(largest(number, low), high)
 

@@ -90,7 +90,8 @@ def test_a_source_stands_alone_and_reads_in_order() -> None:
     assert "a comment stays" in text
     assert "Source: IM3" in text
     assert "not copied" not in text
-    assert not re.search(r"Scalar|: float|-> ", text)
+    assert not re.search(r"Scalar|: float|-> |@inlined", text)
+    assert re.findall(r"forceinline=True\)\ndef (\w+)", text) == ["clamped"]
     assert {"LANES = 16", "HALF = 0.5"} <= set(text.splitlines())
 
 
