@@ -60,6 +60,7 @@ class Scene:
         self._says = checked_text(" ".join(says.split()) if isinstance(says, str) else says, "says")
         self._duration = None if duration is None else checked_duration(duration)
         self._bodies: list[Body] = []
+        self._shown: tuple[Body, ...] = ()  # the same, as they were last asked for
         self._index: dict[str, int] = {}
         self._of_pairs: dict[tuple[int, int], float] = {}
         self._friction_of_pairs: dict[tuple[int, int], float] = {}
@@ -90,7 +91,9 @@ class Scene:
     @property
     def bodies(self) -> tuple[Body, ...]:
         """All bodies, static ones too, in the order of adding."""
-        return tuple(self._bodies)
+        if len(self._shown) != len(self._bodies):
+            self._shown = tuple(self._bodies)
+        return self._shown
 
     @property
     def restitution_of_pairs(self) -> dict[tuple[int, int], float]:
@@ -413,7 +416,9 @@ class Scene:
         return hashlib.sha256(scene_text(self).encode()).hexdigest()
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Scene) and vars(self) == vars(other)
+        if not isinstance(other, Scene):
+            return False
+        return self.bodies == other.bodies and vars(self) == vars(other)  # asking sets `_shown`
 
     __hash__ = None  # type: ignore[assignment]  # bodies can still be added
 
