@@ -14,5 +14,5 @@ from tamias2d.scene.scene import Scene
 def restarted(scene: Scene, bodies: Sequence[Body]) -> Scene:
     """Return a copy of a scene with other bodies, which differ only in how they start."""
     other = copy(scene)
-    other._bodies = list(bodies)
+    other._bodies, other._shown = list(bodies), tuple(bodies)
     return other
