@@ -46,7 +46,10 @@ class Pair:
     first_try: bool
     method: str
     cost: int | None
+    pilot: int | None
+    """Force evaluations of the pilot runs, which `cost` and `regret` leave out."""
     regret: float | None
+    regret_with_pilot: float | None
 
 
 @dataclass(frozen=True)
@@ -81,6 +84,7 @@ def summary(pairs: list[Pair]) -> dict[str, Any]:
     claims = [pair for pair in pairs if pair.covered is not None]
     numeric = [p.effectivity for p in claims if p.kind != "exact" and p.effectivity is not None]
     regrets = [pair.regret for pair in pairs if pair.regret is not None]
+    piloted = [p for p in pairs if p.pilot and p.regret_with_pilot is not None and p.cost]
     return {
         "coverage": sum(bool(pair.covered) for pair in claims) / len(claims),
         "effectivity_median": median(p.effectivity for p in claims if p.effectivity is not None),
@@ -88,6 +92,8 @@ def summary(pairs: list[Pair]) -> dict[str, Any]:
         "met_first_try": sum(pair.first_try for pair in pairs) / len(pairs),
         "regret_median": median(regrets),
         "regret_largest": max(regrets),
+        "pilot_over_cost_median": median(p.pilot / p.cost for p in piloted if p.pilot and p.cost),
+        "regret_with_pilot_median": median(p.regret_with_pilot or 0.0 for p in piloted),
         "pairs": len(pairs),
         "claims": len(claims),
     }
@@ -123,7 +129,20 @@ def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Swe
         run = first if met else simulate(scene, duration=duration, tolerance=tolerance)
     except ToleranceError:
         return Pair(
-            name, tolerance, "refused", None, None, truth.doubt, None, None, False, "", None, None
+            name,
+            tolerance,
+            "refused",
+            bound=None,
+            error=None,
+            doubt=truth.doubt,
+            covered=None,
+            effectivity=None,
+            first_try=False,
+            method="",
+            cost=None,
+            pilot=None,
+            regret=None,
+            regret_with_pilot=None,
         )
     assert run.certificate is not None
     assert run.certificate.bound is not None
@@ -131,6 +150,8 @@ def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Swe
     error, bound = history_error(run, truth.run), run.certificate.bound
     floor = max(truth.doubt, rounding(run) / scale(run))
     judged = truth.doubt <= bound
+    cost = run.cost.force_evaluations
+    least = sweep.least(cost, tolerance)
     return Pair(
         name,
         tolerance,
@@ -142,8 +163,10 @@ def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Swe
         bound / max(error, floor) if judged else None,
         met and error <= tolerance + truth.doubt,
         f"{run.method} {run.time_step or ''}",
-        run.cost.force_evaluations,
-        sweep.regret(run.cost.force_evaluations, tolerance),
+        cost,
+        plan.pilot,
+        cost / least if cost else 1.0,
+        (cost + plan.pilot) / least if cost else 1.0,
     )
 
 
@@ -167,10 +190,8 @@ class _Sweep:
         self._truth = truth
         self._known: dict[tuple[Method, float | None], tuple[float, float]] = {}
 
-    def regret(self, own: float, tolerance: float) -> float:
-        """Return a cost over the least one, which is never more than itself."""
-        if not own:
-            return 1.0
+    def least(self, own: float, tolerance: float) -> float:
+        """Return the least cost, which is never more than one's own."""
         best = own
         for ladder in self._ladders():
             for method, step in ladder:
@@ -180,7 +201,7 @@ class _Sweep:
                 if error <= tolerance:
                     best = cost
                     break
-        return own / best
+        return best
 
     def _ladders(self) -> Iterator[Iterator[tuple[Method, float | None]]]:
         """Yield the settings of each method, from cheap to dear."""

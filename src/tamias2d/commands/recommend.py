@@ -34,7 +34,7 @@ def recommend_way(name: str, *, tolerance: str, duration: str | None, as_json: b
             for one in plan.estimates
         ),
     )
-    say(f"Finding this took {plan.pilot} force evaluations of pilot runs.")
+    say(_spent(plan))
     say(f"Run it: {command()} run {name} --tolerance {plan.tolerance:g}")
 
 
@@ -42,11 +42,18 @@ def _way(one: Estimate) -> str:
     return f"{one.method}" + (f", steps of {one.time_step:.4g} s" if one.time_step else "")
 
 
+def _spent(plan: Plan) -> str:
+    own = plan.choice.force_evaluations
+    times = f", {plan.pilot / own:.2g} times as many as the run needs" if own else ""
+    return f"Finding this took {plan.pilot} force evaluations of pilot runs{times}."
+
+
 def _as_json(name: str, plan: Plan) -> dict[str, Any]:
     return {
         "scene": name,
         "tolerance": plan.tolerance,
         "pilot_force_evaluations": plan.pilot,
+        "force_evaluations_with_pilot": plan.pilot + plan.choice.force_evaluations,
         "estimates": [
             {
                 "method": str(one.method),

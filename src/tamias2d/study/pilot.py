@@ -6,6 +6,7 @@ Errors are differences from one run that is far tighter than what is asked for, 
 the whole run: short horizons would not show how errors grow. From two grids on which the error
 falls at the order of the scheme follows its constant C, and from error = C h^p the step for a
 tolerance. Everything is counted, nothing is timed, so that the same scene gives the same answer.
+A method is given up as soon as its own order says that it will cost more than the best one.
 """
 
 import math
@@ -27,7 +28,11 @@ MARGIN = 2.0
 _SAMPLES = 120
 _ORDER = 0.35  # within which an observed order is that of the scheme
 _TRIALS = 5
-_NEAR = 0.25  # of the error that is aimed at is near enough
+_CHEAP = 1e-4  # is the first tolerance of a pilot, from which its order says whether it can win
+_ENOUGH = 0.8  # of the cost is needed by the best setting: a further trial would not pay
+_WITNESS = 1e-2  # of the tolerance is that of the run which the others are compared with
+_LOOSER = 30.0  # times its tolerance has the run that shows how far it can be trusted
+_DOUBT = 0.1  # of the tolerance may be in doubt
 _FEWEST = 8  # steps of a pilot
 _FARTHER = 16.0  # times the steps of a pilot that its order is trusted for
 _LOOSEST, _TIGHTEST = 0.1, 1e-14
@@ -59,6 +64,8 @@ class Pilot:
         self.spent = 0
         self.reachable = 0.0
         """The error of the tightest run that was looked at, relative to the scale."""
+        self._looser: tuple[float, Run]
+        """What the witness was compared with: its tolerance, and the run."""
         self._exact = self._witness()
         self.scale = scale(self._exact)
 
@@ -79,6 +86,10 @@ class Pilot:
                 farther = (error / self._aim) ** (1 / min(seen, order))
                 if farther <= _FARTHER or farther * count * cost > most:
                     return self._estimate(method, count * farther, cost, seen)
+            least = count * (min(error, 1.0) / self._aim) ** (1 / (order + _ORDER))
+            if cost and least * cost > most:
+                why = f"needs at least {least * cost:.0f} force evaluations"
+                return Estimate(method, None, math.inf, error, seen, why)
             if count * cost > most or count > 2**22:
                 why = "no order" if seen is None else f"order {seen:.2f}, of {order:g},"
                 why = f"{why} seen at {count} steps" if error < math.inf else "refused so far"
@@ -86,27 +97,48 @@ class Pilot:
                 return Estimate(method, None, math.inf, error, seen, why)
             before, count = error, 2 * count
 
-    def adaptive(self, method: type[Any]) -> Estimate:
+    def adaptive(self, method: type[Any], most: float = math.inf) -> Estimate:
         """Return the tolerance of its own with which an adaptive method meets that of the run.
 
         How its errors follow its tolerance has no law, so that the one that is returned was tried.
+        What would cost more than `most` is given up.
         """
-        rtol, best = min(self.tolerance, _LOOSEST), None
-        least = math.inf
+        order = float(method().facts.order)
+        rtol, error, cost = self._first_of(method)
+        best, least, why = None, math.inf, "refused"
         tried: set[float] = set()
         while len(tried) < _TRIALS and rtol not in tried:
             tried.add(rtol)
-            error, run = self._error(method(rtol=rtol), None)
+            if not error:
+                error, run = self._error(method(rtol=rtol), None)
+                cost = run.cost.force_evaluations if run and run.cost else math.inf
             least = min(least, error)
-            cost = run.cost.force_evaluations if run and run.cost else math.inf
             if error <= self._aim and (best is None or cost < best.force_evaluations):
                 best = Estimate(method(rtol=rtol), None, cost, error * MARGIN, None)
-            if _NEAR <= error / self._aim <= 1:
+            share = error / self._aim
+            if _ENOUGH <= share ** (1 / order) <= 1:
                 break
-            factor = min(max(0.6 * self._aim / max(error, 1e-17), 1e-3), 1e3)
-            rtol = _two_digits(min(max(rtol * factor, _TIGHTEST), _LOOSEST))
-        why = f"reaches only {least:.1e}" if math.isfinite(least) else "refused"
+            needed = cost * share ** (1 / (order + _ORDER))
+            if needed > most and best is None:
+                why = f"needs at least {needed:.0f} force evaluations"
+                break
+            rtol, error = self._nearer(rtol, error), 0.0
+        if math.isfinite(least) and why == "refused":
+            why = f"reaches only {least:.1e}"
         return best or Estimate(method(rtol=rtol), None, math.inf, least, None, why)
+
+    def _first_of(self, method: type[Any]) -> tuple[float, float, float]:
+        """Return a first tolerance of an adaptive method, with its error and cost if it was run."""
+        if method is not Dop853:
+            return min(max(self.tolerance, _CHEAP), _LOOSEST), 0.0, math.inf
+        rtol, run = self._looser
+        error = float(apart(run, self._exact).max()) / self.scale
+        return rtol, error, run.cost.force_evaluations if run.cost else math.inf
+
+    def _nearer(self, rtol: float, error: float) -> float:
+        """Return a tolerance that brings an error nearer to the one that is aimed at."""
+        factor = min(max(0.6 * self._aim / max(error, 1e-17), 1e-3), 1e3)
+        return _two_digits(min(max(rtol * factor, _TIGHTEST), _LOOSEST))
 
     def _between(self, count: int, before: float, error: float, seen: float | None) -> float:
         """Return how many steps are enough, if `count` are and half of them may not be."""
@@ -122,15 +154,21 @@ class Pilot:
         return Estimate(method, step, steps * per_step, self.tolerance, seen)
 
     def _witness(self) -> Run:
-        """Return the run that the others are compared with, and see how far it can be trusted."""
-        rtol = min(max(self.tolerance * 1e-3, 1e-13), 1e-6)
-        loose = self._run(Dop853(rtol=rtol * 30))
+        """Return the run that the others are compared with, and see how far it can be trusted.
+
+        Its error is a part of how far it is from a looser run, which follows from their steps.
+        """
+        rtol = _two_digits(max(self.tolerance * _WITNESS, 1e-13))
+        looser = _two_digits(rtol * _LOOSER)
+        loose = self._run(Dop853(rtol=looser))
         while True:
             tight = self._run(Dop853(rtol=rtol))
-            self.reachable = float(apart(tight, loose).max()) / scale(tight)
-            if self.reachable <= self.tolerance / 10 or rtol <= 1e-13:
+            away = float(apart(tight, loose).max()) / scale(tight)
+            self._looser = looser, loose
+            self.reachable = away * min(1.0, MARGIN * _left(loose, tight))
+            if self.reachable <= self.tolerance * _DOUBT or rtol <= 1e-13:
                 return tight
-            loose, rtol = tight, max(rtol / 30, 1e-13)
+            loose, looser, rtol = tight, rtol, _two_digits(max(rtol / _LOOSER, 1e-13))
 
     def _error(self, method: Method, time_step: float | None) -> tuple[float, Run | None]:
         try:
@@ -154,6 +192,13 @@ class Pilot:
         if run.cost is not None:
             self.spent += run.cost.force_evaluations
         return run
+
+
+def _left(loose: Run, tight: Run) -> float:
+    """Return how much of the error of the looser run is left in the tighter, by their steps."""
+    steps = [one.cost.steps if one.cost else 1 for one in (loose, tight)]
+    order = float(tight.method.facts.order) if tight.method.facts else 1.0
+    return float((steps[0] / steps[1]) ** order)
 
 
 def _two_digits(rtol: float) -> float:

@@ -115,7 +115,8 @@ def refusal(tolerance: float, reachable: float) -> ToleranceError:
 
 def _weighed(scene: Scene, pilot: Pilot) -> list[Estimate]:
     """Return the estimates of all methods, the cheapest first; those who lost say why."""
-    found = [pilot.adaptive(kind) for kind in (Dop853, DormandPrince5)]
+    found = [pilot.adaptive(Dop853)]
+    found.append(pilot.adaptive(DormandPrince5, found[0].force_evaluations))
     for method in schemes_for(scene):
         best = min(estimate.force_evaluations for estimate in found)
         found.append(pilot.stepped(method, best))
