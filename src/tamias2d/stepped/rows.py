@@ -7,7 +7,15 @@ has a block for itself. Contacts with what does not move come last, because a st
 Source: Catto, Box2D v3 (2024), for colours; the layout is that of `SIZE` rows of lanes a point.
 """
 
-from tamias2d.generated.soft_contact import row_mass, row_velocity
+from math import sqrt
+
+from tamias2d.generated.soft_contact import (
+    bias_rate,
+    impulse_share,
+    mass_share,
+    row_mass,
+    row_velocity,
+)
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     BLOCKS,
@@ -30,6 +38,8 @@ from tamias2d.stepped.layout import (
     SHAPE_REACH,
     SPIN,
     STATIC_BLOCK,
+    SUBSTEPS,
+    TIME_STEP,
     VX,
     VY,
     Whole,
@@ -42,10 +52,19 @@ MOVING = 40  # colours of contacts between two moving bodies, before those with 
 COLOURS = 60
 BODY_A, BODY_B, SLOT, FILLED, POINTS = 0, 16, 32, 48, 49  # columns of a block's lanes
 
+CIRCLE = 6.283185307179586
+CYCLES = 0.125  # of a contact's spring, in one substep
+FIRMER = 2.0  # the spring against what does not move, to the others
+FIRMEST = 3.0  # a spring under load, to one without
+DAMPING = 10.0  # of the spring, where 1 is critical
+REST = 0.015  # of the smaller reach: how far a load should press bodies into each other
+FASTEST = 0.02  # of the smaller reach: how far an overlap is pushed apart in a substep, at most
+
 # a block: what its points share, then each point
 R_NX, R_NY, R_MASS_A, R_INERTIA_A, R_MASS_B, R_INERTIA_B = 0, 16, 32, 48, 64, 80
 R_FRICTION, R_ROUND_A, R_ROUND_B, R_LIMIT, R_RESTITUTION = 96, 112, 128, 144, 160
-SHARED = 176
+R_BIAS, R_SHARE, R_KEEP = 176, 192, 208
+SHARED = 224
 P_ARM_A, P_ARM_B, P_SIDE_A, P_SIDE_B, P_MASS, P_SIDE_MASS = 0, 16, 32, 48, 64, 80
 P_GAP, P_PUSH, P_RUB, P_TOTAL, P_BEFORE, P_NOW = 96, 112, 128, 144, 160, 176
 SIZE = 192
@@ -118,11 +137,13 @@ def clear_lanes(counts: Whole, idle: int, fill: Whole, rows: Array, lanes: Whole
 
 
 def fill_rows(
+    settings: Array,
     counts: Whole,
     pair: Whole,
     touch: Array,
     shape_body: Whole,
     shape_radius: Array,
+    surface: Array,
     pose: Array,
     motion: Array,
     body: Array,
@@ -130,14 +151,10 @@ def fill_rows(
     fill: Whole,
     rows: Array,
     lanes: Whole,
-    fastest: float,
-    surface: Array,
-) -> None:
-    """Write the row of each touching pair.
-
-    `fastest` is how far an overlap is pushed apart in one second at most, relative to the smaller
-    body.
-    """
+) -> int:
+    """Write the row of each touching pair; return how many of them may bounce."""
+    substep = settings[TIME_STEP] / counts[SUBSTEPS]
+    bouncing = 0
     for k in range(counts[HITS]):
         p, c, place = hits[0, k], hits[1, k], hits[2, k]
         if c >= 2 * COLOURS:
@@ -156,8 +173,11 @@ def fill_rows(
         row[R_MASS_B + m], row[R_INERTIA_B + m] = mass_b, inertia_b
         row[R_FRICTION + m] = touch[p, PAIR_FRICTION]
         row[R_RESTITUTION + m] = touch[p, PAIR_RESTITUTION]
+        bouncing += touch[p, PAIR_RESTITUTION] > 0.0
         row[R_ROUND_A + m], row[R_ROUND_B + m] = shape_radius[s], shape_radius[t]
-        row[R_LIMIT + m] = -fastest * min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        row[R_LIMIT + m] = -FASTEST * reach / substep
+        soften(m, c % 2 + 1, substep, reach, touch[p, PUSH] + touch[p, PUSH + IMPULSE], row)
         delta_x, delta_y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
         for n in range(1 + c % 2):
             at = SHARED + n * SIZE + m
@@ -170,8 +190,8 @@ def fill_rows(
             row[at + P_MASS] = row_mass(mass_a, inertia_a, arm_a, mass_b, inertia_b, arm_b)
             row[at + P_SIDE_MASS] = row_mass(mass_a, inertia_a, side_a, mass_b, inertia_b, side_b)
             row[at + P_GAP] = touch[p, GAP + POINT * n]
-            push = touch[p, PUSH + IMPULSE * n]
-            row[at + P_PUSH], row[at + P_RUB] = push, touch[p, RUB + IMPULSE * n]
+            row[at + P_PUSH] = touch[p, PUSH + IMPULSE * n]
+            row[at + P_RUB] = touch[p, RUB + IMPULSE * n]
             row[at + P_TOTAL] = 0.0
             row[at + P_BEFORE] = row_velocity(
                 (motion[i, VX], motion[i, VY]),
@@ -182,6 +202,24 @@ def fill_rows(
                 arm_b,
                 (normal_x, normal_y),
             )
+    return bouncing
+
+
+def soften(m: int, points: int, substep: float, reach: float, load: float, row: Array) -> None:
+    """Write how soft a contact is: as little as its load needs to press it in by `REST`.
+
+    The load is that of the last substep, N s. What is firmer than `FIRMEST` allows would shake
+    under the load of a deep pile, whose contacts are not all solved in one substep.
+    """
+    masses = row[R_MASS_A + m] + row[R_MASS_B + m]
+    cycles = CYCLES if row[R_MASS_A + m] > 0.0 and row[R_MASS_B + m] > 0.0 else CYCLES * FIRMER
+    frequency = CIRCLE * cycles / substep
+    wanted = load * masses / (points * substep * REST * reach)  # of its square (DD28)
+    if wanted > frequency * frequency:
+        frequency = min(sqrt(wanted), FIRMEST * frequency)
+    row[R_BIAS + m] = bias_rate(frequency, DAMPING, substep)
+    row[R_SHARE + m] = mass_share(frequency, DAMPING, substep)
+    row[R_KEEP + m] = impulse_share(frequency, DAMPING, substep)
 
 
 def keep_impulses(counts: Whole, rows: Array, lanes: Whole, touch: Array) -> None:

@@ -36,9 +36,11 @@ from tamias2d.stepped.rows import (
     P_SIDE_MASS,
     P_TOTAL,
     POINTS,
+    R_BIAS,
     R_FRICTION,
     R_INERTIA_A,
     R_INERTIA_B,
+    R_KEEP,
     R_LIMIT,
     R_MASS_A,
     R_MASS_B,
@@ -47,6 +49,7 @@ from tamias2d.stepped.rows import (
     R_RESTITUTION,
     R_ROUND_A,
     R_ROUND_B,
+    R_SHARE,
     SECOND,
 )
 
@@ -150,9 +153,7 @@ def rub_lanes(at: int, row: Array, bench: Array) -> None:
         rub(m, at, after - before, row, bench)
 
 
-def push_lanes(
-    at: int, row: Array, bench: Array, substep: float, bias_rate: float, share: float, keep: float
-) -> None:
+def push_lanes(at: int, row: Array, bench: Array, substep: float) -> None:
     """Correct the pushes along the normals, softly; the substep in s."""
     for m in range(LANES):
         gap = separation_later(
@@ -168,10 +169,10 @@ def push_lanes(
             (row[R_NX + m], row[R_NY + m]),
         )
         row[at + P_NOW + m] = gap
-        bias = max(bias_velocity(gap, bias_rate, substep), row[R_LIMIT + m])
+        bias = max(bias_velocity(gap, row[R_BIAS + m], substep), row[R_LIMIT + m])
         apart = gap > 0.0
-        part = 1.0 if apart else share
-        kept = 0.0 if apart else keep
+        part = 1.0 if apart else row[R_SHARE + m]
+        kept = 0.0 if apart else row[R_KEEP + m]
         before = row[at + P_PUSH + m]
         after = soft_push(
             before, approach(m, at, row, bench), bias, row[at + P_MASS + m], part, kept
@@ -226,28 +227,19 @@ def warm(blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array) ->
 
 
 def sweep(
-    first: int,
-    last: int,
-    rows: Array,
-    lanes: Whole,
-    motion: Array,
-    bench: Array,
-    substep: float,
-    bias_rate: float,
-    share: float,
-    keep: float,
+    blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array, substep: float
 ) -> None:
-    """Correct all impulses of some blocks once, softly: pushes have the last word."""
-    for b in range(first, last):
+    """Correct all impulses once, softly: friction first, so that pushes have the last word."""
+    for b in range(blocks):
         row, lane = rows[b], lanes[b]
         load(lane, motion, bench)
         load_moved(lane, motion, bench)
-        push_lanes(FIRST, row, bench, substep, bias_rate, share, keep)
-        if lane[POINTS] == 2:
-            push_lanes(SECOND, row, bench, substep, bias_rate, share, keep)
         rub_lanes(FIRST, row, bench)
         if lane[POINTS] == 2:
             rub_lanes(SECOND, row, bench)
+        push_lanes(FIRST, row, bench, substep)
+        if lane[POINTS] == 2:
+            push_lanes(SECOND, row, bench, substep)
         store(lane, motion, bench)
 
 
@@ -258,12 +250,12 @@ def relax(
     for b in range(blocks):
         row, lane = rows[b], lanes[b]
         load(lane, motion, bench)
-        relax_lanes(FIRST, row, bench, substep)
-        if lane[POINTS] == 2:
-            relax_lanes(SECOND, row, bench, substep)
         rub_lanes(FIRST, row, bench)
         if lane[POINTS] == 2:
             rub_lanes(SECOND, row, bench)
+        relax_lanes(FIRST, row, bench, substep)
+        if lane[POINTS] == 2:
+            relax_lanes(SECOND, row, bench, substep)
         store(lane, motion, bench)
 
 

@@ -11,7 +11,6 @@ they met something. Bodies that touch nothing go along their closed form instead
 Cost: a substep visits each contact three times. Source: Macklin et al. (2019), Catto (2024).
 """
 
-from tamias2d.generated.soft_contact import bias_rate, impulse_share, mass_share
 from tamias2d.kernels.arrays import (
     Bytes,
     FloatBlocks,
@@ -52,7 +51,6 @@ from tamias2d.stepped.layout import (
     SINCE,
     SPIN,
     STATIC,
-    STATIC_BLOCK,
     STILL,
     SUB,
     SUBSTEPS,
@@ -94,11 +92,6 @@ DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, NOT_FINITE = 0, 1, 2, 3, 4
 
 CLOSE = 0.02  # of the smaller reach: what is nearer is a contact already
 AHEAD = 0.1  # of the smaller reach: how far the motion of a step can make it one
-CIRCLE = 6.283185307179586
-HERTZ = 0.125  # of a contact's spring, in one substep
-DAMPING = 10.0  # of the contact's spring, where 1 is critical
-FIRMER = 2.0  # the spring against what does not move, to the others
-FASTEST = 0.02  # of the smaller reach: how far an overlap is pushed apart in a substep, at most
 
 
 def step(
@@ -205,12 +198,14 @@ def step(
             counts[NEEDED] = needed
             return MORE_BLOCKS
     clear_lanes(counts, len(pose) - 1, fill, rows, lanes)
-    fill_rows(
+    bouncing = fill_rows(
+        settings,
         counts,
         pair,
         touch,
         shape_body,
         shape_radius,
+        surface,
         pose,
         motion,
         body,
@@ -218,8 +213,6 @@ def step(
         fill,
         rows,
         lanes,
-        FASTEST * counts[SUBSTEPS] / settings[TIME_STEP],
-        surface,
     )
     solve(
         settings,
@@ -237,6 +230,7 @@ def step(
         lanes,
         bench,
         carried,
+        bouncing,
     )
     keep_impulses(counts, rows, lanes, touch)
     move(settings, counts, pose, motion, load, body, kind, used)
@@ -400,35 +394,28 @@ def solve(
     lanes: Whole,
     bench: Array,
     carried: Array,
+    bouncing: int,
 ) -> None:
     """Take the substeps of all bodies with contacts, and let them bounce."""
     active = mark_active(counts, kind, used, pair, shape_body, hits, motion)
     if active == 0:
         return
     substeps = counts[SUBSTEPS]
-    blocks, still = counts[BLOCKS], counts[STATIC_BLOCK]
+    blocks = counts[BLOCKS]
     substep = settings[TIME_STEP] / substeps
-    omega = CIRCLE * HERTZ / substep
-    bias = bias_rate(omega, DAMPING, substep)
-    share = mass_share(omega, DAMPING, substep)
-    keep = impulse_share(omega, DAMPING, substep)
-    omega = FIRMER * omega
-    firm_bias = bias_rate(omega, DAMPING, substep)
-    firm_share = mass_share(omega, DAMPING, substep)
-    firm_keep = impulse_share(omega, DAMPING, substep)
     begin(counts, motion, carried, hits)
     warm(blocks, rows, lanes, motion, bench)
     carry(counts, motion, carried, hits)
     back(counts, motion, carried, hits)
     for _ in range(substeps):
         hasten(settings, counts, motion, load, body, kind, hits, carried)
-        sweep(0, still, rows, lanes, motion, bench, substep, bias, share, keep)
-        sweep(still, blocks, rows, lanes, motion, bench, substep, firm_bias, firm_share, firm_keep)
+        sweep(blocks, rows, lanes, motion, bench, substep)
         shift(substep, counts, motion, hits)
         relax(blocks, rows, lanes, motion, bench, substep)
         carry(counts, motion, carried, hits)
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
-    bounce(blocks, rows, lanes, motion, bench, slowest)
+    if bouncing > 0:
+        bounce(blocks, rows, lanes, motion, bench, slowest)
 
 
 def begin(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:

@@ -3,6 +3,7 @@
 Serves: the simulator. Hides: how much room the arrays have, and the kernel.
 """
 
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -10,18 +11,13 @@ import numpy as np
 from tamias2d.generated import drag
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
-    ANGULAR,
-    ARM,
     DECAY,
     FULL,
     GAIN,
-    HALF_PLANE,
     HORIZON,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
     LIFT,
     NEEDED,
-    REACH,
+    PHASE,
     STILL,
     SUB,
     SUBSTEPS,
@@ -31,23 +27,14 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.menu import CONTACT
 from tamias2d.stepped.rows import WIDTH
 from tamias2d.stepped.solver import BENCH
-from tamias2d.stepped.step import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS
+from tamias2d.stepped.step import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, step
+from tamias2d.stepped.tree import lowest
 
-_ORDER = (
-    "settings counts pose motion load body home kind used ranked shape_body shape_kind shape_first "
-    "shape_count shape_radius surface filters mixed corner turned box curve node found pairs "
-    "touches traces hits fill rows lanes bench carried"
-).split()
-_BODY = ("pose", "motion", "load", "body", "home", "kind", "used", "content")
+_ORDER = tuple(signature(step).parameters)
+_BODY = ("pose", "motion", "load", "body", "home", "carried", "kind", "used")
 _SHAPE = (
-    "shape_body",
-    "shape_kind",
-    "shape_first",
-    "shape_count",
-    "shape_radius",
-    "surface",
-    "filters",
-    "box",
+    *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
+    *("surface", "filters", "box"),
 )
 
 
@@ -67,7 +54,6 @@ class World:
         self.carried = np.zeros((1, 6))
         self.kind = np.zeros(1, dtype=np.int8)
         self.used = np.zeros(1, dtype=np.int64)
-        self.rank = np.zeros(0, dtype=np.int64)
         self.ranked = np.zeros((2, 0), dtype=np.int64)
         self.shape_body = np.zeros(0, dtype=np.int32)
         self.shape_kind = np.zeros(0, dtype=np.int32)
@@ -97,40 +83,12 @@ class World:
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
 
-    def add_bodies(
-        self,
-        kind: Whole,
-        *,
-        inverse_mass: Array,
-        inverse_inertia: Array,
-        pose: Array,
-        velocity: Array,
-        rate: Array,
-        spin_rate: Array,
-    ) -> Whole:
-        """Add k bodies, and return their rows.
+    def flow(self, new: Whole, rate: Array, column: int) -> None:
+        """Write how velocity and place of some bodies flow in a step and in a substep (IM1, IM6).
 
-        `pose` and `velocity` (k, 3) are linear and angular; the rates (k,) are those at which drag
-        slows velocity and spin down, 1/s.
+        The rates (k,) are those at which drag slows them down, 1/s; the column is 0, or that of the
+        spin.
         """
-        count = len(kind)
-        first = self.size
-        self._make_room(count)
-        new = slice(first, first + count)
-        self.pose[new] = pose
-        self.motion[new, :3] = velocity
-        self.load[new] = 0.0
-        self.body[new, INVERSE_MASS] = inverse_mass
-        self.body[new, INVERSE_INERTIA] = inverse_inertia
-        self.kind[new] = kind
-        self._flow(new, rate, 0)
-        self._flow(new, spin_rate, ANGULAR)
-        self.size += count
-        self.forget()
-        return np.arange(first, first + count)
-
-    def _flow(self, new: slice | Whole, rate: Array, column: int) -> None:
-        """Write how velocity and place flow in a step and in a substep under drag (IM1, IM6)."""
         for start, time in (
             (FULL, self.settings[TIME_STEP]),
             (SUB, self.settings[TIME_STEP] / self.counts[SUBSTEPS]),
@@ -141,90 +99,34 @@ class World:
             self.body[new, at + GAIN] = drag.position(none, one, none, rate, time)[0]
             self.body[new, at + LIFT] = drag.position(none, none, one, rate, time)[0]
 
-    def add_shapes(
-        self,
-        body: Whole,
-        *,
-        kind: Whole,
-        radius: Array,
-        corners: list[Array],
-        friction: Array,
-        restitution: Array,
-        filters: Whole,
-    ) -> Whole:
-        """Add k shapes to bodies given by rows, and return their rows.
-
-        `corners` are (c, 2) each, in the body's axes; for a half-plane (2, 2) hold offset and
-        normal. Surfaces that state nothing have -1. `filters` (k, 4) as in the layout.
-        """
-        first = len(self.shape_body)
-        count = np.array(
-            [1 if k == HALF_PLANE else len(c) for k, c in zip(kind, corners, strict=True)]
-        )
-        start = len(self.corner) + np.cumsum(count) - count
-        rows = [_sides(k, c) for k, c in zip(kind, corners, strict=True)]
-        reach = np.array(
-            [
-                np.inf if k == HALF_PLANE else np.hypot(*c.T).max() + r
-                for k, c, r in zip(kind, corners, radius, strict=True)
-            ]
-        )
-        self.corner = np.concatenate([self.corner, *rows])
-        self.turned = self.corner.copy()
-        self.shape_body = _joined(self.shape_body, body)
-        self.shape_kind = _joined(self.shape_kind, kind)
-        self.shape_first = _joined(self.shape_first, start)
-        self.shape_count = _joined(self.shape_count, count)
-        self.shape_radius = _joined(self.shape_radius, radius)
-        self.surface = np.concatenate([self.surface, np.stack([friction, restitution, reach], 1)])
-        self.filters = np.concatenate([self.filters, filters])
-        self.box = np.zeros((len(self.shape_body), 8))
-        arm = np.array(
-            [
-                0.0 if k == HALF_PLANE else np.hypot(*c.T).max()
-                for k, c in zip(kind, corners, strict=True)
-            ]
-        )
-        finite = np.isfinite(reach)
-        np.maximum.at(self.body[:, REACH], np.asarray(body)[finite], reach[finite])
-        np.maximum.at(self.body[:, ARM], body, arm)
-        self._rank()
-        leaves = 4
-        while leaves < len(self.shape_body):
-            leaves *= 2
-        self.node = np.zeros((leaves, 4))
-        self.curve = np.zeros((4, len(self.shape_body) + 256), dtype=np.int64)
-        self.forget()
-        return np.arange(first, len(self.shape_body))
-
     def forget(self) -> None:
         """Look for pairs anew at the next step."""
         self.counts[STILL] = 0
         self._arguments = ()
 
-    def _rank(self) -> None:
-        """Order shapes by what and where their bodies are: not by when they were added."""
-        body = self.shape_body
-        content = np.concatenate(
-            [self.pose, self.motion[:, :3], self.body[:, :2], self.kind[:, None]], axis=1
-        )[body]
-        radius = np.stack([self.shape_radius, self.shape_count, self.shape_kind], 1)
-        corner = self.corner[self.shape_first]
-        keys = np.concatenate([corner, radius, content[:, ::-1]], axis=1)
-        order = np.lexsort(keys.T)
-        self.ranked = np.empty((2, len(order)), dtype=np.int64)
-        self.ranked[0] = order
-        self.ranked[1, order] = np.arange(len(order))
-
-    def _make_room(self, count: int) -> None:
+    def make_room(self, count: int) -> None:
+        """Make room for so many bodies more; shapes without a body are those of the idle one."""
         if self.size + count < len(self.pose):
             return
+        idle = len(self.pose) - 1
         room = max(self.size + count, len(self.pose) * 3 // 2) + 1
-        for name in ("pose", "motion", "load", "body", "home", "kind", "used", "carried"):
-            old = getattr(self, name)
-            new = np.zeros((room, *old.shape[1:]), dtype=old.dtype)
-            new[: self.size] = old[: self.size]
-            setattr(self, name, new)
+        for name in _BODY:
+            setattr(self, name, _longer(getattr(self, name), room))
+        self.shape_body[self.shape_body == idle] = room - 1
+
+    def make_shape_room(self, shapes: int, corners: int) -> None:
+        """Make room for so many shapes and corners in all."""
+        if shapes > len(self.shape_body):
+            room = max(shapes, len(self.shape_body) * 3 // 2)
+            taken = len(self.shape_body)
+            for name in _SHAPE:
+                setattr(self, name, _longer(getattr(self, name), room))
+            self.shape_body[taken:] = len(self.pose) - 1
+            self.node = np.zeros((2 * lowest(room), 4))
+            self.curve = np.zeros((4, room + 256), dtype=np.int64)
+        if corners > len(self.corner):
+            room = max(corners, len(self.corner) * 3 // 2)
+            self.corner, self.turned = _longer(self.corner, room), _longer(self.turned, room)
 
     def step(self) -> int:
         """Take one step; return how it ended: done, or what of the state is no number."""
@@ -240,7 +142,7 @@ class World:
                 self.rows = np.zeros((room, WIDTH))
                 self.lanes = np.zeros((room, 50), dtype=np.uint32)
             else:
-                self.counts[13] = 0
+                self.counts[PHASE] = 0
                 return int(status)
             self._arguments = tuple(getattr(self, name) for name in _ORDER)
         return DONE
@@ -254,15 +156,8 @@ class World:
             setattr(self, name, new)
 
 
-def _sides(kind: int, corners: Array) -> Array:
-    """Return corners with the outward normals of the sides that start at them, (c, 4)."""
-    if kind == HALF_PLANE:
-        return np.array([[corners[0, 0], 0.0, *corners[1]]])
-    along = np.roll(corners, -1, axis=0) - corners
-    length = np.hypot(*along.T)
-    length[length == 0.0] = np.inf
-    return np.concatenate([corners, np.stack([along[:, 1], -along[:, 0]], 1) / length[:, None]], 1)
-
-
-def _joined(old: Any, new: Any) -> Any:
-    return np.concatenate([old, np.asarray(new)]).astype(old.dtype)
+def _longer(values: Any, rows: int) -> Any:
+    """Return a longer array that begins like this one."""
+    new = np.zeros((rows, *values.shape[1:]), dtype=values.dtype)
+    new[: len(values)] = values
+    return new
