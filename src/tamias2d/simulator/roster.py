@@ -32,10 +32,6 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.world import World
 
 Whole = NDArray[np.int64]
-_SHAPES = (
-    *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
-    *("surface", "filters", "box"),
-)
 
 
 class Roster:
@@ -177,11 +173,10 @@ class Roster:
 
     def _take(self, count: int) -> Whole:
         """Return rows for so many bodies, freed ones first."""
-        world, idle = self.world, self._idle
+        world = self.world
         used = [self._free.pop() for _ in range(min(count, len(self._free)))]
         more = count - len(used)
-        world._make_room(more)
-        world.shape_body[world.shape_body == idle] = self._idle
+        world.make_room(more)
         rows = np.array([*used, *range(world.size, world.size + more)], dtype=np.int64)
         world.size += more
         self.rank = np.concatenate((self.rank, np.full(more, -1)))
@@ -192,8 +187,8 @@ class Roster:
         world = self.world
         dragged = batch.linear_drag.any() or batch.angular_drag.any()
         if dragged or self._flow is None:
-            world._flow(rows, drag.drag_rate(batch.linear_drag, batch.mass), 0)
-            world._flow(rows, drag.angular_drag_rate(batch.angular_drag, batch.inertia), ANGULAR)
+            world.flow(rows, drag.drag_rate(batch.linear_drag, batch.mass), 0)
+            world.flow(rows, drag.angular_drag_rate(batch.angular_drag, batch.inertia), ANGULAR)
             if not dragged and len(rows):
                 self._flow = world.body[rows[0], FULL:].copy()
         else:
@@ -207,8 +202,9 @@ class Roster:
         found = [piece for shape in batch.shapes for piece in made[shape]]
         if not found:
             return
-        self._make_shape_room(len(found), sum(len(piece.corner) for piece in found))
-        world, slots = self.world, np.array([self._slot(len(piece.corner)) for piece in found])
+        world, corners = self.world, sum(len(piece.corner) for piece in found)
+        world.make_shape_room(self._shapes + len(found), self._corners + corners)
+        slots = np.array([self._slot(len(piece.corner)) for piece in found])
         world.shape_body[slots] = rows[owner]
         world.shape_kind[slots] = [piece.kind for piece in found]
         world.shape_radius[slots] = [piece.radius for piece in found]
@@ -235,23 +231,6 @@ class Roster:
         self._corners += corners
         return slot
 
-    def _make_shape_room(self, shapes: int, corners: int) -> None:
-        world = self.world
-        if self._shapes + shapes > len(world.shape_body):
-            room = max(self._shapes + shapes, len(world.shape_body) * 3 // 2)
-            for name in _SHAPES:
-                setattr(world, name, _grown(getattr(world, name), room))
-            world.shape_body[self._shapes :] = self._idle
-            leaves = 4
-            while leaves < room:
-                leaves *= 2
-            world.node = np.zeros((leaves, 4))
-            world.curve = np.zeros((4, room + 256), dtype=np.int64)
-            self._publish()
-        if self._corners + corners > len(world.corner):
-            room = max(self._corners + corners, len(world.corner) * 3 // 2)
-            world.corner, world.turned = _grown(world.corner, room), _grown(world.turned, room)
-
     def _shapes_of(self, row: int) -> Sequence[int]:
         return list(np.flatnonzero(self.world.shape_body == row).tolist())
 
@@ -272,10 +251,3 @@ def _form(found: Sequence[Piece]) -> tuple[float, ...]:
     """Return all numbers of a body's shapes."""
     parts = [(p.kind, p.radius, len(p.corner), *p.corner.ravel().tolist()) for p in found]
     return tuple(value for part in parts for value in part)
-
-
-def _grown(values: Array, rows: int) -> Array:
-    """Return a longer array that begins like this one."""
-    new = np.zeros((rows, *values.shape[1:]), dtype=values.dtype)
-    new[: len(values)] = values
-    return new
