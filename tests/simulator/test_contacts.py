@@ -106,3 +106,25 @@ def test_who_does_not_touch_by_filter() -> None:
     assert sim.position[ghost, 1] < -1.0
     assert sim.position[ball, 1] == pytest.approx(0.5, abs=1e-2)
     assert sim.position[[one, two], 0].tolist() == [6.0, 6.2]
+
+
+def test_a_sensor_tells_and_pushes_nothing() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    zone = scene.add_static(t2.Box(width=2.0, height=2.0), position=(5.0, 0.0), sensor=True)
+    ball = scene.add_body(
+        t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.0), velocity=(6.0, 0.0), restitution=0.0
+    )
+    sim = t2.Simulator(scene)
+    began = ended = None
+    for _ in range(120):
+        sim.step()
+        assert len(sim.contacts) == 0
+        if len(sim.began):
+            assert sorted(sim.began.bodies[0].tolist()) == [zone, ball]
+            assert sim.began.impulse.tolist() == [0.0]
+            began = sim.position[ball, 0]
+        if len(sim.ended):
+            ended = sim.position[ball, 0]
+    assert sim.velocity[ball].tolist() == [6.0, 0.0]
+    assert began == pytest.approx(3.5, abs=0.2)  # two steps of 0.1 m
+    assert ended == pytest.approx(6.5, abs=0.2)

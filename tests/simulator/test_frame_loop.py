@@ -154,6 +154,25 @@ def test_what_is_no_number_is_named_and_no_step_is_taken(
 
 
 EMPTY = t2.Scene(gravity=(0.0, 0.0))
+
+
+def test_gravity_and_static_bodies() -> None:
+    sim = flight()
+    wall = sim.add_static(t2.Box(width=1.0, height=1.0), position=(50.0, 0.0), restitution=0.0)
+    sim.velocity[wall] = 1.0, 0.0
+    with pytest.raises(
+        t2.InputError, match=r"velocity\[3\] of body 3: .*of a static body: must be 0"
+    ):
+        sim.step()
+    sim.velocity[wall] = 0.0
+    sim.gravity = 0.0, np.nan
+    with pytest.raises(t2.InputError, match="gravity: must be finite"):
+        sim.step()
+    sim.gravity = 0.0, 10.0
+    sim.step()
+    assert sim.velocity[0].tolist() == pytest.approx([0.0, 0.1], rel=ULPS)
+
+
 BAD = {
     "time step 0": (lambda _: t2.Simulator(EMPTY, time_step=0.0), "time step 0 s of the sim"),
     "negative": (lambda _: t2.Simulator(EMPTY, time_step=-1.0), "must be > 0"),

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from tamias2d.scene.rules import RuleError
-from tamias2d.stepped.layout import ABSENT
+from tamias2d.stepped.layout import ABSENT, STATIC
 from tamias2d.stepped.world import World
 
 _COLUMNS = {
@@ -36,6 +36,16 @@ def fault(world: World, name_of: Callable[[int], str]) -> RuleError:
                 key,
                 row,
             )
+    moving = world.motion[: world.size, :3].any(axis=1) & (world.kind[: world.size] == STATIC)
+    if moving.any():
+        row = int(np.argmax(moving))
+        return RuleError(
+            f"velocity[{row}] of {name_of(row)}: found {world.motion[row, :3].tolist()}, with the "
+            "angular velocity, of a static body: must be 0 (R2). Add it as a kinematic one; no "
+            "step was taken.",
+            "velocity",
+            row,
+        )
     return RuleError(
         "gravity: must be finite (R4). Set it to numbers; no step was taken.", "gravity"
     )

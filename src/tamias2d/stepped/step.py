@@ -34,6 +34,7 @@ from tamias2d.stepped.layout import (
     DYNAMIC,
     FULL,
     GAIN,
+    GAP,
     GRAVITY_X,
     GRAVITY_Y,
     HITS,
@@ -45,6 +46,7 @@ from tamias2d.stepped.layout import (
     NEEDED,
     PAIRS,
     PHASE,
+    POINT,
     SENSOR,
     SHAPE_REACH,
     SIDE,
@@ -88,7 +90,9 @@ from tamias2d.stepped.rows import (
 )
 from tamias2d.stepped.solver import bounce, relax, sweep, warm
 
-DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, NOT_FINITE = 0, 1, 2, 3, 4
+DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND = 0, 1, 2, 3, 4
+
+SENSED = 4  # the bit of `TOUCHED`, within a step, for a pair with a sensor that overlaps
 
 CLOSE = 0.02  # of the smaller reach: what is nearer is a contact already
 AHEAD = 0.1  # of the smaller reach: how far the motion of a step can make it one
@@ -131,8 +135,8 @@ def step(
 ) -> int:
     """Take one step, or say what there is too little room for; called again, it goes on."""
     if counts[PHASE] == 0:
-        if not all_finite(pose, motion, load):
-            return NOT_FINITE
+        if not all_sound(settings, kind, pose, motion, load):
+            return UNSOUND
         counts[PHASE] = 1
         if left_home(kind, pose, home) or counts[STILL] == 0:
             counts[PHASE] = 2
@@ -240,13 +244,17 @@ def step(
     return DONE
 
 
-def all_finite(pose: Array, motion: Array, load: Array) -> bool:
-    """Return whether what users can set are numbers."""
-    bad = 0
+def all_sound(settings: Array, kind: Whole, pose: Array, motion: Array, load: Array) -> bool:
+    """Return whether what users can set are numbers, and what is static stands still."""
+    x, y = settings[GRAVITY_X], settings[GRAVITY_Y]
+    bad = 0 if x - x == 0.0 and y - y == 0.0 else 1
     for i in range(len(pose)):
+        mobile = kind[i] != STATIC
         for k in range(3):
             fine = (pose[i, k] - pose[i, k] == 0.0) & (load[i, k] - load[i, k] == 0.0)
-            bad += 0 if fine and motion[i, k] - motion[i, k] == 0.0 else 1
+            moves = motion[i, k] != 0.0
+            fine = fine & (motion[i, k] - motion[i, k] == 0.0) & (mobile | (not moves))
+            bad += 0 if fine else 1
     return bad == 0
 
 
@@ -372,9 +380,13 @@ def meet(
             touch,
             trace,
         )
-        if count > 0 and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
+        if count == 0:
+            continue
+        if filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
             hits[0, total] = p
             total += 1
+        elif touch[p, GAP] <= 0.0 or (count == 2 and touch[p, GAP + POINT] <= 0.0):
+            trace[p, TOUCHED] |= SENSED
     counts[HITS] = total
 
 
@@ -554,9 +566,13 @@ def move(
 
 
 def note_touches(counts: Whole, trace: Whole, rows: Array, lanes: Whole) -> None:
-    """Note which pairs were pushed in this step, and move what was noted in the last one."""
+    """Note which pairs touched in this step, and move what was noted in the last one.
+
+    Those are pushed; of a pair with a sensor it was seen as the step began.
+    """
     for p in range(counts[PAIRS]):
-        trace[p, TOUCHED] = (trace[p, TOUCHED] & 1) << 1
+        noted = trace[p, TOUCHED]
+        trace[p, TOUCHED] = ((noted & 1) << 1) | ((noted & SENSED) // SENSED)
     for b in range(counts[BLOCKS]):
         row = rows[b]
         for n in range(lanes[b, POINTS]):
