@@ -323,3 +323,53 @@ def test_no_friction_is_the_same_to_the_bit():
         return t2.simulate(scene, duration=1.0).digest()
 
     assert digest(None) == digest(0.0)
+
+
+def test_rod_falls_about_its_tip():
+    """A tip that sticks is a hinge: the fall is that of a pendulum upside down, by scipy."""
+    box, tilt = t2.Box(width=0.1, height=1.0), 0.5
+    c, s = math.cos(tilt), math.sin(tilt)
+    arm = np.array([[c, s], [-s, c]]) @ (-0.05, 0.5)  # from the corner that it stands on
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), friction=1.0, restitution=0)
+    scene.add_body(box, mass=2, position=arm, orientation=-tilt)
+    reach = math.hypot(*arm)
+    inertia = box.inertia(2.0) + 2 * reach**2
+    lean = math.atan2(arm[0], arm[1])
+    found = solve_ivp(
+        lambda _, y: (y[1], 2 * G * reach * math.sin(y[0]) / inertia),
+        (0, 0.3),
+        (lean, 0),
+        rtol=1e-12,
+        atol=1e-14,
+        dense_output=True,
+    )
+    run = t2.simulate(scene, duration=0.3)
+    angle = found.sol(run.times)[0]
+    wanted = reach * np.stack((np.sin(angle), np.cos(angle)), axis=-1)
+    np.testing.assert_allclose(run.position[:, 1], wanted, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(run.energy, run.energy[0], rtol=1e-12)
+
+
+def test_disc_rolls_over_an_edge():
+    """Without slip about the edge: (1 + beta) R psi'' = g sin psi, by scipy."""
+    radius, beta, speed = 0.5, 0.5, 0.3
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(t2.Box(width=2, height=2), position=(-1, -1), friction=2.0, restitution=0)
+    scene.add_body(
+        DISC, mass=3, position=(0, radius), velocity=(speed, 0), angular_velocity=-speed / radius
+    )
+    found = solve_ivp(
+        lambda _, y: (y[1], G * math.sin(y[0]) / (radius * (1 + beta))),
+        (0, 0.5),
+        (0, speed / radius),
+        rtol=1e-12,
+        atol=1e-14,
+        dense_output=True,
+    )
+    run = t2.simulate(scene, duration=0.5)
+    angle = found.sol(run.times)[0]
+    assert angle[-1] > 0.4
+    wanted = radius * np.stack((np.sin(angle), np.cos(angle)), axis=-1)
+    np.testing.assert_allclose(run.position[:, 1], wanted, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(run.orientation[:, 1], -angle, rtol=0, atol=1e-11)
