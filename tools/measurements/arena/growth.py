@@ -10,7 +10,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 
 from tools.measurements.arena.box2d import Box2D
 from tools.measurements.arena.chipmunk import Chipmunk
@@ -35,10 +35,10 @@ def seconds(makers: Sequence[Maker], bodies: int) -> dict[str, float]:
         engine = make(scene, TIME_STEP)
         engine.step()
         with undisturbed():
-            start = perf_counter()
+            start = process_time()
             for _ in range(_STEPS):
                 engine.step()
-            seconds = (perf_counter() - start) / _STEPS
+            seconds = (process_time() - start) / _STEPS
         found[engine.name] = min(seconds, found.get(engine.name, seconds))
     return found
 

@@ -1,6 +1,8 @@
 """Engines on one scene in turns, so that what disturbs one disturbs all of them.
 
 Serves: the measurement of contacts. Hides: how turns are taken and times are kept.
+
+Time is that of the processor: what else the machine does is not counted, and a second thread is.
 """
 
 import gc
@@ -9,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from statistics import median
-from time import perf_counter
+from time import process_time
 
 from tamias2d.scene import Scene
 from tools.measurements.arena.engine import Engine, Maker
@@ -72,10 +74,10 @@ def _run(makers: Sequence[Maker], scene: Scene, steps: int, warm_up: int) -> dic
 
 
 def _advance(engine: Engine, steps: int) -> float:
-    start = perf_counter()
+    start = process_time()
     for _ in range(steps):
         engine.step()
-    return perf_counter() - start
+    return process_time() - start
 
 
 @contextmanager
