@@ -18,6 +18,7 @@ from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Disc
 
 _TURNED = {"orientation", "angular_velocity"}
+_SMOOTH = "no body states friction (A6)"
 
 Kind = Literal["state", "term", "model", "method"]
 
@@ -90,10 +91,13 @@ class _Inquiry:
 
     def acting(self) -> Iterator[Need]:
         yield Need("attraction between bodies (IM5)", "term", *self.attracts())
-        for key in ("linear_drag", "quadratic_drag"):
+        for key in ("linear_drag", "quadratic_drag", "angular_drag"):
             words = key.replace("_", " ")
             slowed = [body for body in self.moving if getattr(body, key)]
-            yield _about(f"{words} (IM6)", "term", slowed, "slowed", f"no body has a {words}")
+            article = "an" if key == "angular_drag" else "a"
+            yield _about(
+                f"{words} (IM6)", "term", slowed, "slowed", f"no body has {article} {words}"
+            )
         held = self._bodies({k for spring in self.scene.springs for k in spring.bodies})
         yield _about("springs and dampers (IM7)", "term", held, "held", "the scene has no spring")
         reached = self._bodies(
@@ -109,6 +113,7 @@ class _Inquiry:
         yield Need("detection (IM4)", "model", compared, self.compared(len(solid)))
         yield Need("impact (IM3)", "model", bool(self.pairs), self.meeting())
         yield Need("resting contact (GD3)", "model", *self.rests())
+        yield Need("friction (IM9, GD8)", "model", *self.rubs())
 
     def methods(self) -> Iterator[Need]:
         yield Need("closed form", "method", *self.solved())
@@ -184,6 +189,8 @@ class _Inquiry:
         ]
         if self.pairs and cornered:
             return True, f"{_named(cornered)} turned when hit beside the centre of mass"
+        if self.pairs and self.rough:
+            return True, f"{_named(self.rough)} rough, and friction turns what touches"
         asked = {k for laws in self.laws() if laws[1] & _TURNED for k in laws[0]}
         if asked:
             return True, f"{_named(self._bodies(asked))} under a law of how it is turned"
@@ -191,6 +198,17 @@ class _Inquiry:
         if not self.pairs:
             return False, f"{idle}, and none can be hit"
         return False, f"{idle}, and a disc is hit through its centre (no friction, A6)"
+
+    @property
+    def rough(self) -> list[Body]:
+        """The bodies with friction, of their own or as one of a pair; static ones too."""
+        paired = {k for pair, value in self.scene.friction_of_pairs.items() if value for k in pair}
+        return [body for k, body in enumerate(self.scene.bodies) if body.friction or k in paired]
+
+    def rubs(self) -> tuple[bool, str]:
+        if not self.pairs:
+            return False, self.meeting()
+        return bool(self.rough), f"{_named(self.rough)} rough" if self.rough else _SMOOTH
 
     def laws(self) -> list[tuple[list[int], frozenset[str]]]:
         """Return the bodies that share a law that varies, and the names in it, for each law."""
