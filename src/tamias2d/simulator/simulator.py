@@ -7,6 +7,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from copy import deepcopy
+from operator import index
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.errors import RecordingError
-from tamias2d.generated import definitions, impact
 from tamias2d.scene import Scene, scene_text
 from tamias2d.scene.reading import read_scene
 from tamias2d.scene.rules import RuleError, number, shown
@@ -23,17 +23,15 @@ from tamias2d.simulator.acting import Acting
 from tamias2d.simulator.adding import Shapes, added_batch
 from tamias2d.simulator.asking import Hits, Questions, box_corners, one_point
 from tamias2d.simulator.batch import Batch, scene_batch
-from tamias2d.simulator.columns import vectors
 from tamias2d.simulator.contacts import Contacts, Touching, arrays_of, touching, touching_of
 from tamias2d.simulator.fault import fault
+from tamias2d.simulator.pushing import add_rows, kicks, loads
 from tamias2d.simulator.roster import Roster
 from tamias2d.simulator.selection import Bodies, selected
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     DYNAMIC,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
     KINEMATIC,
     STATIC,
 )
@@ -183,20 +181,8 @@ class Simulator(Views):
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
         """
-        rows = self._rows(bodies)
-        push = _pair(vectors(
-            impulse, "impulse", "the bodies", "Give (x, y) in N s.", count=len(rows),
-            symbol="impulse_vector",
-        ))  # fmt: skip
-        body, motion = self._world.body, self._world.motion
-        changed = impact.velocity_b_after((0.0, 0.0), 1.0, push, body[rows, INVERSE_MASS])
-        np.add.at(motion[:, 0], rows, changed[0])
-        np.add.at(motion[:, 1], rows, changed[1])
-        if at is not None:
-            turned = impact.angular_velocity_b_after(
-                0.0, 1.0, self._arms(rows, at), push, body[rows, INVERSE_INERTIA]
-            )
-            np.add.at(motion[:, 2], rows, turned)
+        rows, motion = self._rows(bodies), self._world.motion[:, :3]
+        add_rows(motion, rows, kicks(self._world, rows, impulse, at), "impulse")
 
     def apply_force(self, bodies: Bodies, force: object, *, at: object | None = None) -> None:
         """Push bodies through the next step with a force in N, (2,) or (k, 2), besides `force`.
@@ -207,25 +193,12 @@ class Simulator(Views):
             InputError: a body is not there, or a value breaks a rule (R4).
         """
         rows = self._rows(bodies)
-        push = _pair(vectors(
-            force, "force", "the bodies", "Give (x, y) in N.", count=len(rows), symbol="force"
-        ))  # fmt: skip
-        if self._pushed is None or len(self._pushed) < self._world.size:
-            pushed = np.zeros((self._world.size, 3))
-            if self._pushed is not None:
-                pushed[: len(self._pushed)] = self._pushed
-            self._pushed = pushed
-        np.add.at(self._pushed[:, 0], rows, push[0])
-        np.add.at(self._pushed[:, 1], rows, push[1])
-        if at is not None:
-            turning = definitions.torque(self._arms(rows, at), push)
-            np.add.at(self._pushed[:, 2], rows, turning)
-
-    def _arms(self, rows: Whole, at: object) -> tuple[Array, Array]:
-        """Return the arms from centres of mass to points, m."""
-        remedy = "Give points of the world (x, y) in m."
-        points = vectors(at, "at", "the bodies", remedy, count=len(rows), symbol="position")
-        return _pair(points - self._world.pose[rows, :2])
+        changes = loads(self._world, rows, force, at)
+        pushed = np.zeros((self._world.size, 3))
+        if self._pushed is not None:
+            pushed[: len(self._pushed)] = self._pushed
+        add_rows(pushed, rows, changes, "force")
+        self._pushed = pushed
 
     # -- adding and removing
 
@@ -473,17 +446,13 @@ def _restored(arrays: Mapping[str, NDArray[Any]], where: str) -> Simulator:
     return sim
 
 
-def _pair(rows: Array) -> tuple[Array, Array]:
-    return rows[:, 0], rows[:, 1]
-
-
-def _checked_count(value: object, key: str, least: int) -> int:
-    if (
-        isinstance(value, bool)
-        or not hasattr(value, "__index__")
-        or (k := value.__index__()) < least
-    ):
+def _checked_count(value: Any, key: str, least: int) -> int:
+    try:
+        count = least - 1 if isinstance(value, bool) else index(value)
+    except TypeError:
+        count = least - 1
+    if count < least:
         raise RuleError(
             f"{key} {shown(value)}: must be a whole number of at least {least} (R4). Give one.", key
         )
-    return int(k)
+    return count

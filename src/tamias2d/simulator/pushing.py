@@ -1,0 +1,74 @@
+"""What impulses and forces at points do to bodies (IM2, IM3).
+
+Serves: `apply_impulse` and `apply_force`. Hides: how a push becomes a change of a row.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.generated import definitions, impact
+from tamias2d.scene.rules import RuleError
+from tamias2d.simulator.columns import vectors
+from tamias2d.state import Array
+from tamias2d.stepped.layout import INVERSE_INERTIA, INVERSE_MASS
+from tamias2d.stepped.world import World
+
+Whole = NDArray[np.int64]
+_OF = "the bodies"
+
+
+def kicks(world: World, rows: Whole, impulse: object, at: object) -> Array:
+    """Return the changes of velocity and angular velocity (k, 3) by impulses, N s, at points."""
+    remedy = "Give (x, y) in N s."
+    given = vectors(impulse, "impulse", _OF, remedy, count=len(rows), symbol="impulse_vector")
+    push, body = _pair(given), world.body[rows]
+    changes = np.zeros((len(rows), 3))
+    arms = _arms(world, rows, at)
+    with np.errstate(all="ignore"):  # what overflows is refused
+        changes[:, 0], changes[:, 1] = impact.velocity_b_after(
+            (0.0, 0.0), 1.0, push, body[:, INVERSE_MASS]
+        )
+        changes[:, 2] = impact.angular_velocity_b_after(
+            0.0, 1.0, arms, push, body[:, INVERSE_INERTIA]
+        )
+    return changes
+
+
+def loads(world: World, rows: Whole, force: object, at: object) -> Array:
+    """Return the loads (k, 3), N and N m, by forces at points."""
+    push = vectors(force, "force", _OF, "Give (x, y) in N.", count=len(rows), symbol="force")
+    arms = _arms(world, rows, at)
+    with np.errstate(all="ignore"):
+        return np.column_stack((push, definitions.torque(arms, _pair(push))))
+
+
+def add_rows(values: Array, rows: Whole, changes: Array, what: str) -> None:
+    """Add changes (k, 3) to rows, one after another where a row is meant twice.
+
+    Raises:
+        InputError: float64 cannot hold what comes out; then nothing is added.
+    """
+    before = values[rows]
+    with np.errstate(all="ignore"):
+        np.add.at(values, rows, changes)
+    good = np.isfinite(values[rows]).all(axis=1)
+    if not good.all():
+        values[rows] = before
+        raise RuleError(
+            f"{what}[{int(np.argmin(good))}] of {_OF}: what it does is beyond what float64 holds, "
+            "about 1e308 (R4). Give a smaller one, or a nearer point.",
+            what,
+        )
+
+
+def _arms(world: World, rows: Whole, at: object) -> tuple[Array, Array]:
+    """Return the arms from centres of mass to points, m; 0 where no point is given."""
+    if at is None:
+        return np.zeros(len(rows)), np.zeros(len(rows))
+    remedy = "Give points of the world (x, y) in m."
+    points = vectors(at, "at", _OF, remedy, count=len(rows), symbol="position")
+    return _pair(points - world.pose[rows, :2])
+
+
+def _pair(rows: Array) -> tuple[Array, Array]:
+    return rows[:, 0], rows[:, 1]

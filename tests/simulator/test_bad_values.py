@@ -1,0 +1,97 @@
+"""Whatever is given to it, right or wrong: it is taken or refused by name, and nothing else."""
+
+import math
+from typing import Any
+
+import numpy as np
+from hypothesis import given, settings, strategies as st
+
+import tamias2d as t2
+from tests.simulator.crowd import SHAPES
+
+NUMBERS = [math.nan, math.inf, -math.inf, 0.0, -0.0, -1.0, 5e-324, 1e-300, 1e300, 1.7e308, 7, -7]
+HUGE = [10**400, 2**70, np.float32(2), True, None]
+OTHERS = ["1", b"1", 1j, {}, [], [[]], (1,), (1, 2, 3), [[1, 2], [3]], object()]
+ARRAYS = [np.zeros((2, 3)), np.zeros((0, 2)), np.array("x"), np.array([None, 1])]
+ODD = st.sampled_from([*NUMBERS, *HUGE, *OTHERS, *ARRAYS])
+GOOD = st.one_of(st.floats(-10, 10), st.tuples(st.floats(-9, 9), st.floats(-9, 9)))
+VALUE = st.one_of(ODD, GOOD, st.lists(st.one_of(ODD, st.floats(-5, 5)), max_size=3))
+ADDED = (
+    *("mass", "position", "velocity", "orientation", "angular_velocity", "force", "torque"),
+    *("linear_drag", "angular_drag", "inertia", "restitution", "friction"),
+    *("category", "mask", "group", "sensor"),
+)
+
+
+def small() -> t2.Simulator:
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+    scene.add_static(floor, restitution=0.2, friction=0.5)
+    for k, shape in enumerate(SHAPES[:3]):
+        place = (0.2 * k, 1.0 + k)
+        scene.add_body(shape, mass=1.0, position=place, restitution=0.1, friction=0.4)
+    return t2.Simulator(scene)
+
+
+@settings(max_examples=150)
+@given(st.dictionaries(st.sampled_from(ADDED), VALUE, max_size=3))
+def test_adding_is_refused_by_name_or_done(values: dict[str, Any]) -> None:
+    sim = small()
+    before = sim.digest()
+    known = {"mass": 1.0, "position": (0.0, 5.0), "restitution": 0.0, **values}
+    try:
+        added = sim.add(SHAPES[0], **known)
+    except t2.InputError as error:
+        assert any(key.replace("_", " ") in str(error).replace("_", " ") for key in values)
+        assert sim.digest() == before
+        return
+    for row in np.atleast_1d(added):
+        state = [sim.position[row], sim.velocity[row], sim.force[row]]
+        assert np.isfinite(np.concatenate(state)).all()
+    sim.remove(added)
+    sim.step(3)
+    twin = small()
+    twin.step(3)
+    assert sim.digest() == twin.digest()
+
+
+@settings(max_examples=150)
+@given(st.sampled_from(["impulse", "force", "ray", "point", "box", "remove", "step"]), VALUE, VALUE)
+def test_calls_are_refused_or_done(name: str, one: Any, other: Any) -> None:
+    sim = small()
+    calls = {
+        "impulse": lambda: sim.apply_impulse([1, 2], one, at=other),
+        "force": lambda: sim.apply_force([1, 2], one, at=other),
+        "ray": lambda: sim.ray_cast(one, other),
+        "point": lambda: sim.at_point(one, mask=other),
+        "box": lambda: sim.in_box(one, other),
+        "remove": lambda: sim.remove(one),
+        "step": lambda: sim.step(one if not isinstance(one, int) or one < 9 else 3),
+    }
+    before = sim.digest()
+    try:
+        calls[name]()
+    except t2.InputError:
+        assert sim.digest() == before
+
+
+@settings(max_examples=150)
+@given(
+    st.sampled_from(["position", "orientation", "velocity", "angular_velocity", "force", "torque"]),
+    st.integers(0, 3),
+    st.floats(width=64),
+)
+def test_any_number_in_a_view_is_stepped_or_refused(view: str, row: int, value: float) -> None:
+    """Beyond what float64 holds it says so, at the latest in the next step; nothing crashes."""
+    sim = small()
+    sim.step(2)
+    getattr(sim, view)[row] = value
+    before = sim.position.copy()
+    try:
+        sim.step()
+        sim.step(5)
+    except t2.InputError as error:
+        message = str(error)
+        assert "must be finite" in message or "static body: must be 0" in message
+        if not math.isfinite(value):
+            assert np.array_equal(before, sim.position, equal_nan=True)
