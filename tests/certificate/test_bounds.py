@@ -10,6 +10,7 @@ from hypothesis import example, given, settings, strategies as st
 import tamias2d as t2
 from tamias2d.study.error import history_error
 from tools.measurements.exact import exact_history
+from tools.measurements.kinds import energy_error, lost
 
 G = 9.81
 
@@ -118,3 +119,16 @@ def test_past_the_horizon_only_invariants_are_claimed() -> None:
     assert not certificate.meets(1e-2)
     with pytest.raises(t2.ToleranceError, match="no method meets it"):
         t2.simulate(scene, duration=20.0, tolerance=1e-2)
+
+
+@pytest.mark.parametrize("which", [0, 4])
+def test_energy_bounds_hold_to_the_last_digit(which: int) -> None:
+    """The energy of the states, in 40 digits, strays no farther than the certificate says."""
+    scene = list(lost())[which]
+    times = np.linspace(0.0, 20.0, 61)
+    certificate = t2.certify(t2.simulate(scene, duration=20.0, times=times)).certificate
+    assert certificate is not None
+    assert certificate.kind == "invariants"
+    assert certificate.bound is not None
+    run = t2.simulate(scene, duration=20.0, times=times)
+    assert energy_error(run) <= certificate.bound < 1e-13

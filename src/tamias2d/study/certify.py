@@ -16,7 +16,7 @@ from tamias2d.run import Run
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import MEASURE, apart, radii, scale
-from tamias2d.study.invariants import energy_drift
+from tamias2d.study.invariants import energy_drift, energy_rounding
 from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
 
 _EPSILON = 2.0**-52
@@ -92,7 +92,10 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
 def _of_energy(run: Run, reason: str, lost_at: float | None) -> Certificate:
     """Return what is left to say: how well the run keeps the balance of energy."""
     strayed = energy_drift(run)
-    bound = strayed if strayed is not None and math.isfinite(strayed) else None
+    if strayed is None or not math.isfinite(strayed):
+        bound = None
+    else:
+        bound = strayed + energy_rounding(run)
     return Certificate(
         kind="none" if bound is None else "invariants",
         measure="balance of energy, with what impacts take, relative to the largest kinetic energy",

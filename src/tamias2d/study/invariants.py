@@ -10,6 +10,8 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.state import Array
 
+_ROUNDINGS = 4.0  # of the largest terms of the energy, in their sum
+
 
 def energy_drift(run: Run) -> float | None:
     """Return how far the energy strays from what impacts leave of it, relative to the largest
@@ -28,6 +30,19 @@ def energy_drift(run: Run) -> float | None:
     left = run.energy[0] - np.concatenate(([0.0], np.cumsum(lost)))[before]
     largest = float(_kinetic(run).max())
     return float(np.abs(run.energy - left).max()) / largest if largest else None
+
+
+def energy_rounding(run: Run) -> float:
+    """Return how much of what `energy_drift` says may be the rounding of its own terms."""
+    moving = [i for i, body in enumerate(run.scene.bodies) if body.dynamic]
+    mass = np.array([run.scene.bodies[i].mass for i in moving])
+    position = (run.position[:, moving, 0], run.position[:, moving, 1])
+    uniform = definitions.potential_energy(mass, run.scene.gravity, position)
+    kinetic = _kinetic(run)
+    between = run.energy - kinetic - uniform.sum(axis=-1)
+    size = kinetic + np.abs(uniform).sum(axis=-1) + np.abs(between)
+    largest = float(kinetic.max())
+    return _ROUNDINGS * 2.0**-52 * float(size.max()) / largest if largest else 0.0
 
 
 def _conserves_energy(scene: Scene) -> bool:
