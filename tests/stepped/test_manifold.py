@@ -49,7 +49,15 @@ def placed(draw: st.DrawFn) -> tuple[Outline, Outline, np.ndarray]:
     return a.turned(draw(ANGLES)), b.turned(draw(ANGLES)), draw(PLACES)
 
 
-@settings(max_examples=1000, deadline=None)
+@st.composite
+def plainly_placed(draw: st.DrawFn) -> tuple[Outline, Outline, np.ndarray]:
+    """Placed, without lengths whose products are not exact when scaled."""
+    a, b, delta = draw(placed())
+    a, b = (Outline(np.round(each.corners, 9), each.radius) for each in (a, b))
+    return a, b, np.round(delta, 9)
+
+
+@settings(max_examples=20000, deadline=None)
 @given(placed())
 def test_the_smallest_separation_is_the_distance(pair) -> None:
     a, b, delta = pair
@@ -88,7 +96,7 @@ def test_swapping_the_shapes_mirrors_the_manifold(pair) -> None:
 
 
 @settings(max_examples=300, deadline=None)
-@given(placed(), st.sampled_from([2.0**-20, 2.0**20]))
+@given(plainly_placed(), st.sampled_from([2.0**-20, 2.0**20]))
 def test_no_size_is_special(pair, factor: float) -> None:
     a, b, delta = pair
     one, other = Pairing(), Pairing()

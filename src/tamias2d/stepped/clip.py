@@ -68,9 +68,9 @@ def touch_sides(
         low = high = along1 if gap1 < gap2 else along2
         gap_low, gap_high = room, 1e308
     else:
-        slope = (gap1 - gap2) / (along1 - along2)
-        gap_low = gap2 + slope * (low - along2)
-        gap_high = gap1 + slope * (high - along1) if high > low else 1e308
+        span = along1 - along2
+        gap_low = gap2 + (gap1 - gap2) * ((low - along2) / span)
+        gap_high = gap1 + (gap2 - gap1) * ((along1 - high) / span) if high > low else 1e308
     radii = radius_p + radius_q
     uneven = radius_p - radius_q
     row[NX] = -nx if swapped else nx
