@@ -299,6 +299,18 @@ def test_energy_that_an_impact_takes(friction, restitution, thin, sliding, spin,
     assert loss(friction) >= loss(0.0) - 1e-12
 
 
+@pytest.mark.parametrize("friction", [5e-324, 1e-200, 1e12, 1e200, 1.7e308])
+def test_any_friction_has_an_answer(friction: float):
+    """As good as smooth, or as good as glued along the surface."""
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), restitution=0.5)
+    scene.add_body(DISC, mass=1, position=(0, 2), velocity=(3, 0), friction=friction)
+    run = t2.simulate(scene, duration=4.0)
+    rolls = friction > 1
+    assert run.velocity[-1, 1] == pytest.approx((2 if rolls else 3, 0), abs=1e-12)
+    assert run.angular_velocity[-1, 1] == pytest.approx(-4 if rolls else 0, abs=1e-12)
+
+
 def test_friction_in_two_contacts_at_once():
     """A block that lands flat and slides loses mu times the normal impulse of both ends."""
     scene = t2.Scene(gravity=(0, 0))

@@ -416,7 +416,7 @@ def test_share_is_im9(**given: Value) -> None:
     """IM9, srs/models/friction.md:57."""
     agrees(
         friction.share,
-        "pair_friction*impulse/max(abs(sticking_impulse) - pair_friction*normal_change, pair_friction*impulse)",
+        "impulse/max(abs(sticking_impulse)/pair_friction - normal_change, impulse)",
         given,
     )
 
@@ -505,7 +505,7 @@ def test_angular_velocity_b_after_is_im9(**given: Value) -> None:
     normal=values("normal"),
 )
 def test_tangential_acceleration_is_gd8(**given: Value) -> None:
-    """GD8, srs/models/friction.md:320."""
+    """GD8, srs/models/friction.md:319."""
     agrees(
         friction.tangential_acceleration,
         "dot(acceleration_b + cross(angular_acceleration_b, arm_b) - acceleration_a - cross(angular_acceleration_a, arm_a), perp(normal))",
@@ -520,7 +520,7 @@ def test_tangential_acceleration_is_gd8(**given: Value) -> None:
     cross_coupling=values("cross_coupling"),
 )
 def test_inverse_pressed_mass_is_gd8(**given: Value) -> None:
-    """GD8, srs/models/friction.md:320."""
+    """GD8, srs/models/friction.md:319."""
     agrees(
         friction.inverse_pressed_mass,
         "inverse_effective_mass - sense*pair_friction*cross_coupling",
@@ -533,7 +533,7 @@ def test_inverse_pressed_mass_is_gd8(**given: Value) -> None:
     inverse_pressed_mass=values("inverse_pressed_mass"),
 )
 def test_contact_force_is_gd8(**given: Value) -> None:
-    """GD8, srs/models/friction.md:320."""
+    """GD8, srs/models/friction.md:319."""
     agrees(friction.contact_force, "-normal_acceleration/inverse_pressed_mass", given)
 
 
@@ -543,7 +543,7 @@ def test_contact_force_is_gd8(**given: Value) -> None:
     contact_force=values("contact_force"),
 )
 def test_friction_force_is_gd8(**given: Value) -> None:
-    """GD8, srs/models/friction.md:320."""
+    """GD8, srs/models/friction.md:319."""
     agrees(friction.friction_force, "-sense*pair_friction*contact_force", given)
 
 

@@ -3,7 +3,8 @@
 Serves: rough contacts that last. Hides: how forces within Coulomb's bounds are found (GD8).
 
 A force at a contact lies between n - mu t and n + mu t, for a normal n and a tangent t: where the
-contact sticks it is any sum of the two that pushes, where it slides the one against the sliding.
+contact sticks it is any sum of these and of n that pushes, where it slides the one against the
+sliding.
 So each mode is a problem of sums that push, which non-negative least squares decides.
 """
 
@@ -20,6 +21,7 @@ from tamias2d.state import Array
 
 _EXACT = 1e-10
 """Of the loads: what forces may leave of them."""
+_NONE = 1e-200  # 1/kg; a push that does no more than this does nothing
 _MOST = 4096  # modes that are looked at
 
 
@@ -77,7 +79,7 @@ def pushes(mode: Mode) -> list[Contact]:
     """Return the directions in which a mode can push, as contacts with these for normals."""
     found = []
     for part in mode:
-        leans = [1, -1] if part.sticks else [-part.sense]
+        leans = [0, 1, -1] if part.sticks else [-part.sense]
         found += [
             _leaning(contact, lean * part.patch.roughness)
             for contact in part.pressed
@@ -116,9 +118,9 @@ def forces(matrix: Array, loads: Array) -> list[float] | None:
     scale = np.abs(loads).max()
     if scale == 0:
         return [0.0] * matrix.shape[1]
-    size = np.abs(matrix).max(axis=1)  # so that light and heavy bodies count alike
+    size = np.maximum(np.abs(matrix).max(axis=1), _NONE)  # light and heavy bodies count alike
     rows = matrix / size[:, None]
-    weights = np.abs(rows).max(axis=0)
+    weights = np.maximum(np.abs(rows).max(axis=0), _NONE)
     try:
         found, _ = nnls(rows / weights, -loads / size)
     except RuntimeError:  # it went in a circle, as it may where nothing fits
@@ -132,4 +134,5 @@ def _leaning(contact: Contact, lean: float) -> Contact:
     if not lean:
         return contact
     (x, y), (u, v) = contact.normal, tangent_of(contact).normal
-    return contact._replace(normal=(x + lean * u, y + lean * v))
+    size = 1 + abs(lean)  # however rough it is
+    return contact._replace(normal=((x + lean * u) / size, (y + lean * v) / size))

@@ -225,8 +225,7 @@ def share(
 ) -> Scalar:
     """Part of the sticking impulse that friction can give, 1 where the contact sticks (1).
 
-    share = pair_friction*impulse/max(abs(sticking_impulse) - pair_friction*normal_change,
-    pair_friction*impulse)
+    share = impulse/max(abs(sticking_impulse)/pair_friction - normal_change, impulse)
 
     Args:
         pair_friction: The coefficient of friction that holds between two bodies, 1
@@ -236,11 +235,7 @@ def share(
 
     Source: IM9, srs/models/friction.md:101.
     """
-    return (
-        pair_friction
-        * impulse
-        / largest(abs(sticking_impulse) - pair_friction * normal_change, pair_friction * impulse)
-    )
+    return impulse / largest(abs(sticking_impulse) / pair_friction - normal_change, impulse)
 
 
 def normal_impulse(impulse: Scalar, share: Scalar, normal_change: Scalar) -> Scalar:
@@ -254,7 +249,7 @@ def normal_impulse(impulse: Scalar, share: Scalar, normal_change: Scalar) -> Sca
             1
         normal_change: Change of the normal impulse that comes with the sticking impulse, N*s
 
-    Source: IM9, srs/models/friction.md:104.
+    Source: IM9, srs/models/friction.md:103.
     """
     return impulse + share * normal_change
 
@@ -269,7 +264,7 @@ def tangential_impulse(share: Scalar, sticking_impulse: Scalar) -> Scalar:
             1
         sticking_impulse: Tangential impulse that ends the sliding of a contact, N*s
 
-    Source: IM9, srs/models/friction.md:105.
+    Source: IM9, srs/models/friction.md:104.
     """
     return share * sticking_impulse
 
@@ -284,7 +279,7 @@ def impulse_vector(normal_impulse: Scalar, tangential_impulse: Scalar, normal: V
         tangential_impulse: Impulse of a contact on body B along its tangent, N*s
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: IM9, srs/models/friction.md:106.
+    Source: IM9, srs/models/friction.md:105.
     """
     normal_x, normal_y = normal
     return (
@@ -303,7 +298,7 @@ def velocity_a_after(velocity_a: Vector, inverse_mass_a: Scalar, impulse_vector:
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
-    Source: IM9, srs/models/friction.md:107.
+    Source: IM9, srs/models/friction.md:106.
     """
     velocity_a_x, velocity_a_y = velocity_a
     impulse_vector_x, impulse_vector_y = impulse_vector
@@ -328,7 +323,7 @@ def angular_velocity_a_after(
         arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
-    Source: IM9, srs/models/friction.md:108.
+    Source: IM9, srs/models/friction.md:107.
     """
     arm_a_x, arm_a_y = arm_a
     impulse_vector_x, impulse_vector_y = impulse_vector
@@ -347,7 +342,7 @@ def velocity_b_after(velocity_b: Vector, inverse_mass_b: Scalar, impulse_vector:
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
-    Source: IM9, srs/models/friction.md:110.
+    Source: IM9, srs/models/friction.md:109.
     """
     velocity_b_x, velocity_b_y = velocity_b
     impulse_vector_x, impulse_vector_y = impulse_vector
@@ -372,7 +367,7 @@ def angular_velocity_b_after(
         arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         impulse_vector: Integral of a force over the time in which it acts, N*s
 
-    Source: IM9, srs/models/friction.md:111.
+    Source: IM9, srs/models/friction.md:110.
     """
     arm_b_x, arm_b_y = arm_b
     impulse_vector_x, impulse_vector_y = impulse_vector
@@ -404,7 +399,7 @@ def tangential_acceleration(
         arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: GD8, srs/models/friction.md:329.
+    Source: GD8, srs/models/friction.md:328.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     arm_a_x, arm_a_y = arm_a
@@ -440,7 +435,7 @@ def inverse_pressed_mass(
         cross_coupling: Change of the tangential velocity of a contact for one unit of impulse
             along its normal, and of its normal velocity for one along its tangent, 1/kg
 
-    Source: GD8, srs/models/friction.md:332.
+    Source: GD8, srs/models/friction.md:331.
     """
     return inverse_effective_mass - sense * pair_friction * cross_coupling
 
@@ -456,7 +451,7 @@ def contact_force(normal_acceleration: Scalar, inverse_pressed_mass: Scalar) -> 
         inverse_pressed_mass: Change of the normal acceleration for one unit of normal force,
             with the friction that it brings about, 1/kg
 
-    Source: GD8, srs/models/friction.md:334.
+    Source: GD8, srs/models/friction.md:333.
     """
     return (-normal_acceleration) / inverse_pressed_mass
 
@@ -472,6 +467,6 @@ def friction_force(sense: Scalar, pair_friction: Scalar, contact_force: Scalar) 
         pair_friction: The coefficient of friction that holds between two bodies, 1
         contact_force: Size of the force of a resting contact along its normal, N
 
-    Source: GD8, srs/models/friction.md:335.
+    Source: GD8, srs/models/friction.md:334.
     """
     return (-sense) * pair_friction * contact_force
