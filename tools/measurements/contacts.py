@@ -21,13 +21,13 @@ from tools.measurements.arena.box2d import Box2D
 from tools.measurements.arena.chipmunk import Chipmunk
 from tools.measurements.arena.engine import Maker
 from tools.measurements.arena.growth import BODIES, bytes_of_a_body, seconds
-from tools.measurements.arena.heavy import substeps_to_stand
 from tools.measurements.arena.own import Own
 from tools.measurements.arena.quality import quality
 from tools.measurements.arena.race import race
 from tools.measurements.arena.reading import share_of_a_step
 from tools.measurements.arena.scenes import SCENES
 from tools.measurements.arena.start import starts
+from tools.measurements.arena.towers import substeps_to_stand
 
 Part: TypeAlias = Callable[[dict[str, Any]], None]
 """A part of the measurement, which adds to what was found."""
@@ -102,7 +102,7 @@ def _rest() -> list[Part]:
     """Return the parts that are about no single scene."""
     return [
         *(partial(_reading, name) for name in _READ),
-        _heavy,
+        _towers,
         *(partial(_growth, bodies) for bodies in BODIES),
         *(partial(_memory, engine) for engine in _ENGINES),
         _start,
@@ -116,8 +116,8 @@ def _reading(name: str, found: dict[str, Any]) -> None:
     }
 
 
-def _heavy(found: dict[str, Any]) -> None:
-    found["heavy"] = substeps_to_stand()
+def _towers(found: dict[str, Any]) -> None:
+    found["towers"] = substeps_to_stand()
 
 
 def _growth(bodies: int, found: dict[str, Any]) -> None:

@@ -5,8 +5,10 @@ Serves: the measurement of contacts. Hides: how numbers are written.
 
 import json
 from collections.abc import Iterator
+from datetime import date
 from itertools import pairwise
 from pathlib import Path
+from platform import machine, python_version
 from typing import Any
 
 from tamias2d.storage import write_aside
@@ -39,7 +41,7 @@ def _rows(found: dict[str, Any]) -> Iterator[tuple[str, ...]]:
 
 def notes(found: dict[str, Any]) -> list[str]:
     """Return what was found besides, a sentence each."""
-    return [line for part in (_reading, _heavy, _growth, _memory, _start) for line in part(found)]
+    return [line for part in (_reading, _towers, _growth, _memory, _start) for line in part(found)]
 
 
 def _reading(found: dict[str, Any]) -> Iterator[str]:
@@ -48,10 +50,9 @@ def _reading(found: dict[str, Any]) -> Iterator[str]:
         yield f"Reading all positions of {scene}, as a share of a step: {each}."
 
 
-def _heavy(found: dict[str, Any]) -> Iterator[str]:
-    for ratio, substeps in found.get("heavy", {}).items():
-        stands = f"stand with {substeps} substeps" if substeps else "do not stand"
-        yield f"Ten boxes, of which the highest has {ratio} times the mass of others, {stands}."
+def _towers(found: dict[str, Any]) -> Iterator[str]:
+    for tower, substeps in found.get("towers", {}).items():
+        yield f"{tower} stand with {substeps} substeps." if substeps else f"{tower} do not stand."
 
 
 def _growth(found: dict[str, Any]) -> Iterator[str]:
@@ -93,7 +94,8 @@ def write(found: dict[str, Any], folder: Path) -> None:
     text = "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
     peers = " and ".join(f"{name} {number}" for name, number in found["peers"].items())
     beside = "\n".join(f"* {note}" for note in notes(found))
-    text = f"Beside {peers}; medians of {found['repeats']}.\n\n{text}\n\n{beside}\n"
+    made = f"{date.today():%d %B %Y}, Python {python_version()} on {machine()}, beside {peers}"
+    text = f"{made}; medians of {found['repeats']}.\n\n{text}\n\n{beside}\n"
     folder.mkdir(parents=True, exist_ok=True)
     write_aside(folder / "contacts.txt", text.encode())
     write_aside(folder / "contacts.json", (json.dumps(found, indent=1) + "\n").encode())
