@@ -30,6 +30,8 @@ class Piece(NamedTuple):
     """how far its farthest corner is from the centre of mass, m; 0 for a half-plane"""
     reach: float
     """how far all of it is from the centre of mass at most, m; infinite for a half-plane"""
+    half: float
+    """half of its least width, m; infinite for a half-plane"""
 
 
 def pieces(shape: Shape | None) -> tuple[Piece, ...]:
@@ -38,13 +40,18 @@ def pieces(shape: Shape | None) -> tuple[Piece, ...]:
         return ()
     if isinstance(shape, HalfPlane):
         x, y = shape.normal
-        return (Piece(HALF_PLANE, 0.0, np.array([[shape.offset, 0.0, x, y]]), 0.0, math.inf),)
+        return (
+            Piece(HALF_PLANE, 0.0, np.array([[shape.offset, 0.0, x, y]]), 0.0, math.inf, math.inf),
+        )
     return tuple(_bounded(part.core, part.shape.rounding) for part in pieces_of(shape))
 
 
 def _bounded(core: Sequence[Vector], radius: float) -> Piece:
     arm = max(math.hypot(x, y) for x, y in core)
-    return Piece(_kind(len(core)), radius, _corners(core), arm, arm + radius)
+    corner = _corners(core)
+    across = corner[:, 2:] @ corner[:, :2].T
+    half = radius + float(np.ptp(across, axis=1).min()) / 2
+    return Piece(_kind(len(core)), radius, corner, arm, arm + radius, half)
 
 
 def _kind(corners: int) -> int:

@@ -23,6 +23,7 @@ from tamias2d.stepped.layout import (
     ANGULAR,
     ARM,
     FULL,
+    INNER,
     INVERSE_INERTIA,
     INVERSE_MASS,
     PAIRS,
@@ -219,6 +220,8 @@ class Roster:
         world.filters[slots] = batch.filters[owner]
         bounded = np.isfinite(reach)
         np.maximum.at(world.body[:, REACH], rows[owner][bounded], reach[bounded])
+        world.body[rows, INNER] = np.inf
+        np.minimum.at(world.body[:, INNER], rows[owner], [piece.half for piece in found])
         np.maximum.at(world.body[:, ARM], rows[owner], [piece.arm for piece in found])
 
     def _slot(self, corners: int) -> int:

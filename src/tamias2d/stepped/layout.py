@@ -44,7 +44,7 @@ ABSENT, STATIC, KINEMATIC, DYNAMIC = 0, 1, 2, 3
 # shape_kind (m,)
 DISC, CAPSULE, POLYGON, HALF_PLANE = 0, 1, 2, 3
 
-# surface (m, 3): friction, restitution (-1 where not stated), reach m
+# surface (m, 3): friction, restitution (-1 where not stated), reach, m
 FRICTION, RESTITUTION, SHAPE_REACH = 0, 1, 2
 
 # filter (m, 4): which shapes meet at all

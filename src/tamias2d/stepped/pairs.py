@@ -15,6 +15,9 @@ from tamias2d.stepped.layout import (
     ABSENT,
     ARM,
     CATEGORY,
+    DTURN,
+    DX,
+    DY,
     DYNAMIC,
     FAT,
     FRICTION,
@@ -48,7 +51,7 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.tree import BUNCH, FAR, grow_tree, lowest
 
 ROOM = 0.1  # of the reach: how far a body may go before pairs are looked for again
-NEAR = 0.15  # of the reach: how far around a shape others must be known
+AROUND = 0.15  # of the reach: how far around a shape others must be known
 LONGEST = 64  # steps ahead that a list is made for, at most
 
 
@@ -108,7 +111,7 @@ def settle(
     body: Array,
     home: Array,
 ) -> None:
-    """Give each body room around where it will be for a time ahead, s."""
+    """Give each body room around where it will be for a time ahead, s, and in this step."""
     for i in range(len(kind)):
         x, y = pose[i, X], pose[i, Y]
         if kind[i] <= STATIC:
@@ -117,11 +120,18 @@ def settle(
             continue
         room = ROOM * body[i, REACH]
         by_x, by_y = motion[i, VX] * ahead, motion[i, VY] * ahead
-        home[i, LOW_X], home[i, HIGH_X] = x - room + min(by_x, 0.0), x + room + max(by_x, 0.0)
-        home[i, LOW_Y], home[i, HIGH_Y] = y - room + min(by_y, 0.0), y + room + max(by_y, 0.0)
+        on_x, on_y = motion[i, DX], motion[i, DY]
+        home[i, LOW_X] = x - room + min(by_x, on_x, 0.0)
+        home[i, LOW_Y] = y - room + min(by_y, on_y, 0.0)
+        home[i, HIGH_X] = x + room + max(by_x, on_x, 0.0)
+        home[i, HIGH_Y] = y + room + max(by_y, on_y, 0.0)
         home[i, HOME_TURN] = pose[i, TURN]
         arm = body[i, ARM]
-        room = room / arm + abs(motion[i, SPIN]) * ahead if arm > 0.0 else FAR
+        room = (
+            room / arm + max(abs(motion[i, SPIN]) * ahead, abs(motion[i, DTURN]))
+            if arm > 0.0
+            else FAR
+        )
         home[i, TURN_ROOM] = room
 
 
@@ -152,7 +162,7 @@ def fatten(
             far = max(far, x * x + y * y)
         more = shape_radius[s]
         if kind[i] > STATIC:
-            more += NEAR * body[i, REACH]
+            more += AROUND * body[i, REACH]
         if far > 0.0:  # what turning may do to corners
             more += min(home[i, TURN_ROOM], 2.0) * sqrt(far)
         box[s, FAT], box[s, FAT + 2] = (

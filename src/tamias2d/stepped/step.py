@@ -23,6 +23,7 @@ from tamias2d.kernels.arrays import (
     Ranks,
 )
 from tamias2d.state import Array
+from tamias2d.stepped.flight import fly, goes_far, outruns
 from tamias2d.stepped.layout import (
     ACTIVE,
     ANGULAR,
@@ -58,7 +59,6 @@ from tamias2d.stepped.layout import (
     SUBSTEPS,
     TIME_STEP,
     TOUCHED,
-    TURN,
     VX,
     VY,
     Whole,
@@ -89,6 +89,9 @@ from tamias2d.stepped.rows import (
     keep_impulses,
 )
 from tamias2d.stepped.solver import bounce, relax, sweep, warm
+
+# what is known of a step that has begun
+BEGUN, FRESH, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5, 6
 
 DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND = 0, 1, 2, 3, 4
 
@@ -132,115 +135,73 @@ def step(
     lanes: PlaceRows,
     bench: Floats,
     carried: FloatRows,
+    times: Floats,
+    scratch: FloatRows,
 ) -> int:
     """Take one step, or say what there is too little room for; called again, it goes on."""
-    if counts[PHASE] == 0:
+    if counts[PHASE] == BEGUN:
         if not all_sound(settings, kind, pose, motion, load):
             return UNSOUND
-        counts[PHASE] = 1
-        if left_home(kind, pose, home) or counts[STILL] == 0:
-            counts[PHASE] = 2
-    if counts[PHASE] == 2:
+        counts[PHASE] = STALE if counts[STILL] == 0 or left_home(kind, pose, home) else FRESH
+    if counts[PHASE] == STALE:
         status = look_around(
-            settings,
-            counts,
-            pose,
-            motion,
-            body,
-            home,
-            kind,
-            ranked,
-            shape_body,
-            shape_kind,
-            shape_first,
-            shape_count,
-            shape_radius,
-            surface,
-            filters,
-            mixed,
-            corner,
-            turned,
-            box,
-            curve,
-            node,
-            found,
-            pairs,
-            touches,
-            traces,
-        )
+            settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
+            shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned, box,
+            curve, node, found, pairs, touches, traces,
+        )  # fmt: skip
         if status != DONE:
             return status
-        counts[PHASE] = 3
-    elif counts[PHASE] == 1:
+        counts[PHASE] = KNOWN
+    elif counts[PHASE] == FRESH:
         turn_corners(
             shape_body, shape_kind, shape_first, shape_count, kind, KINEMATIC, pose, corner, turned
         )
-        counts[PHASE] = 3
-    side = counts[SIDE]
-    pair, touch, trace = pairs[side], touches[side], traces[side]
-    if counts[PHASE] == 3:
+        counts[PHASE] = KNOWN
+    if counts[PHASE] == KNOWN:
+        pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
         meet(
-            settings,
-            counts,
-            pose,
-            motion,
-            shape_body,
-            shape_kind,
-            shape_first,
-            shape_count,
-            shape_radius,
-            surface,
-            filters,
-            turned,
-            pair,
-            touch,
-            trace,
-            hits,
-        )
+            settings, counts, pose, motion, shape_body, shape_kind, shape_first, shape_count,
+            shape_radius, surface, filters, turned, pair, touch, trace, hits,
+        )  # fmt: skip
         needed = colour(counts, pair, trace, shape_body, kind, hits, used, fill)
         if needed > len(rows):
             counts[NEEDED] = needed
             return MORE_BLOCKS
-    clear_lanes(counts, len(pose) - 1, fill, rows, lanes)
-    bouncing = fill_rows(
-        settings,
-        counts,
-        pair,
-        touch,
-        shape_body,
-        shape_radius,
-        surface,
-        pose,
-        motion,
-        body,
-        hits,
-        fill,
-        rows,
-        lanes,
-    )
-    solve(
-        settings,
-        counts,
-        pose,
-        motion,
-        load,
-        body,
-        kind,
-        used,
-        pair,
-        shape_body,
-        hits,
-        rows,
-        lanes,
-        bench,
-        carried,
-        bouncing,
-    )
-    keep_impulses(counts, rows, lanes, touch)
-    move(settings, counts, pose, motion, load, body, kind, used)
-    note_touches(counts, trace, rows, lanes)
+        clear_lanes(counts, len(pose) - 1, fill, rows, lanes)
+        bouncing = fill_rows(
+            settings, counts, pair, touch, shape_body, shape_radius, surface, pose, motion, body,
+            hits, fill, rows, lanes,
+        )  # fmt: skip
+        solve(
+            settings, counts, motion, load, body, kind, used, pair, shape_body, hits, rows, lanes,
+            bench, carried, bouncing,
+        )  # fmt: skip
+        keep_impulses(counts, rows, lanes, touch)
+        note_touches(counts, trace, rows, lanes)
+        drift(settings, motion, load, body, kind, used, carried)
+        far = goes_far(kind, motion, body)
+        counts[PHASE] = (
+            ARRIVING if not far else OUTRUN if outruns(kind, pose, motion, home) else SWEPT
+        )
+    if counts[PHASE] == OUTRUN:
+        status = look_around(
+            settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
+            shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned, box,
+            curve, node, found, pairs, touches, traces,
+        )  # fmt: skip
+        if status != DONE:
+            return status
+        counts[PHASE] = SWEPT
+    if counts[PHASE] == SWEPT:
+        pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
+        fly(
+            settings, counts, pose, motion, body, home, kind, carried, shape_body, shape_kind,
+            shape_first, shape_count, shape_radius, surface, filters, corner, turned, pair, touch,
+            trace, times, scratch,
+        )  # fmt: skip
+    arrive(pose, motion)
     counts[SINCE] += 1
-    counts[PHASE] = 0
+    counts[PHASE] = BEGUN
     return DONE
 
 
@@ -393,7 +354,6 @@ def meet(
 def solve(
     settings: Array,
     counts: Whole,
-    pose: Array,
     motion: Array,
     load: Array,
     body: Array,
@@ -480,8 +440,9 @@ def mark_active(
 
     Their colours, which are not needed any more, become marks.
     """
-    for i in range(len(used)):
-        used[i] = 0
+    for k in range(counts[HITS]):
+        p = hits[0, k]
+        used[shape_body[pair[p, 0]]] = used[shape_body[pair[p, 1]]] = 0
     active = 0
     for k in range(counts[HITS]):
         p = hits[0, k]
@@ -491,7 +452,6 @@ def mark_active(
                 used[i] = 1
                 hits[1, active] = i
                 active += 1
-                motion[i, DX] = motion[i, DY] = motion[i, DTURN] = 0.0
     counts[ACTIVE] = active
     return active
 
@@ -524,45 +484,51 @@ def hasten(
             carried[i, 3 + n] = motion[i, n]
 
 
-def move(
+def drift(
     settings: Array,
-    counts: Whole,
-    pose: Array,
     motion: Array,
     load: Array,
     body: Array,
     kind: Whole,
     used: Whole,
+    gained: Array,
 ) -> None:
-    """Move bodies with contacts by what their substeps found, and the others in closed form."""
-    none = counts[ACTIVE] == 0
-    for i in range(len(pose) - 1):
-        if kind[i] < KINEMATIC:
-            continue
-        if not none and used[i] == 1:
-            pose[i, X] += motion[i, DX]
-            pose[i, Y] += motion[i, DY]
-            pose[i, TURN] += motion[i, DTURN]
+    """Find how far bodies without contacts go in this step: they have a closed form (IM1, IM6).
+
+    What forces add to their velocities is noted; for bodies with contacts that is nothing.
+    """
+    for i in range(len(kind)):
+        for n in range(3):
+            gained[i, 3 + n] = 0.0
+        if kind[i] < KINEMATIC or used[i] == 1:
+            used[i] = 0
             continue
         by_x = by_y = turn = 0.0
         if kind[i] == DYNAMIC:
             mass = body[i, INVERSE_MASS]
-            by_x, by_y = (
-                settings[GRAVITY_X] + mass * load[i, 0],
-                settings[GRAVITY_Y] + mass * load[i, 1],
-            )
+            by_x = settings[GRAVITY_X] + mass * load[i, 0]
+            by_y = settings[GRAVITY_Y] + mass * load[i, 1]
             turn = body[i, INVERSE_INERTIA] * load[i, 2]
-        pose[i, X] += body[i, FULL + GAIN] * motion[i, VX] + body[i, FULL + LIFT] * by_x
-        pose[i, Y] += body[i, FULL + GAIN] * motion[i, VY] + body[i, FULL + LIFT] * by_y
-        pose[i, TURN] += (
-            body[i, FULL + ANGULAR + GAIN] * motion[i, SPIN] + body[i, FULL + ANGULAR + LIFT] * turn
-        )
-        motion[i, VX] = body[i, FULL + DECAY] * motion[i, VX] + body[i, FULL + GAIN] * by_x
-        motion[i, VY] = body[i, FULL + DECAY] * motion[i, VY] + body[i, FULL + GAIN] * by_y
-        motion[i, SPIN] = (
-            body[i, FULL + ANGULAR + DECAY] * motion[i, SPIN]
-            + body[i, FULL + ANGULAR + GAIN] * turn
-        )
+        flow(i, 0, FULL, by_x, body, motion, gained)
+        flow(i, 1, FULL, by_y, body, motion, gained)
+        flow(i, 2, FULL + ANGULAR, turn, body, motion, gained)
+
+
+def flow(i: int, axis: int, at: int, by: float, body: Array, motion: Array, gained: Array) -> None:
+    """Take one coordinate of a body through the step, under an acceleration."""
+    before = motion[i, axis]
+    after = body[i, at + DECAY] * before + body[i, at + GAIN] * by
+    motion[i, DX + axis] = body[i, at + GAIN] * before + body[i, at + LIFT] * by
+    motion[i, axis] = after
+    gained[i, 3 + axis] = after - before
+
+
+def arrive(pose: Array, motion: Array) -> None:
+    """Put all bodies at the ends of their lines."""
+    for i in range(len(pose)):
+        for n in range(3):
+            pose[i, n] += motion[i, DX + n]
+            motion[i, DX + n] = 0.0
 
 
 def note_touches(counts: Whole, trace: Whole, rows: Array, lanes: Whole) -> None:

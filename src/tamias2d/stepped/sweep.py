@@ -187,8 +187,8 @@ def stride(
         far = sqrt(x * x + y * y) + lever_b + rest * (abs(move_x) + abs(move_y))
         speed = abs(move_x) + abs(move_y) + abs(turn_b) * lever_b
         bend_a = turn_a * turn_a * far + 2.0 * abs(turn_a) * speed
-    low_a = lowest(0, count_a, -nx, -ny, rows)
-    low_b = lowest(first_b, count_b, nx, ny, rows)
+    low_a = least_along(0, count_a, -nx, -ny, rows)
+    low_b = least_along(first_b, count_b, nx, ny, rows)
     base = gap - low_a - low_b
     free = 0.0
     for way in range(4):  # with corners or as a disc: A is one in ways 1 and 3, B in 2 and 3
@@ -275,12 +275,12 @@ def phi(
 ) -> float:
     """Return the least that the gap can be after a further fraction, m."""
     by_a, by_b = ahead * turn_a, ahead * turn_b
-    low_a = lowest(0, count_a, -nx - by_a * ny, -ny + by_a * nx, rows)
-    low_b = lowest(first_b, count_b, nx + by_b * ny, ny - by_b * nx, rows)
+    low_a = least_along(0, count_a, -nx - by_a * ny, -ny + by_a * nx, rows)
+    low_b = least_along(first_b, count_b, nx + by_b * ny, ny - by_b * nx, rows)
     return base + low_a + low_b + ahead * (rate - 0.5 * ahead * bend)
 
 
-def lowest(first: int, count: int, nx: float, ny: float, rows: Array) -> float:
+def least_along(first: int, count: int, nx: float, ny: float, rows: Array) -> float:
     """Return how far the corners reach along a direction at least, m; 0 for none."""
     low = WIDE if count > 0 else 0.0
     for k in range(first, first + count):

@@ -77,6 +77,8 @@ class World:
         self.rows = np.zeros((4, WIDTH))
         self.lanes = np.zeros((4, 50), dtype=np.uint32)
         self.bench = np.zeros(BENCH)
+        self.times = np.zeros(16)
+        self.scratch = np.zeros((8, 8))
         self.settings = np.array([*gravity, time_step, 0.0, 0.0])
         self.counts = np.zeros(16, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
@@ -131,6 +133,9 @@ class World:
     def step(self) -> int:
         """Take one step; return how it ended: done, or what of the state is no number."""
         if not self._arguments:
+            corners = 2 * int(self.shape_count.max(initial=0))
+            if corners >= len(self.scratch):
+                self.scratch = np.zeros((corners + 1, 8))
             self._arguments = tuple(getattr(self, name) for name in _ORDER)
         while (status := self._engine.step(*self._arguments)) != DONE:
             if status == MORE_FOUND:
@@ -149,6 +154,7 @@ class World:
 
     def _more_pairs(self, room: int) -> None:
         self.hits = np.zeros((3, room), dtype=np.int64)
+        self.times = np.zeros(room)
         for name in ("pairs", "touches", "traces"):
             old = getattr(self, name)
             new = np.zeros((2, room, old.shape[2]), dtype=old.dtype)
