@@ -112,8 +112,27 @@ def test_what_is_removed_leaves_no_trace() -> None:
     assert len(sim.contacts) == 4  # of the last step
     speed = sim.velocity[top, 1]
     sim.step()
-    assert len(sim.contacts) == 0
+    assert (len(sim.contacts), len(sim.ended)) == (0, 0)
     assert sim.velocity[top, 1] == pytest.approx(speed - 10 / 60, abs=1e-12)
+
+
+def test_a_row_that_is_used_again_knows_nothing_of_who_had_it() -> None:
+    """A disc thrown at a wall after a stack was there, or where there never was one."""
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+    scene.add_static(floor, restitution=0.0, friction=0.5)
+    used, fresh = t2.Simulator(scene), t2.Simulator(scene)
+    stack = used.add(SHAPES[1], mass=1.0, position=[(0.0, 0.25 + 0.5 * k) for k in range(4)])
+    used.step(30)
+    used.remove(stack)
+    used.step()
+    fresh.step(31)
+    for sim in (used, fresh):
+        sim.add(SHAPES[0], mass=2.0, position=(0.0, 0.4), velocity=(3.0, 0.0), friction=0.2)
+        sim.step(20)
+    assert used.position[1].tolist() == fresh.position[1].tolist()
+    assert used.velocity[1].tolist() == fresh.velocity[1].tolist()
+    assert used.angular_velocity[1] == fresh.angular_velocity[1] != 0.0
 
 
 def test_thousands_at_once() -> None:

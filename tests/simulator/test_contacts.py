@@ -68,10 +68,33 @@ def test_what_began_and_did_not_end_is_what_touches() -> None:
         began = {tuple(sorted(pair)) for pair in sim.began.bodies.tolist()}
         ended = {tuple(sorted(pair)) for pair in sim.ended.tolist()}
         assert not began & touching
+        for k, pair in enumerate(sim.began.bodies.tolist()):
+            here = np.flatnonzero((sim.contacts.bodies == pair).all(axis=1))
+            most = here[np.argmax(sim.contacts.impulse[here])]
+            total = sim.contacts.impulse[here].sum()
+            assert sim.began.impulse[k] == pytest.approx(total, rel=1e-14)
+            assert sim.began.point[k].tolist() == sim.contacts.point[most].tolist()
         assert ended <= touching
         touching = (touching | began) - ended
         assert touching == {tuple(sorted(pair)) for pair in sim.contacts.bodies.tolist()}
     assert len(touching) > 30
+
+
+def test_a_point_is_told_where_the_step_began() -> None:
+    """A disc on a platform that takes it along, a tenth of a metre a step."""
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    wide = t2.Box(width=50.0, height=1.0)
+    scene.add_kinematic(wide, position=(0.0, -0.5), velocity=(6.0, 0.0), friction=1.0)
+    box = t2.Box(width=1.0, height=1.0)
+    rider = scene.add_body(
+        box, mass=1.0, position=(0.0, 0.5), velocity=(6.0, 0.0), friction=1.0, restitution=0.0
+    )
+    sim = t2.Simulator(scene)
+    for _ in range(60):
+        before = sim.position[rider, 0]
+        sim.step()
+        assert sim.contacts.point[:, 0].mean() == pytest.approx(before, abs=1e-3)
+    assert before == pytest.approx(5.9, abs=1e-2)
 
 
 def test_a_body_of_several_shapes_touches_once() -> None:

@@ -62,6 +62,18 @@ def test_impulses_change_momentum_at_once() -> None:
     assert sim.velocity[wall].tolist() == [0, 0]
 
 
+def test_a_push_that_float64_cannot_hold_is_refused_whole() -> None:
+    sim = flight()
+    for push in (sim.apply_impulse, sim.apply_force):
+        for _ in range(2):
+            with pytest.raises(t2.InputError, match=r"\[1\] of the bodies: .*beyond what float64"):
+                push([1, 0, 0], (1.7e308, 0.0))
+    sim.apply_force(0, (1.0, 0.0))
+    assert not sim.velocity.any()
+    sim.step()
+    assert sim.velocity[0, 0] == pytest.approx(0.01, rel=ULPS)
+
+
 def test_selections() -> None:
     sim = flight(gravity=(0.0, 0.0))
     sim.apply_impulse(np.array([True, False, True]), (1.0, 0.0))
