@@ -9,7 +9,7 @@ import tamias2d as t2
 from tamias2d.generated import schemes
 from tamias2d.motion.adaptive import Adaptive, Tolerance
 from tamias2d.motion.methods import Method
-from tamias2d.motion.piece import Tally
+from tamias2d.motion.motion import Tally
 from tamias2d.motion.watched import Watched
 from tamias2d.state import Array
 

@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from tamias2d.contact.core import Core, Placed, place, rounded
 from tamias2d.contact.gap import Axis, Gap, axes, gaps, resolution
 from tamias2d.contact.manifold import Contact
-from tamias2d.contact.path import Bounds, Piece
 from tamias2d.contact.refusal import UndecidedContactError, named
+from tamias2d.path import Bounds, Piece
 
 
 class Pair:

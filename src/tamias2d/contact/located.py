@@ -16,10 +16,10 @@ from tamias2d.contact.instant import Hit, Instant, PairOf, Surroundings
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.near import Swept
 from tamias2d.contact.overlap import refuse_overlap
-from tamias2d.contact.path import Motion, Piece
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.watch import Watch
+from tamias2d.path import Paths, Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Hold, State
 
@@ -29,7 +29,7 @@ _TRIES = 32  # new paths for a body within a few units of the last place of time
 class Located:
     """The bodies of a scene under way: `go` to a time, then read `tracks` and `impacts`."""
 
-    def __init__(self, scene: Scene, motion: Motion) -> None:
+    def __init__(self, scene: Scene, motion: Paths) -> None:
         refuse_stepwise(scene)
         self._scene = scene
         self._motion = motion

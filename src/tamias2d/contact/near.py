@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from tamias2d.contact.core import Core
-from tamias2d.contact.path import Piece
 from tamias2d.generated import detection
+from tamias2d.path import Piece
 from tamias2d.scene.filters import filters, may_touch
 from tamias2d.state import Array
 

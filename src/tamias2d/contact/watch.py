@@ -11,9 +11,9 @@ from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.gap import EPSILON, axes, resolution
 from tamias2d.contact.grip import Gripped
 from tamias2d.contact.manifold import Contact, followed, manifold, speeds
-from tamias2d.contact.path import Piece
 from tamias2d.contact.refusal import Refusal
 from tamias2d.contact.rough import HELD_NOISE, Roughness, island_of
+from tamias2d.path import Piece
 from tamias2d.state import Acceleration, Hold, State
 
 _SLACK = 1e-9  # of the size: by how much an axis of a lasting contact may seem second to another

@@ -19,8 +19,9 @@ from tamias2d.motion.methods import (
     VelocityVerlet,
     Yoshida4,
 )
-from tamias2d.motion.piece import Bounds, Motion, Piece, Tally
+from tamias2d.motion.motion import Motion, Tally
 from tamias2d.motion.stability import StabilityError
+from tamias2d.path import Bounds, Piece
 
 __all__ = [
     "Bounds",

@@ -6,9 +6,10 @@ Serves: bodies whose supports turn. Hides: the integrator.
 import math
 
 from tamias2d.motion.loads import Loads, coordinates
-from tamias2d.motion.piece import Piece, Tally
+from tamias2d.motion.motion import Tally
 from tamias2d.motion.reference import ScipyDop853
 from tamias2d.motion.watched import Watched
+from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Hold, State
 

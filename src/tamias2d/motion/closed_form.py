@@ -11,10 +11,11 @@ from tamias2d.generated import rotation, translation
 from tamias2d.motion.bent import Bent
 from tamias2d.motion.dragged import Dragged
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
+from tamias2d.motion.motion import Tally
 from tamias2d.motion.oscillating import Oscillating
-from tamias2d.motion.piece import Piece, Tally
 from tamias2d.motion.track import sample
 from tamias2d.motion.uniform import Uniform
+from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms, spring_of
 from tamias2d.state import Acceleration, Array, History, Hold, State

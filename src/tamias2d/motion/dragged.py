@@ -7,8 +7,8 @@ import math
 from typing import Any
 
 from tamias2d.generated import drag, rotation, translation
-from tamias2d.motion.piece import Bounds
 from tamias2d.motion.track import columns
+from tamias2d.path import Bounds
 from tamias2d.scene import Body
 from tamias2d.state import Acceleration, Array, Hold, State, Vector
 

@@ -14,10 +14,10 @@ import numpy as np
 from tamias2d.generated import drag, rotation, schemes, translation
 from tamias2d.motion.dragged import Dragged
 from tamias2d.motion.loads import Loads, state_of
-from tamias2d.motion.piece import Bounds, Piece
 from tamias2d.motion.polynomial import Stretch, hermite, sampled
 from tamias2d.motion.stepped import Grid
 from tamias2d.motion.watched import Watched
+from tamias2d.path import Bounds, Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, State
 

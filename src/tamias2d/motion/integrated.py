@@ -11,12 +11,13 @@ import numpy as np
 from tamias2d.errors import TamiasError
 from tamias2d.motion.bent import Bent
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
-from tamias2d.motion.piece import Piece, Tally
+from tamias2d.motion.motion import Tally
 from tamias2d.motion.polynomial import Chain, Stretch
 from tamias2d.motion.stepped import Grid
 from tamias2d.motion.strides import Steps, Strides
 from tamias2d.motion.uniform import Uniform
 from tamias2d.motion.watched import Watched
+from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity
 from tamias2d.state import Acceleration, Array, History, Hold, State

@@ -18,7 +18,7 @@ from tamias2d.motion.closed_form import ClosedFormMotion
 from tamias2d.motion.exponential import ExponentialGrid
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads, coordinates, start_states
-from tamias2d.motion.piece import Motion
+from tamias2d.motion.motion import Motion
 from tamias2d.motion.reference import ScipyDop853
 from tamias2d.motion.stability import check
 from tamias2d.motion.stepped import Grid, Scheme

@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from tamias2d.motion.loads import state_of
-from tamias2d.motion.piece import Bounds, Piece
+from tamias2d.path import Bounds, Piece
 from tamias2d.state import Acceleration, Array, State
 
 

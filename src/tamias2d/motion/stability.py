@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from tamias2d.errors import SimulationError, TamiasError
 from tamias2d.motion.loads import Field, Loads, coordinates, start_states
-from tamias2d.motion.piece import Tally
+from tamias2d.motion.motion import Tally
 from tamias2d.motion.stepped import Grid
 from tamias2d.motion.watched import Watched
 from tamias2d.scene import Scene

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tamias2d.motion.piece import Piece
+from tamias2d.path import Piece
 from tamias2d.state import Array, History, State
 
 

@@ -6,8 +6,8 @@ Serves: the closed form, and whatever stands still. Hides: the formulas of the p
 import math
 
 from tamias2d.generated import rotation, translation
-from tamias2d.motion.piece import Bounds
 from tamias2d.motion.track import columns
+from tamias2d.path import Bounds
 from tamias2d.state import Acceleration, Array, State, Vector
 
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tamias2d.motion.loads import Field
-from tamias2d.motion.piece import Tally
+from tamias2d.motion.motion import Tally
 from tamias2d.state import Array, Hold
 
 _REMEMBERED = 32  # times; more than any step asks for

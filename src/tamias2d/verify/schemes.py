@@ -23,7 +23,7 @@ from tamias2d.motion.methods import (
     VelocityVerlet,
     Yoshida4,
 )
-from tamias2d.motion.piece import Motion
+from tamias2d.motion.motion import Motion
 from tamias2d.motion.stepped import Grid
 from tamias2d.run import Run
 from tamias2d.scene import Scene

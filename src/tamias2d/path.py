@@ -1,32 +1,27 @@
-"""What this part asks of a body's path and of whoever makes paths; `motion` answers it.
+"""The path of a body between two times, and whoever makes such paths.
 
-Serves: this package. Hides: who makes the paths.
+Serves: contact, which asks; motion, which answers. Hides: what kind of path it is.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Protocol
+from typing import NamedTuple, Protocol
 
 from tamias2d.state import Acceleration, Array, Hold, State, Vector
 
 
-class Bounds(Protocol):
+class Bounds(NamedTuple):
     """What holds at every time of a window."""
 
-    @property
-    def acceleration(self) -> Vector:
-        """The acceleration in the middle of its range, m/s^2."""
-
-    @property
-    def deviation(self) -> float:
-        """How far any acceleration of the window is from it at most, m/s^2."""
-
-    @property
-    def angular_speed(self) -> float:
-        """At most, rad/s."""
-
-    @property
-    def angular_acceleration(self) -> float:
-        """Its size at most, rad/s^2."""
+    acceleration: Vector
+    """The acceleration in the middle of the window's range, m/s^2."""
+    deviation: float
+    """How far any acceleration of the window is from it at most, m/s^2."""
+    speed: float
+    """At most, m/s."""
+    angular_speed: float
+    """At most, rad/s."""
+    angular_acceleration: float
+    """Its size at most, rad/s^2."""
 
 
 class Piece(Protocol):
@@ -36,20 +31,20 @@ class Piece(Protocol):
     end: float
 
     def at(self, time: float) -> State:
-        """Return the state at a time of the piece, s."""
+        """Return the state at a time of the piece, s; at `start` to the bit as it was given."""
 
     def acceleration(self, time: float) -> Acceleration:
         """Return the acceleration at a time of the piece, s."""
 
-    def bounds(self, first: float, last: float) -> Any:
-        """Return the `Bounds` from the time `first` to the time `last`, s."""
+    def bounds(self, first: float, last: float) -> Bounds:
+        """Return what holds from the time `first` to the time `last`, s."""
 
     def sample(self, times: Array) -> Array:
         """Return (k, 6): position, orientation, velocity, angular velocity at times (k,), s."""
 
 
-class Motion(Protocol):
-    """Whoever makes paths."""
+class Paths(Protocol):
+    """Whoever makes paths for the bodies of one scene, up to the end of one run."""
 
     def segment(
         self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
@@ -73,7 +68,7 @@ class Motion(Protocol):
         self,
         bodies: Iterable[int],
         time: float,
-        path: Callable[[int], Any],
+        path: Callable[[int], Piece],
         holds: Sequence[Hold | None],
     ) -> Mapping[int, Piece]:
         """Return better paths of some bodies, and of all they act on, for a meeting at `time`, s.

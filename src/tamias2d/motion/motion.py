@@ -1,0 +1,31 @@
+"""One way of finding paths, and what it has cost.
+
+Serves: simulate; the methods, which are such ways. Hides: which way it is.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from tamias2d.path import Paths
+from tamias2d.state import Array, History
+
+
+@dataclass
+class Tally:
+    """What a motion has cost so far."""
+
+    steps: int = 0
+    rejected: int = 0
+    force_evaluations: int = 0
+
+
+class Motion(Paths, Protocol):
+    """One way of finding paths, for the bodies of one scene up to the end of one run."""
+
+    tally: Tally
+    """What it has cost so far."""
+    notes: tuple[str, ...]
+    """What the user should know of it."""
+
+    def history(self, times: Array) -> History:
+        """Return the states at sorted times (k,), s, where nothing touches."""
