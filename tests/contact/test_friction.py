@@ -385,3 +385,58 @@ def test_disc_rolls_over_an_edge():
     wanted = radius * np.stack((np.sin(angle), np.cos(angle)), axis=-1)
     np.testing.assert_allclose(run.position[:, 1], wanted, rtol=0, atol=1e-11)
     np.testing.assert_allclose(run.orientation[:, 1], -angle, rtol=0, atol=1e-11)
+
+
+def lowest(shape: t2.Box, position: np.ndarray, orientation: np.ndarray) -> np.ndarray:
+    """Return the height of the lowest corner at each time, m."""
+    corners = np.array(shape.vertices)
+    c, s = np.cos(orientation)[:, None], np.sin(orientation)[:, None]
+    return position[:, 1] + (s * corners[:, 0] + c * corners[:, 1]).min(axis=1)
+
+
+def test_block_that_trips_and_falls_back():
+    """Friction lifts its rear while it slides; the rear comes down and meets the floor again."""
+    box = t2.Box(width=0.56, height=0.4)
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), restitution=0)
+    scene.add_body(box, mass=1, position=(0, 0.2), velocity=(2, 0), friction=1.5)
+    run = t2.simulate(scene, duration=1.0, times=np.linspace(0, 1, 1001))
+    assert np.ptp(run.orientation[:, 1]) > 0.05
+    assert lowest(box, run.position[:, 1], run.orientation[:, 1]).min() > -1e-14
+    assert (np.diff(run.energy) <= 1e-13).all()
+    assert run.energy[-1] == pytest.approx(G * 0.2, rel=1e-14)
+    assert len(run.impacts) == 3
+
+
+@settings(
+    max_examples=100, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
+)
+@given(
+    st.tuples(sizes, sizes),
+    st.sampled_from([0.0, 0.1, 0.5, 1.5]),
+    st.sampled_from([0.0, 0.4, 1.0]),
+    st.floats(-0.4, 0.4),
+    st.floats(-3, 3),
+    st.floats(-5, 5),
+    st.floats(-3, 3),
+)
+def test_thrown_boxes(size, friction, restitution, slope, angle, spin, speed):
+    """They tumble, slide and lie: no energy is gained, and nothing sinks in."""
+    box = t2.Box(width=size[0], height=size[1])
+    scene = t2.Scene(gravity=(G * math.sin(slope), -G * math.cos(slope)))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), restitution=restitution)
+    scene.add_body(
+        box,
+        mass=1,
+        position=(0, 2),
+        orientation=angle,
+        velocity=(speed, 0),
+        angular_velocity=spin,
+        friction=friction,
+    )
+    try:
+        run = t2.simulate(scene, duration=3.0)
+    except Refusal as refusal:
+        run = refusal.run
+    assert (np.diff(run.energy) <= 1e-11 * (1 + np.abs(run.energy).max())).all()
+    assert lowest(box, run.position[:, 1], run.orientation[:, 1]).min() > -1e-11

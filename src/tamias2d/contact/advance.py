@@ -58,8 +58,11 @@ class Pair:
         end = min(path.end for path in self._paths)
         while (time := start + step) < end:
             a, b = self.placed(time)
-            axis = max(axes(a, b), key=lambda each: each.gap)
-            nearest = min(gaps(a, b, axis), key=lambda gap: gap.value)
+            if self._kept:
+                _, near = self._beside(a, b)
+            else:
+                near = gaps(a, b, max(axes(a, b), key=lambda each: each.gap))
+            nearest = min(near, key=lambda gap: gap.value)
             tolerance = resolution(a, b, time)
             if nearest.value > tolerance and nearest.rate > 0:
                 return time
@@ -96,17 +99,21 @@ class Pair:
 
     def _step_beside(self, a: Placed, b: Placed, time: float, end: float) -> float | None:
         """Return the safe step for all other corners along the axis of a lasting contact."""
-        owner = self._kept[0].axis
-        if owner.side is None:  # around a corner there is only one
+        if self._kept[0].axis.side is None:  # around a corner there is only one
             return math.inf
+        axis, near = self._beside(a, b)
+        if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
+            return None
+        return self._step_along(axis, near, a, b, time, end) if near else math.inf
+
+    def _beside(self, a: Placed, b: Placed) -> tuple[Axis, list[Gap]]:
+        """Return the axis of a lasting contact, and the gaps along it to all other corners."""
+        owner = self._kept[0].axis
         found = axes(a, b)
         same = [each for each in found if each[:2] == owner[:2]]
         axis = same[0] if same else max(found, key=lambda each: each.gap)
         indices = {contact.gap.which for contact in self._kept}
-        near = [gap for gap in gaps(a, b, axis) if gap.which not in indices]
-        if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
-            return None
-        return self._step_along(axis, near, a, b, time, end) if near else math.inf
+        return axis, [gap for gap in gaps(a, b, axis) if gap.which not in indices]
 
     def _far_step(self, a: Placed, b: Placed, time: float, end: float) -> tuple[bool, float]:
         """Return whether circles around the bodies are well apart, and how long they stay so."""

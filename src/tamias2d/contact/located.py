@@ -255,7 +255,9 @@ class Located:
         """Find out from when on pairs that part without normal velocity are seen to be apart."""
         for pair, bend in instant.opening.items():
             i, j = pair
-            meeting = Pair(self._cores[i], self._cores[j], self.tracks[i][-1], self.tracks[j][-1])
+            paths = self.tracks[i][-1], self.tracks[j][-1]
+            kept = instant.touches[pair].staying
+            meeting = Pair(self._cores[i], self._cores[j], *paths, kept)
             longest = 2.0**-20 * (self._until - instant.time)
             step = min(math.sqrt(8 * instant.touches[pair].tolerance / bend), longest)
             self._resume[pair] = meeting.seen_apart(instant.time, step)
