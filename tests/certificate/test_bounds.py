@@ -9,6 +9,7 @@ from hypothesis import example, given, settings, strategies as st
 
 import tamias2d as t2
 from tamias2d.study.error import history_error
+from tools.measurements import held_out
 from tools.measurements.exact import exact_history
 from tools.measurements.kinds import energy_error, lost
 
@@ -96,6 +97,31 @@ def test_a_run_that_does_not_converge_has_no_bound() -> None:
     assert certificate is not None
     assert not certificate.meets(1.0)
     assert "inconsistent" in str(certificate)
+
+
+@pytest.mark.parametrize("name", ["tc2", "tc4", "tc6", "tc9", "projectiles"])
+def test_steps_that_are_exact_are_bounded_by_their_rounding(name: str) -> None:
+    scene = t2.catalogue.load(name)
+    for method in (t2.RungeKutta4(), t2.VelocityVerlet()):
+        run = t2.simulate(
+            scene,
+            duration=10.0,
+            method=method,
+            time_step=10 / 64,
+            times=np.linspace(0.0, 10.0, 65),
+        )
+        error, bound = error_and_bound(run, exact(run))
+        assert error <= bound < 1e-12
+
+
+def test_a_bound_beyond_the_motion_itself_is_none() -> None:
+    """An ellipse of eccentricity 0.74 in 64 steps: the planet is flung off, and steps agree."""
+    scene = next(one for one in held_out.scenes() if one.name == "orbit 3")
+    run = t2.simulate(scene, duration=scene.duration, method=t2.VelocityVerlet(), time_step=0.3)
+    certificate = t2.certify(run).certificate
+    assert certificate is not None
+    assert certificate.kind in ("invariants", "none")
+    assert not certificate.meets(10.0)
 
 
 def test_past_the_horizon_only_invariants_are_claimed() -> None:

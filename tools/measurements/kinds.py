@@ -237,7 +237,9 @@ def energy_error(run: Run) -> float:
     for k in range(len(run.times)):
         p = {i: [mp.mpf(x) for x in run.position[k, i].tolist()] for i in moving}
         kinetic.append(mp.fsum(_kinetic(run, k, i) for i in moving))
-        total.append(kinetic[-1] + _potential(run.scene, p) + lost[after[k]])
+        turned = {i: mp.mpf(float(run.orientation[k, i])) for i in moving}
+        springs = _springs(run.scene, p, turned)
+        total.append(kinetic[-1] + _potential(run.scene, p) + springs + lost[after[k]])
     return float(max(abs(energy - total[0]) for energy in total) / max(kinetic))
 
 
@@ -258,4 +260,18 @@ def _potential(scene: Scene, p: dict[int, list[Any]]) -> Any:
             if i < j and scene.attraction is not None:
                 away = mp.hypot(p[i][0] - p[j][0], p[i][1] - p[j][1])
                 total -= mp.mpf(scene.attraction) * mass[i] * mass[j] / away
+    return total
+
+
+def _springs(scene: Scene, p: dict[int, list[Any]], turned: dict[int, Any]) -> Any:
+    total = mp.mpf(0)
+    for spring in scene.springs:
+        ends = []
+        for body, anchor in ((spring.first, spring.anchor), (spring.second, spring.other_anchor)):
+            x, y = spring.point if body is None else p[body]
+            c, s = (mp.cos(turned[body]), mp.sin(turned[body])) if body in turned else (1, 0)
+            ax, ay = (0, 0) if body is None else anchor
+            ends.append((x + c * ax - s * ay, y + s * ax + c * ay))
+        length = mp.hypot(ends[0][0] - ends[1][0], ends[0][1] - ends[1][1])
+        total += mp.mpf(spring.stiffness) * (length - mp.mpf(spring.rest_length)) ** 2 / 2
     return total

@@ -75,6 +75,8 @@ def _way(method: Method) -> Callable[[Run, Array | None], _Bound]:
 
 def _of_positions(run: Run, found: _Bound) -> Certificate:
     length = scale(run)
+    if found.value > length:
+        raise _NoBoundError(f"a bound by {found.kind} would be larger than the motion itself")
     until = f"at all {len(run.times)} samples up to {run.times[-1]:g} s"
     return Certificate(
         kind=found.kind,
@@ -148,20 +150,21 @@ def _step_doubling(run: Run, _: Array | None) -> _Bound:
     step = run.time_step or run.duration
     nominal = float(run.method.facts.order) if run.method.facts else 1.0
     coarse, fine = _coarser(run, step)
+    rounded = rounding(run) * math.sqrt(run.duration / step)  # each step rounds, at random
     order = _order(coarse, fine)
     if order is not None and abs(order - nominal) <= _ORDER:
-        value = _GRIDS * fine / (2 ** min(order, nominal) - 1) + rounding(run)
+        value = _GRIDS * fine / (2 ** min(order, nominal) - 1) + rounded
         how = f"steps of {step:.4g} s, of twice and of four times that; observed order {order:.2f}"
         return _Bound("step doubling", value, how, order)
     finer = _difference(run, _companion(run, time_step=step / 2))
     seen = _order(fine, finer)
     if seen is None:
-        value = _DISTRUSTED * finer + rounding(run)
+        value = _DISTRUSTED * finer + rounded
         how = f"steps of {step:.4g} s and of half that; no order to be seen"
         if fine < math.inf and finer > rounding(run):
             raise _NoBoundError("halving the step brings the results no nearer to each other")
         return _Bound("step doubling", value, how)
-    value = _GRIDS * finer / (1 - 2.0 ** -min(seen, nominal)) + rounding(run)
+    value = _GRIDS * finer / (1 - 2.0 ** -min(seen, nominal)) + rounded
     how = f"steps of {step:.4g} s, of twice and of half that; observed order {seen:.2f}"
     return _Bound("step doubling", value, how, seen)
 
