@@ -14,12 +14,16 @@ from numpy.typing import NDArray
 Whole: TypeAlias = NDArray[Any]
 """An array of whole numbers."""
 
-# settings (5,), as numbers
+# settings (7,), as numbers: gravity, m/s^2, and the step, s; velocity of the frame in which the list
+# of pairs holds, m/s, and how far it has gone since, m
 GRAVITY_X, GRAVITY_Y, TIME_STEP = 0, 1, 2
+FRAME_VX, FRAME_VY, FRAME_X, FRAME_Y = 3, 4, 5, 6
 
-# counts (16,), as whole numbers
+# counts (20,), as whole numbers
 SUBSTEPS, SHAPES, PAIRS, SIDE, HORIZON, SINCE, BUILT, NEEDED, BLOCKS, STILL = range(10)
 LEAVES, HITS, ACTIVE, PHASE, STATIC_BLOCK = 10, 11, 12, 13, 14
+WANTED, SOUND = 16, 17  # steps that are left of a call, and whether its values have been checked
+PATIENCE, DORMANT = 18, 19  # steps of quiet until sleep, 0 for never; how many bodies sleep
 
 # pose (n+1, 3): m, m, rad
 X, Y, TURN = 0, 1, 2
@@ -38,6 +42,18 @@ ANGULAR = 3  # columns from the flow of the velocity to that of the spin
 # home (n+1, 6): where the centre may be until pairs are looked for again, m; then its turn, rad
 LOW_X, LOW_Y, HIGH_X, HIGH_Y, HOME_TURN, TURN_ROOM = 0, 1, 2, 3, 4, 5
 
+# island (n+1, 4), as whole numbers: the lowest row of those that touch each other; for how many
+# steps it has been quiet; by what name its island sleeps, 0 awake; whether it may wake others
+ISLAND, QUIET, NIGHT, LIVE = 0, 1, 2, 3
+
+# rest (n+1, 8): pose, load and gravity with which it fell asleep
+REST_LOAD, REST_GRAVITY = 3, 6
+
+# energy (n+1, 12): velocities as the step began, and before bouncing; then of the island whose
+# lowest row this is: how it is seen (see `energy`), and its sums
+EARLIER, UNBOUNCED, SEEN, SUMS = 0, 3, 6, 9
+ENERGIES = 12
+
 # kind (n+1,)
 ABSENT, STATIC, KINEMATIC, DYNAMIC = 0, 1, 2, 3
 
@@ -53,8 +69,11 @@ CATEGORY, MASK, GROUP, SENSOR = 0, 1, 2, 3
 # box (m, 8): low and high corner; as it is now, and with the room that its body has
 FAT = 4
 
-# touch (p, 18): normal from a to b; two points from the centre of body A, m, with their
-# separations, m, and accumulated impulses, N s; the cache of the narrow phase; the pair's surfaces
+# touch (p, 24): normal from a to b; two points from the centre of body A, m, with their
+# separations, m, and accumulated impulses, N s; the cache of the narrow phase; the pair's surfaces;
+# then what is told of the last step: the impulses of both points over all of it, N s, and where
+# they were in the world, m. Of what met in flight it is one impulse, one place, and the normal.
+TOUCH = 24
 NX, NY = 0, 1
 PX, PY, GAP = 2, 3, 4
 POINT = 3  # columns from a point to the next
@@ -62,6 +81,7 @@ PUSH, RUB = 8, 9
 IMPULSE = 2  # columns from a point's impulses to the next one's
 CACHE = 12
 PAIR_FRICTION, PAIR_RESTITUTION = 16, 17
+TOTAL, WHERE, FLOWN_NORMAL = 18, 20, 22
 
 # trace (p, 6)
 COUNT, FEATURE, TOUCHED, HINT = 0, 1, 3, 4
