@@ -14,6 +14,7 @@ from tamias2d.state import Array
 from tamias2d.stepped.layout import GAP, NX, NY, POINT, PX, PY
 
 NAMES = 1 << 15  # more than the corners of a shape
+PARALLEL = 2.0**-6  # of one side's slope to the other: as if parallel; errs by 2**-13 of the gap
 TINY = 1e-290  # m^2, for no size: below, squares of lengths are not exact enough for a direction
 
 
@@ -133,10 +134,13 @@ def touch_corners(
 def nearest_corners(along1: float, gap1: float, along2: float, gap2: float, length: float) -> int:
     """Return which corners are nearest: 1 v1 and w2, 2 v1 and w1, 3 v2 and w1, 4 v2 and w2.
 
-    0 where the inside of a side is nearest.
+    0 where the inside of a side is nearest, or nearly so: of sides that are almost parallel and
+    beside each other both ends count, since what lies in line is to rest on two points.
     """
-    span = along1 - along2
-    rise = gap1 - gap2
+    span, rise = along1 - along2, gap1 - gap2
+    beside = along1 >= 0.0 and along2 <= length
+    if beside and abs(rise) <= PARALLEL * span:
+        return 0
     if along2 < 0.0 and -along2 * span <= gap2 * rise:
         return 1
     if along1 < 0.0:

@@ -28,6 +28,9 @@ from tamias2d.stepped.layout import (
     DX,
     DY,
     DYNAMIC,
+    FLOWN_NORMAL,
+    FRAME_X,
+    FRAME_Y,
     GAP,
     HALF_PLANE,
     HIGH_X,
@@ -50,10 +53,12 @@ from tamias2d.stepped.layout import (
     SHAPE_REACH,
     SPIN,
     TIME_STEP,
+    TOTAL,
     TOUCHED,
     TURN,
     VX,
     VY,
+    WHERE,
     Whole,
     X,
     Y,
@@ -75,11 +80,12 @@ def goes_far(kind: Whole, motion: Array, body: Array) -> bool:
     return far
 
 
-def outruns(kind: Whole, pose: Array, motion: Array, home: Array) -> bool:
+def outruns(settings: Array, kind: Whole, pose: Array, motion: Array, home: Array) -> bool:
     """Return whether the line of some body leaves the room in which its neighbours are known."""
     out = False
     for i in range(len(kind)):
-        x, y = pose[i, X] + motion[i, DX], pose[i, Y] + motion[i, DY]
+        x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
+        y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
         inside = (
             (x >= home[i, LOW_X])
             & (x <= home[i, HIGH_X])
@@ -153,14 +159,18 @@ def fly(
             shape_radius, corner, turned, scratch,
         )  # fmt: skip
         friction, restitution = touch[first, PAIR_FRICTION], touch[first, PAIR_RESTITUTION]
-        if not part(
+        push = part(
             i, j, now, settings[TIME_STEP], friction, restitution, pose, motion, body, gained,
             scratch[0],
-        ):  # fmt: skip
+        )  # fmt: skip
+        if push == 0.0:
             continue
-        trace[first, TOUCHED] |= 1
-        wait_at_border(i, now, pose, motion, home, kind)
-        wait_at_border(j, now, pose, motion, home, kind)
+        note_impact(
+            push, i, now, 1.0 if s == pair[first, 0] else -1.0, pose, motion, scratch[0],
+            touch[first], trace[first],
+        )  # fmt: skip
+        wait_at_border(settings, i, now, pose, motion, home, kind)
+        wait_at_border(settings, j, now, pose, motion, home, kind)
         for p in range(counts[PAIRS]):
             s, t = pair[p, 0], pair[p, 1]
             a, b = shape_body[s], shape_body[t]
@@ -342,10 +352,10 @@ def part(
     body: Array,
     gained: Array,
     row: Array,
-) -> bool:
+) -> float:
     """Let the impact of two bodies happen, by one row along the normal and one along the tangent.
 
-    False where they do not approach.
+    Returns the impulse along the normal, N s; 0 where they do not approach.
     """
     x, y = contact_of(row)
     at_b = (
@@ -355,7 +365,7 @@ def part(
     line = (row[NX], row[NY])
     before = speed_along(i, j, now, (x, y), at_b, line, motion, gained)
     if before >= 0.0:
-        return False
+        return 0.0
     mass = mass_along(i, j, (x, y), at_b, line, body)
     push = bouncing_push(0.0, before, before, restitution, mass)
     strike(i, j, now, time_step, push, (x, y), at_b, line, pose, motion, body)
@@ -365,7 +375,31 @@ def part(
         mass = mass_along(i, j, (x, y), at_b, line, body)
         rub = limited_rub(0.0, speed, mass, friction, push)
         strike(i, j, now, time_step, rub, (x, y), at_b, line, pose, motion, body)
-    return True
+    return push
+
+
+def note_impact(
+    push: float,
+    i: int,
+    now: float,
+    sense: float,
+    pose: Array,
+    motion: Array,
+    row: Array,
+    touch: Array,
+    trace: Whole,
+) -> None:
+    """Note an impact for what is told of the step: those of a pair add up, at the first place."""
+    if trace[TOUCHED] & 1:
+        touch[TOTAL] += push
+        return
+    trace[TOUCHED] |= 1
+    touch[TOTAL] = push
+    if trace[COUNT] == 0:
+        x, y = contact_of(row)
+        touch[WHERE] = pose[i, X] + now * motion[i, DX] + x
+        touch[WHERE + 1] = pose[i, Y] + now * motion[i, DY] + y
+        touch[FLOWN_NORMAL], touch[FLOWN_NORMAL + 1] = sense * row[NX], sense * row[NY]
 
 
 def speed_along(
@@ -445,14 +479,14 @@ def bend_line(
 
 
 def wait_at_border(
-    i: int, now: float, pose: Array, motion: Array, home: Array, kind: Whole
+    settings: Array, i: int, now: float, pose: Array, motion: Array, home: Array, kind: Whole
 ) -> None:
     """Stop a body where its line leaves the room in which its neighbours are known."""
     if kind[i] != DYNAMIC:
         return
     until = 1.0
     for k in range(2):
-        start, way = pose[i, k], motion[i, DX + k]
+        start, way = pose[i, k] - settings[FRAME_X + k], motion[i, DX + k]
         if way > 0.0 and start + way > home[i, HIGH_X + k]:
             until = min(until, (home[i, HIGH_X + k] - start) / way)
         elif way < 0.0 and start + way < home[i, LOW_X + k]:

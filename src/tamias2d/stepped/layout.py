@@ -25,6 +25,9 @@ LEAVES, HITS, ACTIVE, PHASE, STATIC_BLOCK = 10, 11, 12, 13, 14
 WANTED, SOUND = 16, 17  # steps that are left of a call, and whether its values have been checked
 PATIENCE, DORMANT = 18, 19  # steps of quiet until sleep, 0 for never; how many bodies sleep
 
+# what is known of a step that has begun (PHASE)
+BEGUN, FRESH, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5, 6
+
 # pose (n+1, 3): m, m, rad
 X, Y, TURN = 0, 1, 2
 

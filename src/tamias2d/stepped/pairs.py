@@ -20,25 +20,33 @@ from tamias2d.stepped.layout import (
     DY,
     DYNAMIC,
     FAT,
+    FRAME_VX,
+    FRAME_VY,
+    FRAME_X,
+    FRAME_Y,
     FRICTION,
     GROUP,
     HALF_PLANE,
     HIGH_X,
     HIGH_Y,
     HINT,
+    HITS,
     HOME_TURN,
     LEAVES,
     LOW_X,
     LOW_Y,
     MASK,
+    OUTRUN,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
+    PHASE,
     REACH,
     RESTITUTION,
     SIDE,
     SPIN,
     STATIC,
+    TOUCH,
     TOUCHED,
     TURN,
     TURN_ROOM,
@@ -51,14 +59,18 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.tree import BUNCH, FAR, grow_tree, lowest
 
 ROOM = 0.1  # of the reach: how far a body may go before pairs are looked for again
-AROUND = 0.15  # of the reach: how far around a shape others must be known
+AROUND = 0.12  # of the reach: how far around a shape others must be known
 LONGEST = 64  # steps ahead that a list is made for, at most
 
 
-def left_home(kind: Whole, pose: Array, home: Array) -> bool:
-    """Return whether some body is where the list of pairs is not known to hold."""
+def left_home(settings: Array, kind: Whole, pose: Array, home: Array) -> bool:
+    """Return whether some body is where the list of pairs is not known to hold.
+
+    Rooms move with the frame: where all fall together, nobody comes nearer to anybody.
+    """
     for i in range(len(kind)):
-        x, y, turn = pose[i, X], pose[i, Y], pose[i, TURN] - home[i, HOME_TURN]
+        x, y = pose[i, X] - settings[FRAME_X], pose[i, Y] - settings[FRAME_Y]
+        turn = pose[i, TURN] - home[i, HOME_TURN]
         inside = (
             (x >= home[i, LOW_X])
             & (x <= home[i, HIGH_X])
@@ -103,7 +115,26 @@ def turn_corners(
             turned[k, 2], turned[k, 3] = c * x - d * y, d * x + c * y
 
 
+def choose_frame(settings: Array, counts: Whole, kind: Whole, motion: Array) -> None:
+    """Let the list of pairs hold in a frame that moves with all bodies, while nothing touches.
+
+    Within a step, when bodies are on their ways already, it stands still.
+    """
+    x = y = 0.0
+    number = 0
+    if counts[HITS] == 0 and counts[PHASE] != OUTRUN:
+        for i in range(len(kind)):
+            if kind[i] == DYNAMIC:
+                x += motion[i, VX]
+                y += motion[i, VY]
+                number += 1
+    settings[FRAME_VX] = x / number if number > 0 else 0.0
+    settings[FRAME_VY] = y / number if number > 0 else 0.0
+    settings[FRAME_X] = settings[FRAME_Y] = 0.0
+
+
 def settle(
+    settings: Array,
     ahead: float,
     kind: Whole,
     pose: Array,
@@ -111,28 +142,40 @@ def settle(
     body: Array,
     home: Array,
 ) -> None:
-    """Give each body room around where it will be for a time ahead, s, and in this step."""
+    """Give each body room around where it will be for a time ahead, s, and in this step.
+
+    What stands still moves against the frame, which may speed up as bodies do: it has some room.
+    """
+    frame_x, frame_y = settings[FRAME_VX], settings[FRAME_VY]
+    spare = ROOM * mean_reach(kind, body) if frame_x != 0.0 or frame_y != 0.0 else 0.0
     for i in range(len(kind)):
-        x, y = pose[i, X], pose[i, Y]
-        if kind[i] <= STATIC:
-            home[i, LOW_X], home[i, HIGH_X], home[i, LOW_Y], home[i, HIGH_Y] = x, x, y, y
-            home[i, HOME_TURN], home[i, TURN_ROOM] = pose[i, TURN], 0.0
-            continue
-        room = ROOM * body[i, REACH]
-        by_x, by_y = motion[i, VX] * ahead, motion[i, VY] * ahead
+        x, y, arm = pose[i, X], pose[i, Y], body[i, ARM]
+        room = ROOM * body[i, REACH] if kind[i] > STATIC else spare
+        by_x, by_y = (motion[i, VX] - frame_x) * ahead, (motion[i, VY] - frame_y) * ahead
         on_x, on_y = motion[i, DX], motion[i, DY]
         home[i, LOW_X] = x - room + min(by_x, on_x, 0.0)
         home[i, LOW_Y] = y - room + min(by_y, on_y, 0.0)
         home[i, HIGH_X] = x + room + max(by_x, on_x, 0.0)
         home[i, HIGH_Y] = y + room + max(by_y, on_y, 0.0)
         home[i, HOME_TURN] = pose[i, TURN]
-        arm = body[i, ARM]
-        room = (
-            room / arm + max(abs(motion[i, SPIN]) * ahead, abs(motion[i, DTURN]))
-            if arm > 0.0
-            else FAR
-        )
-        home[i, TURN_ROOM] = room
+        if kind[i] <= STATIC:
+            home[i, TURN_ROOM] = 0.0
+        elif arm > 0.0:
+            turn = max(abs(motion[i, SPIN]) * ahead, abs(motion[i, DTURN]))
+            home[i, TURN_ROOM] = room / arm + turn
+        else:
+            home[i, TURN_ROOM] = FAR
+
+
+def mean_reach(kind: Whole, body: Array) -> float:
+    """Return the mean radius of the bodies that move, m."""
+    total = 0.0
+    number = 0
+    for i in range(len(kind)):
+        if kind[i] == DYNAMIC:
+            total += body[i, REACH]
+            number += 1
+    return total / number if number > 0 else 0.0
 
 
 def fatten(
@@ -187,6 +230,8 @@ def find_pairs(
     turned: Array,
     shape_first: Whole,
     found: Whole,
+    pose: Array,
+    home: Array,
 ) -> int:
     """Put all pairs whose boxes overlap into `found`, unsorted, as ranks; return how many.
 
@@ -240,6 +285,8 @@ def find_pairs(
                 kind,
                 filters,
                 turned[shape_first[s]],
+                pose[shape_body[s]],
+                home[shape_body[s]],
                 box,
                 curve,
                 ranked,
@@ -256,13 +303,18 @@ def beside_plane(
     kind: Whole,
     filters: Whole,
     side: Array,
+    place: Array,
+    room: Array,
     box: Array,
     curve: Whole,
     ranked: Whole,
     found: Whole,
 ) -> int:
     """Note the shapes whose boxes reach a half-plane."""
-    offset, normal_x, normal_y = side[0], side[2], side[3]
+    normal_x, normal_y = side[2], side[3]
+    on_x = room[HIGH_X] if normal_x > 0.0 else room[LOW_X]
+    on_y = room[HIGH_Y] if normal_y > 0.0 else room[LOW_Y]
+    offset = side[0] + normal_x * (on_x - place[X]) + normal_y * (on_y - place[Y])
     for m in range(leaves):
         t = curve[0, m]
         x = box[t, FAT] if normal_x > 0.0 else box[t, FAT + 2]
@@ -296,28 +348,23 @@ def note_pair(total: int, s: int, t: int, ranked: Whole, found: Whole) -> int:
 
 
 def sort_pairs(total: int, found: Whole, starts: Whole) -> None:
-    """Sort pairs by both ranks, from the columns 0 and 1 to the columns 2 and 3.
+    """Sort pairs by both ranks in the columns 0 and 1: by the second one, then by the first.
 
-    By the first rank with one count, as there are no more ranks than shapes; and what has the same
-    first rank by insertion, as those are few.
+    There are no more ranks than shapes, so that counting puts each pair in its place.
     """
-    for k in range(len(starts)):
-        starts[k] = 0
-    for p in range(total):
-        starts[found[p, 0] + 1] += 1
-    for k in range(1, len(starts)):
-        starts[k] += starts[k - 1]
-    for p in range(total):
-        place = starts[found[p, 0]]
-        starts[found[p, 0]] = place + 1
-        found[place, 2], found[place, 3] = found[p, 0], found[p, 1]
-    for p in range(1, total):
-        a, b = found[p, 2], found[p, 3]
-        place = p
-        while place > 0 and found[place - 1, 2] == a and found[place - 1, 3] > b:
-            found[place, 3] = found[place - 1, 3]
-            place -= 1
-        found[place, 3] = b
+    for key in range(1, -1, -1):
+        here, there = (0, 2) if key == 1 else (2, 0)
+        for k in range(len(starts)):
+            starts[k] = 0
+        for p in range(total):
+            starts[found[p, here + key] + 1] += 1
+        for k in range(1, len(starts)):
+            starts[k] += starts[k - 1]
+        for p in range(total):
+            rank = found[p, here + key]
+            place = starts[rank]
+            starts[rank] = place + 1
+            found[place, there], found[place, there + 1] = found[p, here], found[p, here + 1]
 
 
 def take_over(
@@ -343,12 +390,12 @@ def take_over(
     old = 0
     end = counts[PAIRS]
     for p in range(total + 1):
-        a, b = (found[p, 2], found[p, 3]) if p < total else (len(ranked[1]), 0)
+        a, b = (found[p, 0], found[p, 1]) if p < total else (len(ranked[1]), 0)
         while old < end:
             s, t = ranked[1, pair[old, 0]], ranked[1, pair[old, 1]]
             if s > a or (s == a and t >= b):
                 break
-            if trace[old, TOUCHED] & 1:
+            if trace[old, TOUCHED] != 0:
                 if size < len(pair):
                     copy_pair(old, pair, touch, trace, size, next_pair, next_touch, next_trace)
                 size += 1
@@ -392,7 +439,7 @@ def copy_pair(
     """Copy all that is known of a pair."""
     for k in range(2):
         next_pair[new, k] = pair[old, k]
-    for k in range(18):
+    for k in range(TOUCH):
         next_touch[new, k] = touch[old, k]
     for k in range(6):
         next_trace[new, k] = trace[old, k]
@@ -413,7 +460,7 @@ def new_pair(
     `mixed` (k, 4) holds what was set for pairs of shapes: both, friction, restitution.
     """
     pair[new, 0], pair[new, 1] = s, t
-    for k in range(18):
+    for k in range(TOUCH):
         touch[new, k] = 0.0
     for k in range(6):
         trace[new, k] = 0

@@ -40,8 +40,11 @@ from tamias2d.stepped.layout import (
     STATIC_BLOCK,
     SUBSTEPS,
     TIME_STEP,
+    TOTAL,
+    TOUCHED,
     VX,
     VY,
+    WHERE,
     Whole,
     X,
     Y,
@@ -222,13 +225,28 @@ def soften(m: int, points: int, substep: float, reach: float, load: float, row: 
     row[R_KEEP + m] = impulse_share(frequency, DAMPING, substep)
 
 
-def keep_impulses(counts: Whole, rows: Array, lanes: Whole, touch: Array) -> None:
-    """Write the accumulated impulses back to their pairs."""
+def keep_impulses(
+    counts: Whole,
+    pair: Whole,
+    shape_body: Whole,
+    pose: Array,
+    rows: Array,
+    lanes: Whole,
+    touch: Array,
+    trace: Whole,
+) -> None:
+    """Write the impulses back to their pairs, with where they were; what was pushed touched."""
     for b in range(counts[BLOCKS]):
         row = rows[b]
         for m in range(lanes[b, FILLED]):
             p = lanes[b, SLOT + m]
+            i = shape_body[pair[p, 0]]
             for n in range(lanes[b, POINTS]):
                 at = SHARED + n * SIZE + m
+                touch[p, TOTAL + n] = row[at + P_TOTAL]
+                touch[p, WHERE + 2 * n] = pose[i, X] + touch[p, PX + POINT * n]
+                touch[p, WHERE + 2 * n + 1] = pose[i, Y] + touch[p, PY + POINT * n]
+                if row[at + P_TOTAL] > 0.0:
+                    trace[p, TOUCHED] |= 1
                 touch[p, PUSH + IMPULSE * n] = row[at + P_PUSH]
                 touch[p, RUB + IMPULSE * n] = row[at + P_RUB]

@@ -23,16 +23,24 @@ from tamias2d.kernels.arrays import (
     Ranks,
 )
 from tamias2d.state import Array
+from tamias2d.stepped.coast import coast
 from tamias2d.stepped.flight import fly, goes_far, outruns
 from tamias2d.stepped.layout import (
     ACTIVE,
     ANGULAR,
+    ARRIVING,
+    BEGUN,
     BLOCKS,
     DECAY,
     DTURN,
     DX,
     DY,
     DYNAMIC,
+    FRAME_VX,
+    FRAME_VY,
+    FRAME_X,
+    FRAME_Y,
+    FRESH,
     FULL,
     GAIN,
     GAP,
@@ -43,8 +51,10 @@ from tamias2d.stepped.layout import (
     INVERSE_INERTIA,
     INVERSE_MASS,
     KINEMATIC,
+    KNOWN,
     LIFT,
     NEEDED,
+    OUTRUN,
     PAIRS,
     PHASE,
     POINT,
@@ -52,15 +62,19 @@ from tamias2d.stepped.layout import (
     SHAPE_REACH,
     SIDE,
     SINCE,
+    SOUND,
     SPIN,
+    STALE,
     STATIC,
     STILL,
     SUB,
     SUBSTEPS,
+    SWEPT,
     TIME_STEP,
     TOUCHED,
     VX,
     VY,
+    WANTED,
     Whole,
     X,
     Y,
@@ -68,6 +82,7 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.manifold import collide
 from tamias2d.stepped.pairs import (
     LONGEST,
+    choose_frame,
     fatten,
     find_pairs,
     left_home,
@@ -77,21 +92,12 @@ from tamias2d.stepped.pairs import (
     turn_corners,
 )
 from tamias2d.stepped.rows import (
-    FILLED,
-    P_TOTAL,
-    POINTS,
-    SHARED,
-    SIZE,
-    SLOT,
     clear_lanes,
     colour,
     fill_rows,
     keep_impulses,
 )
 from tamias2d.stepped.solver import bounce, relax, sweep, warm
-
-# what is known of a step that has begun
-BEGUN, FRESH, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5, 6
 
 DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND = 0, 1, 2, 3, 4
 
@@ -138,11 +144,75 @@ def step(
     times: Floats,
     scratch: FloatRows,
 ) -> int:
+    """Take the steps that are wanted, or say what there is too little room for.
+
+    Called again, it goes on.
+    """
+    while counts[WANTED] > 0:
+        if counts[PHASE] == BEGUN and counts[PAIRS] == 0 and counts[STILL] == 1:
+            if counts[SOUND] == 0 and not all_sound(settings, kind, pose, motion, load):
+                return UNSOUND
+            counts[SOUND] = 1
+            counts[WANTED] -= coast(counts[WANTED], settings, kind, pose, motion, load, body, home)
+            if counts[WANTED] == 0:
+                return DONE
+        status = step_once(
+            settings, counts, pose, motion, load, body, home, kind, used, ranked,
+            shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
+            filters, mixed, corner, turned, box, curve, node, found, pairs, touches,
+            traces, hits, fill, rows, lanes, bench, carried, times, scratch,
+        )  # fmt: skip
+        if status != DONE:
+            return status
+        counts[WANTED] -= 1
+    return DONE
+
+
+def step_once(
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    load: Array,
+    body: Array,
+    home: Array,
+    kind: Whole,
+    used: Whole,
+    ranked: Whole,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    surface: Array,
+    filters: Whole,
+    mixed: Array,
+    corner: Array,
+    turned: Array,
+    box: Array,
+    curve: Whole,
+    node: Array,
+    found: Whole,
+    pairs: Whole,
+    touches: Array,
+    traces: Whole,
+    hits: Whole,
+    fill: Whole,
+    rows: Array,
+    lanes: Whole,
+    bench: Array,
+    carried: Array,
+    times: Array,
+    scratch: Array,
+) -> int:
     """Take one step, or say what there is too little room for; called again, it goes on."""
     if counts[PHASE] == BEGUN:
-        if not all_sound(settings, kind, pose, motion, load):
+        if counts[SOUND] == 0 and not all_sound(settings, kind, pose, motion, load):
             return UNSOUND
-        counts[PHASE] = STALE if counts[STILL] == 0 or left_home(kind, pose, home) else FRESH
+        counts[SOUND] = 1
+        counts[PHASE] = (
+            STALE if counts[STILL] == 0 or left_home(settings, kind, pose, home) else FRESH
+        )
     if counts[PHASE] == STALE:
         status = look_around(
             settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
@@ -176,12 +246,17 @@ def step(
             settings, counts, motion, load, body, kind, used, pair, shape_body, hits, rows, lanes,
             bench, carried, bouncing,
         )  # fmt: skip
-        keep_impulses(counts, rows, lanes, touch)
-        note_touches(counts, trace, rows, lanes)
+        age_touches(counts, trace)
+        keep_impulses(counts, pair, shape_body, pose, rows, lanes, touch, trace)
         drift(settings, motion, load, body, kind, used, carried)
+        move_frame(settings, kind, motion)
         far = goes_far(kind, motion, body)
         counts[PHASE] = (
-            ARRIVING if not far else OUTRUN if outruns(kind, pose, motion, home) else SWEPT
+            ARRIVING
+            if not far
+            else OUTRUN
+            if outruns(settings, kind, pose, motion, home)
+            else SWEPT
         )
     if counts[PHASE] == OUTRUN:
         status = look_around(
@@ -249,14 +324,15 @@ def look_around(
     """Make the list of pairs anew, for as many steps ahead as has been worth while."""
     if counts[SINCE] > 0:
         if counts[PAIRS] > 2 * len(shape_body):
-            counts[HORIZON] = max(counts[HORIZON] // 2, 2)
+            counts[HORIZON] = max(counts[HORIZON] // 2, 1)
         elif 2 * counts[SINCE] >= counts[HORIZON]:
             counts[HORIZON] = min(2 * counts[HORIZON], LONGEST)
         counts[SINCE] = 0
     turn_corners(
         shape_body, shape_kind, shape_first, shape_count, kind, STATIC, pose, corner, turned
     )
-    settle(counts[HORIZON] * settings[TIME_STEP], kind, pose, motion, body, home)
+    choose_frame(settings, counts, kind, motion)
+    settle(settings, counts[HORIZON] * settings[TIME_STEP], kind, pose, motion, body, home)
     fatten(
         shape_body,
         shape_kind,
@@ -284,6 +360,8 @@ def look_around(
         turned,
         shape_first,
         found,
+        pose,
+        home,
     )
     if total > len(found):
         counts[NEEDED] = total
@@ -523,6 +601,22 @@ def flow(i: int, axis: int, at: int, by: float, body: Array, motion: Array, gain
     gained[i, 3 + axis] = after - before
 
 
+def move_frame(settings: Array, kind: Whole, motion: Array) -> None:
+    """Move the frame of the list of pairs along with all bodies."""
+    if settings[FRAME_VX] == 0.0 and settings[FRAME_VY] == 0.0:
+        return
+    x = y = 0.0
+    number = 0
+    for i in range(len(kind)):
+        if kind[i] == DYNAMIC:
+            x += motion[i, DX]
+            y += motion[i, DY]
+            number += 1
+    if number > 0:
+        settings[FRAME_X] += x / number
+        settings[FRAME_Y] += y / number
+
+
 def arrive(pose: Array, motion: Array) -> None:
     """Put all bodies at the ends of their lines."""
     for i in range(len(pose)):
@@ -531,17 +625,8 @@ def arrive(pose: Array, motion: Array) -> None:
             motion[i, DX + n] = 0.0
 
 
-def note_touches(counts: Whole, trace: Whole, rows: Array, lanes: Whole) -> None:
-    """Note which pairs touched in this step, and move what was noted in the last one.
-
-    Those are pushed; of a pair with a sensor it was seen as the step began.
-    """
+def age_touches(counts: Whole, trace: Whole) -> None:
+    """Move what was noted of the last step; a pair with a sensor was seen as this one began."""
     for p in range(counts[PAIRS]):
         noted = trace[p, TOUCHED]
         trace[p, TOUCHED] = ((noted & 1) << 1) | ((noted & SENSED) // SENSED)
-    for b in range(counts[BLOCKS]):
-        row = rows[b]
-        for n in range(lanes[b, POINTS]):
-            for m in range(lanes[b, FILLED]):
-                if row[SHARED + n * SIZE + m + P_TOTAL] > 0.0:
-                    trace[lanes[b, SLOT + m], TOUCHED] |= 1

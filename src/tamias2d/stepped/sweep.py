@@ -114,7 +114,7 @@ def time_of_impact(
             free = stride(
                 row[NX],
                 row[NY],
-                gap - 0.5 * near,
+                radius_a + radius_b + 0.5 * near,
                 x,
                 y,
                 move_x,
@@ -159,7 +159,7 @@ def place(
 def stride(
     nx: float,
     ny: float,
-    gap: float,
+    radii: float,
     x: float,
     y: float,
     move_x: float,
@@ -174,9 +174,9 @@ def stride(
     rest: float,
     rows: Array,
 ) -> float:
-    """Return the fraction, at most the rest, for which the gap along n stays above 0.
+    """Return the fraction, at most the rest, for which the cores stay more than `radii` apart.
 
-    `count_a` is 0 for a half-plane, with which n turns.
+    `count_a` is 0 for a half-plane, with which n turns; its offset is then in the first row.
     """
     rate = nx * move_x + ny * move_y
     bend_a, bend_b = turn_a * turn_a * lever_a, turn_b * turn_b * lever_b
@@ -187,9 +187,7 @@ def stride(
         far = sqrt(x * x + y * y) + lever_b + rest * (abs(move_x) + abs(move_y))
         speed = abs(move_x) + abs(move_y) + abs(turn_b) * lever_b
         bend_a = turn_a * turn_a * far + 2.0 * abs(turn_a) * speed
-    low_a = least_along(0, count_a, -nx, -ny, rows)
-    low_b = least_along(first_b, count_b, nx, ny, rows)
-    base = gap - low_a - low_b
+    base = nx * x + ny * y - radii - (rows[0, 0] if count_a == 0 else 0.0)
     free = 0.0
     for way in range(4):  # with corners or as a disc: A is one in ways 1 and 3, B in 2 and 3
         round_a, round_b = way % 2 == 1, way >= 2
@@ -211,7 +209,6 @@ def stride(
                 first_b,
                 0 if round_b else count_b,
                 rest,
-                gap,
                 rows,
             ),
         )
@@ -232,7 +229,6 @@ def free_of(
     first_b: int,
     count_b: int,
     rest: float,
-    gap: float,
     rows: Array,
 ) -> float:
     """Return a fraction below the root of phi, near it, or the rest if the root is not within."""
@@ -240,13 +236,14 @@ def free_of(
     over = phi(low, nx, ny, base, rate, bend, turn_a, turn_b, count_a, first_b, count_b, rows)
     if over <= 0.0:
         return 0.0
+    enough = 2.0**-4 * over
     under = phi(high, nx, ny, base, rate, bend, turn_a, turn_b, count_a, first_b, count_b, rows)
     if under >= 0.0:
         return rest
     for _ in range(ROUNDS):
         low += (high - low) * over / (over - under)
         over = phi(low, nx, ny, base, rate, bend, turn_a, turn_b, count_a, first_b, count_b, rows)
-        if over <= 2.0**-4 * gap:
+        if over <= enough:
             break
         middle = 0.5 * (low + high)
         value = phi(
@@ -323,6 +320,7 @@ def within_circle(
 
 def below(height: float, rate: float) -> tuple[float, float]:
     """Return between which fractions a height that changes evenly is not positive."""
-    if height <= 0.0:
-        return 0.0, min(1.0, -height / rate) if rate > 0.0 else 1.0
-    return min(1.0, -height / rate) if rate < 0.0 else 1.0, 1.0
+    after = height + rate
+    if height > 0.0:
+        return (1.0 if after >= 0.0 else -height / rate), 1.0
+    return 0.0, (1.0 if after <= 0.0 else -height / rate)

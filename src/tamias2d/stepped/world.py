@@ -12,16 +12,20 @@ from tamias2d.generated import drag
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     DECAY,
+    ENERGIES,
     FULL,
     GAIN,
     HORIZON,
     LIFT,
     NEEDED,
     PHASE,
+    SOUND,
     STILL,
     SUB,
     SUBSTEPS,
     TIME_STEP,
+    TOUCH,
+    WANTED,
     Whole,
 )
 from tamias2d.stepped.menu import CONTACT
@@ -31,7 +35,10 @@ from tamias2d.stepped.step import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, ste
 from tamias2d.stepped.tree import lowest
 
 _ORDER = tuple(signature(step).parameters)
-_BODY = ("pose", "motion", "load", "body", "home", "carried", "kind", "used")
+_BODY = (
+    *("pose", "motion", "load", "body", "home", "carried", "kind", "used"),
+    *("island", "rest", "energy"),
+)
 _SHAPE = (
     *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
     *("surface", "filters", "box"),
@@ -54,6 +61,9 @@ class World:
         self.carried = np.zeros((1, 6))
         self.kind = np.zeros(1, dtype=np.int8)
         self.used = np.zeros(1, dtype=np.int64)
+        self.island = np.zeros((1, 4), dtype=np.int64)
+        self.rest = np.zeros((1, 8))
+        self.energy = np.zeros((1, ENERGIES))
         self.ranked = np.zeros((2, 0), dtype=np.int64)
         self.shape_body = np.zeros(0, dtype=np.int32)
         self.shape_kind = np.zeros(0, dtype=np.int32)
@@ -70,7 +80,7 @@ class World:
         self.node = np.zeros((2, 4))
         self.found = np.zeros((16, 4), dtype=np.int64)
         self.pairs = np.zeros((2, 16, 2), dtype=np.int32)
-        self.touches = np.zeros((2, 16, 18))
+        self.touches = np.zeros((2, 16, TOUCH))
         self.traces = np.zeros((2, 16, 6), dtype=np.int32)
         self.hits = np.zeros((3, 16), dtype=np.int64)
         self.fill = np.zeros((3, 128), dtype=np.int64)
@@ -79,8 +89,8 @@ class World:
         self.bench = np.zeros(BENCH)
         self.times = np.zeros(16)
         self.scratch = np.zeros((8, 8))
-        self.settings = np.array([*gravity, time_step, 0.0, 0.0])
-        self.counts = np.zeros(16, dtype=np.int64)
+        self.settings = np.array([*gravity, time_step, 0.0, 0.0, 0.0, 0.0])
+        self.counts = np.zeros(20, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
@@ -130,8 +140,9 @@ class World:
             room = max(corners, len(self.corner) * 3 // 2)
             self.corner, self.turned = _longer(self.corner, room), _longer(self.turned, room)
 
-    def step(self) -> int:
-        """Take one step; return how it ended: done, or what of the state is no number."""
+    def step(self, count: int = 1) -> int:
+        """Take some steps; return how they ended: done, or that what was set is not sound."""
+        self.counts[WANTED], self.counts[SOUND] = count, 0
         if not self._arguments:
             corners = 2 * int(self.shape_count.max(initial=0))
             if corners >= len(self.scratch):
