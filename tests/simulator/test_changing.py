@@ -92,7 +92,9 @@ def test_rows_stay_and_freed_ones_are_used_again() -> None:
         sim.remove(4)
     sim.step()
     assert not sim.position[[4, 7]].any()
-    new = sim.add(t2.Disc(radius=0.1), mass=1.0, position=[(0.0, 30.0 + k) for k in range(3)])
+    new = sim.add(
+        t2.Disc(radius=0.1), mass=1.0, position=[(0.0, 30.0 + k) for k in range(3)], restitution=0
+    )
     assert new.tolist() == [4, 7, 13]
     assert sim.position[[4, 7, 13]].tolist() == [[0, 30], [0, 31], [0, 32]]
     sim.step(3)
@@ -101,8 +103,12 @@ def test_rows_stay_and_freed_ones_are_used_again() -> None:
 def test_what_is_removed_leaves_no_trace() -> None:
     """A stack on a body that vanishes falls as if it had always been gone."""
     scene = t2.Scene(gravity=(0.0, -10.0))
-    low = scene.add_body(t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 0.5))
-    top = scene.add_body(t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 1.5))
+    low = scene.add_body(
+        t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 0.5), restitution=0.0
+    )
+    top = scene.add_body(
+        t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 1.5), restitution=0.0
+    )
     floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
     scene.add_static(floor, restitution=0.0, friction=0.5)
     sim = t2.Simulator(scene)
@@ -122,11 +128,13 @@ def test_a_row_that_is_used_again_knows_nothing_of_who_had_it() -> None:
     floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
     scene.add_static(floor, restitution=0.0, friction=0.5)
     used, fresh = t2.Simulator(scene), t2.Simulator(scene)
-    stack = used.add(SHAPES[1], mass=1.0, position=[(0.0, 0.25 + 0.5 * k) for k in range(4)])
+    stack = used.add(
+        SHAPES[1], mass=1.0, position=[(0.0, 0.25 + 0.5 * k) for k in range(4)], restitution=0
+    )
     used.step(30)
     used.remove(stack)
-    used.step()
-    fresh.step(31)
+    used.digest()  # this lets go of the rows too
+    fresh.step(30)
     for sim in (used, fresh):
         sim.add(SHAPES[0], mass=2.0, position=(0.0, 0.4), velocity=(3.0, 0.0), friction=0.2)
         sim.step(20)
@@ -141,7 +149,7 @@ def test_thousands_at_once() -> None:
     chance = np.random.default_rng(0)
     mass = chance.uniform(1, 2, 3000)
     shapes = [SHAPES[k % 2] for k in range(3000)]
-    found = sim.add(shapes, mass=mass, position=place * 3, velocity=(1.0, 0.0), friction=0.2)
+    found = sim.add(shapes, mass=mass, position=place * 3, velocity=(1.0, 0.0), restitution=0.2)
     assert found.tolist() == list(range(3000))
     assert (sim.mass == 1 / (1 / mass)).all()
     sim.step(2)
@@ -153,13 +161,35 @@ def test_capacity_grows_without_a_change() -> None:
     places = [(3.0 * k, 1.0 + k % 7) for k in range(200)]
     one, many = (t2.Simulator(t2.Scene(gravity=(0.0, -9.81))) for _ in range(2))
     for place in places:
-        one.add(t2.Disc(radius=0.5), mass=1.0, position=place)
-    many.add(t2.Disc(radius=0.5), mass=1.0, position=places)
+        one.add(t2.Disc(radius=0.5), mass=1.0, position=place, restitution=0.3)
+    many.add(t2.Disc(radius=0.5), mass=1.0, position=places, restitution=0.3)
     for sim in (one, many):
         floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
         sim.add_static(floor, restitution=0.3)
         sim.step(100)
     assert one.digest() == many.digest()
+
+
+def test_who_can_meet_without_a_restitution_is_refused() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_static(t2.Box(width=1.0, height=1.0), name="floor")
+    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 5.0), name="ball")
+    with pytest.raises(t2.SceneError, match=r"pair 'floor' and 'ball': not stated.*\(R3\)"):
+        t2.Simulator(scene)
+    scene.set_restitution("floor", "ball", 0.5)
+    sim = t2.Simulator(scene)
+    given = {"shape": t2.Disc(radius=0.5), "mass": 1.0, "position": [(0.0, 9.0), (5.0, 9.0)]}
+    with pytest.raises(t2.SceneError, match="pair body 'floor' and body 0 of those added"):
+        sim.add(**given)
+    with pytest.raises(t2.SceneError, match="pair body 0 of those added and body 1 of those"):
+        sim.add(**given, mask=4, category=4)
+    assert len(sim) == 2
+    sim.add(**given, mask=0)
+    sim.add(**given, sensor=True)
+    sim.add(**given, restitution=0.0)
+    sim.add(**{**given, "shape": None})
+    sim.add_static(t2.Box(width=1.0, height=1.0), position=(0.0, -20.0), mask=8)
+    assert len(sim) == 11
 
 
 BAD: dict[str, tuple[dict[str, Any], str]] = {
@@ -193,7 +223,13 @@ def test_bad_bodies_are_refused_before_anything_is_added(name: str) -> None:
     sim = t2.Simulator(crowd(4, seed=1))
     before = sim.digest()
     values, says = BAD[name]
-    given = {"shape": SHAPES[0], "mass": 1.0, "position": [(0.0, 20.0), (5.0, 20.0)], **values}
+    given = {
+        "shape": SHAPES[0],
+        "mass": 1.0,
+        "position": [(0.0, 20.0), (5.0, 20.0)],
+        "restitution": 0.5,
+        **values,
+    }
     with pytest.raises(t2.InputError, match=says):
         sim.add(**given)
     assert (sim.digest(), len(sim)) == (before, 7)

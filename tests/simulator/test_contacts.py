@@ -42,7 +42,9 @@ def test_a_stack_carries_its_weight() -> None:
     scene = t2.Scene(gravity=(0.0, -10.0))
     scene.add_static(FLOOR, restitution=0.0, friction=0.5)
     for k in range(3):
-        scene.add_body(t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 0.5 + k))
+        scene.add_body(
+            t2.Box(width=1.0, height=1.0), mass=1.0, position=(0.0, 0.5 + k), restitution=0.0
+        )
     sim = t2.Simulator(scene)
     sim.step(200)
     found = sim.contacts
@@ -107,7 +109,7 @@ def test_a_body_of_several_shapes_touches_once() -> None:
     scene = t2.Scene(gravity=(0.0, -10.0))
     scene.add_static(FLOOR, restitution=0.0, friction=0.5)
     low = min(y for part in table.pieces for _, y in part.core)
-    scene.add_body(table, mass=1.0, position=(0.0, -low + 0.1))
+    scene.add_body(table, mass=1.0, position=(0.0, -low + 0.1), restitution=0)
     sim = t2.Simulator(scene)
     begun = 0
     for _ in range(120):
@@ -120,10 +122,16 @@ def test_a_body_of_several_shapes_touches_once() -> None:
 def test_who_does_not_touch_by_filter() -> None:
     scene = t2.Scene(gravity=(0.0, -10.0))
     scene.add_static(FLOOR, restitution=0.0, category=2)
-    ghost = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 2.0), mask=1)
-    ball = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(3.0, 2.0), mask=3)
-    one = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(6.0, 0.5), group=-1)
-    two = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(6.2, 0.5), group=-1)
+    ghost = scene.add_body(
+        t2.Disc(radius=0.5), mass=1.0, position=(0.0, 2.0), mask=1, restitution=0
+    )
+    ball = scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(3.0, 2.0), mask=3, restitution=0)
+    one = scene.add_body(
+        t2.Disc(radius=0.5), mass=1.0, position=(6.0, 0.5), group=-1, restitution=0
+    )
+    two = scene.add_body(
+        t2.Disc(radius=0.5), mass=1.0, position=(6.2, 0.5), group=-1, restitution=0
+    )
     sim = t2.Simulator(scene)
     sim.step(120)
     assert sim.position[ghost, 1] < -1.0
@@ -151,3 +159,23 @@ def test_a_sensor_tells_and_pushes_nothing() -> None:
     assert sim.velocity[ball].tolist() == [6.0, 0.0]
     assert began == pytest.approx(3.5, abs=0.2)  # two steps of 0.1 m
     assert ended == pytest.approx(6.5, abs=0.2)
+
+
+def test_what_meets_in_flight_is_told_with_its_impulse() -> None:
+    """A bullet goes 50 m in a step, and meets a plate of 2 cm on its way."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    plate = scene.add_static(t2.Box(width=0.02, height=2.0), position=(20.0, 0.0), friction=0.0)
+    bullet = scene.add_body(
+        t2.Disc(radius=0.05), mass=0.5, position=(0.0, 0.0), velocity=(3000.0, 0.0), restitution=0.5
+    )
+    sim = t2.Simulator(scene)
+    sim.step()
+    assert sim.velocity[bullet].tolist() == pytest.approx([-1500.0, 0.0], rel=1e-12)
+    assert sim.began.impulse == pytest.approx([0.5 * 4500.0], rel=1e-12)
+    sense = 1.0 if sim.began.bodies[0, 0] == bullet else -1.0
+    assert sim.began.normal[0] == pytest.approx([sense, 0.0], abs=1e-12)
+    assert sim.began.point[0] == pytest.approx([19.99, 0.0], abs=1e-3)
+    assert len(sim.contacts) == 1
+    sim.step()
+    assert sorted(sim.ended[0].tolist()) == [plate, bullet]
+    assert len(sim.contacts) == 0

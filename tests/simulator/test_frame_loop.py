@@ -15,7 +15,9 @@ def flight(gravity: tuple[float, float] = (0.0, -9.81), **more: Any) -> t2.Simul
     scene = t2.Scene(gravity=gravity)
     for k in range(3):
         shape = t2.Box(width=2.0, height=1.0) if k == 2 else t2.Disc(radius=0.5)
-        scene.add_body(shape, mass=k + 1.0, position=(10.0 * k, 0.0), name=f"body {k}", **more)
+        scene.add_body(
+            shape, mass=k + 1.0, position=(10.0 * k, 0.0), restitution=0, name=f"body {k}", **more
+        )
     return t2.Simulator(scene, time_step=0.01)
 
 
@@ -110,7 +112,7 @@ def test_loads_that_vary_are_held_over_a_step() -> None:
 
 def test_a_spring_goes_with_its_body() -> None:
     scene = t2.Scene(gravity=(0.0, 0.0))
-    ball = scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(1.0, 0.0))
+    ball = scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(1.0, 0.0), restitution=0)
     other = scene.add_body(t2.Disc(radius=0.1), mass=1.0, position=(-1.0, 0.0))
     scene.add_spring(ball, other, stiffness=1.0, rest_length=0.0)
     sim = t2.Simulator(scene)

@@ -17,7 +17,13 @@ def lively(seed: int) -> t2.Simulator:
     sim = t2.Simulator(crowd(30, seed=seed))
     sim.step(40)
     sim.remove([5, 9, 20])
-    sim.add(list(SHAPES[:2]), mass=[1.0, 2.0], position=[(0.0, 15.0), (3.0, 15.0)], friction=0.3)
+    sim.add(
+        list(SHAPES[:2]),
+        mass=[1.0, 2.0],
+        position=[(0.0, 15.0), (3.0, 15.0)],
+        friction=0.3,
+        restitution=0.1,
+    )
     sim.apply_force([3, 4], (1.0, 50.0))
     return sim
 

@@ -113,7 +113,9 @@ def test_known_answers() -> None:
     scene = t2.Scene(gravity=(0.0, 0.0))
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), name="floor")
     scene.add_static(t2.Segment(length=2.0), position=(0.0, 5.0), name="shelf")
-    scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(5.0, 3.0), category=4, name="disc")
+    scene.add_body(
+        t2.Disc(radius=1.0), mass=1.0, position=(5.0, 3.0), category=4, name="disc", restitution=0
+    )
     scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(-5.0, 3.0), sensor=True, name="zone")
     sim = t2.Simulator(scene)
     down = sim.ray_cast((0.5, 9.0), (0.5, -1.0))
@@ -133,13 +135,13 @@ def test_known_answers() -> None:
 
 def test_what_was_moved_is_found_where_it_is() -> None:
     scene = t2.Scene(gravity=(0.0, 0.0))
-    ball = scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(0.0, 0.0))
+    ball = scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(0.0, 0.0), restitution=0)
     sim = t2.Simulator(scene)
     assert sim.at_point((0.0, 0.5)).tolist() == [ball]
     sim.position[ball] = 100.0, 0.0
     assert sim.at_point((0.0, 0.5)).tolist() == []
     assert sim.at_point((100.0, 0.5)).tolist() == [ball]
-    other = sim.add(t2.Disc(radius=1.0), mass=1.0, position=(0.0, 0.0))
+    other = sim.add(t2.Disc(radius=1.0), mass=1.0, position=(0.0, 0.0), restitution=0)
     assert sim.at_point((0.0, 0.5)).tolist() == [other]
     sim.remove(other)
     assert sim.at_point((0.0, 0.5)).tolist() == []

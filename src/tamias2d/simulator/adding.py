@@ -15,7 +15,7 @@ from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
 from tamias2d.scene.rules import RuleError, sequence
 from tamias2d.scene.shapes import HalfPlane
-from tamias2d.simulator.batch import UNSTATED, Batch
+from tamias2d.simulator.batch import UNSTATED, Batch, slowing
 from tamias2d.simulator.columns import as_array, numbers, vectors, wholes
 from tamias2d.state import Array
 from tamias2d.stepped.layout import DYNAMIC, KINEMATIC, STATIC
@@ -71,8 +71,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
         load=np.column_stack((pairs["force"], many["torque"])),
         mass=mass,
         inertia=inertia,
-        linear_drag=many["linear_drag"],
-        angular_drag=many["angular_drag"],
+        slowing=slowing(many["linear_drag"], mass, many["angular_drag"], inertia),
         filters=_filters(given, of, count),
         shapes=known,
         **{key: _surface(given.get(key), key, of, count) for key in _SURFACE},

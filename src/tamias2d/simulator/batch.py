@@ -9,9 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.generated import drag
 from tamias2d.scene import Body, Scene
 from tamias2d.scene.acting import steady_load
 from tamias2d.scene.compound import Shape
+from tamias2d.scene.rules import RuleError
 from tamias2d.state import Array
 from tamias2d.stepped.layout import DYNAMIC, KINEMATIC, STATIC
 
@@ -36,10 +38,8 @@ class Batch:
     """(k,); infinite unless dynamic"""
     inertia: Array
     """(k,); infinite for what nothing turns"""
-    linear_drag: Array
-    """(k,)"""
-    angular_drag: Array
-    """(k,)"""
+    slowing: Array
+    """(k, 2), rates at which drag slows velocity and angular velocity down, 1/s"""
     friction: Array
     """(k,), -1 where not stated"""
     restitution: Array
@@ -56,15 +56,21 @@ class Batch:
 def scene_batch(scene: Scene) -> Batch:
     """Return the bodies of a scene, in its order; loads are those that stay as they are."""
     bodies = scene.bodies
+    mass = np.array([body.mass for body in bodies])
+    inertia = np.array([body.inertia for body in bodies])
     return Batch(
         kind=np.array([_kind(body) for body in bodies], dtype=np.int64),
         pose=_rows([(*body.position, body.orientation) for body in bodies], 3),
         motion=_rows([(*body.velocity, body.angular_velocity) for body in bodies], 3),
         load=_rows([steady_load(scene, k) for k in range(len(bodies))], 3),
-        mass=np.array([body.mass for body in bodies]),
-        inertia=np.array([body.inertia for body in bodies]),
-        linear_drag=np.array([body.linear_drag for body in bodies]),
-        angular_drag=np.array([body.angular_drag for body in bodies]),
+        mass=mass,
+        inertia=inertia,
+        slowing=slowing(
+            np.array([body.linear_drag for body in bodies]),
+            mass,
+            np.array([body.angular_drag for body in bodies]),
+            inertia,
+        ),
         friction=np.array([_stated(body.friction) for body in bodies]),
         restitution=np.array([_stated(body.restitution) for body in bodies]),
         filters=np.array(
@@ -72,6 +78,29 @@ def scene_batch(scene: Scene) -> Batch:
         ).reshape(-1, 4),
         shapes=tuple(body.shape for body in bodies),
     )
+
+
+def slowing(linear_drag: Array, mass: Array, angular_drag: Array, inertia: Array) -> Array:
+    """Return the rates (k, 2) at which drag slows bodies down, 1/s.
+
+    Raises:
+        InputError: float64 cannot hold one.
+    """
+    with np.errstate(all="ignore"):
+        rates = np.column_stack(
+            (drag.drag_rate(linear_drag, mass), drag.angular_drag_rate(angular_drag, inertia))
+        )
+    bad = np.argwhere(~np.isfinite(rates))
+    if len(bad):
+        k, column = bad[0].tolist()
+        key = ("linear_drag", "angular_drag")[column]
+        raise RuleError(
+            f"{key.replace('_', ' ')}[{k}] of the bodies: what it does is beyond float64 "
+            "(R4). Give a smaller one.",
+            key,
+            k,
+        )
+    return rates
 
 
 def _kind(body: Body) -> int:

@@ -1,6 +1,7 @@
 """What touched in the last step: contacts, and pairs that began or ceased to touch.
 
-Serves: games that play sounds or count hits. Hides: where the engine keeps impulses.
+Serves: games that play sounds or count hits. Hides: where the engine keeps impulses. What goes so
+far in a step that it is stopped where it meets something met it *in flight*.
 """
 
 from collections.abc import Mapping
@@ -11,8 +12,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.state import Array
-from tamias2d.stepped.layout import BLOCKS, DX, DY, GAP, NX, NY, PAIRS, POINT, PX, PY, SIDE, TOUCHED
-from tamias2d.stepped.rows import FILLED, LANES, P_TOTAL, POINTS, SHARED, SIZE, SLOT
+from tamias2d.stepped.layout import (
+    COUNT,
+    FLOWN_NORMAL,
+    GAP,
+    NX,
+    NY,
+    PAIRS,
+    POINT,
+    PX,
+    PY,
+    SIDE,
+    TOTAL,
+    TOUCHED,
+    WHERE,
+)
 from tamias2d.stepped.world import World
 
 Whole = NDArray[np.int64]
@@ -25,13 +39,13 @@ class Contacts:
     bodies: Whole
     """(m, 2), indices of bodies A and B"""
     point: Array
-    """(m, 2), where they touched as the step began, m"""
+    """(m, 2), where they touched as the step began or, in flight, as they met, m"""
     normal: Array
     """(m, 2), unit, from A to B"""
     impulse: Array
     """(m,), along the normal, on B, over the whole step, N s"""
     separation: Array
-    """(m,), as the step began, m; negative where they overlapped"""
+    """(m,), there, m; negative where they overlapped, 0 in flight"""
 
     def __len__(self) -> int:
         return len(self.bodies)
@@ -78,38 +92,38 @@ def touching_of(arrays: Mapping[str, NDArray[Any]]) -> Touching:
 def touching(world: World) -> Touching:
     """Return what touched in the last step of a world."""
     side, size = int(world.counts[SIDE]), int(world.counts[PAIRS])
-    bodies = world.shape_body[world.pairs[side, :size]].astype(np.int64).reshape(-1, 2)
-    code = bodies.min(axis=1) * len(world.pose) + bodies.max(axis=1)
     noted = world.traces[side, :size, TOUCHED]
-    if not noted.any():
-        bodies, code, noted = bodies[:0], code[:0], noted[:0]
-    now, before = (np.unique(code[noted & bit != 0]) for bit in (1, 2))
-    pushed = _pushed(world)
-    sensed = np.setdiff1d(np.flatnonzero(noted & 1), pushed.pair)
+    rows = np.flatnonzero(noted)
+    bodies = world.shape_body[world.pairs[side, rows]].astype(np.int64).reshape(-1, 2)
+    code = bodies.min(axis=1) * len(world.pose) + bodies.max(axis=1)
+    now, before = (np.unique(code[noted[rows] & bit != 0]) for bit in (1, 2))
+    touch = world.touches[side, rows]
+    count = world.traces[side, rows, COUNT].astype(np.int64)
+    pushed = _pushed(touch, count, noted[rows].astype(np.int64))
+    sensed = np.setdiff1d(np.flatnonzero(noted[rows] & 1), pushed.pair)
     found = _Points(
         np.concatenate((pushed.pair, sensed)),
         np.concatenate((pushed.number, np.zeros_like(sensed))),
         np.concatenate((pushed.impulse, np.zeros(len(sensed)))),
     )
+    touch[sensed, WHERE : WHERE + 2] = (
+        world.pose[bodies[sensed, 0], :2] + touch[sensed, PX : PY + 1]
+    )
+    begun = _strongest(found, code, np.setdiff1d(now, before))
     ended = np.flatnonzero(np.isin(code, np.setdiff1d(before, now)))
     return Touching(
-        contacts=_contacts(world, side, bodies, pushed),
-        began=_contacts(world, side, bodies, _strongest(found, code, np.setdiff1d(now, before))),
+        contacts=_contacts(bodies, touch, count, pushed),
+        began=_contacts(bodies, touch, count, begun),
         ended=bodies[np.sort(ended[np.unique(code[ended], return_index=True)[1]])],
     )
 
 
-def _pushed(world: World) -> _Points:
-    """Return all points that were pushed, in the order of the pairs."""
-    blocks = int(world.counts[BLOCKS])
-    lanes, rows = world.lanes[:blocks].astype(np.int64), world.rows[:blocks]
-    lane, point = np.arange(LANES), np.arange(2)[:, None]
-    impulse = rows[:, SHARED + P_TOTAL + SIZE * point + lane]
-    used = (lane < lanes[:, FILLED, None, None]) & (point < lanes[:, POINTS, None, None])
-    block, number, at = np.nonzero(used & (impulse > 0.0))
-    pair = lanes[block, SLOT + at]
-    order = np.lexsort((number, pair))
-    return _Points(pair[order], number[order], impulse[block, number, at][order])
+def _pushed(touch: Array, count: Whole, noted: Whole) -> _Points:
+    """Return all points that were pushed, in the order of the pairs; in flight a pair has one."""
+    total = touch[:, TOTAL : TOTAL + 2]
+    there = np.arange(2) < np.maximum(count, 1)[:, None]
+    pair, number = np.nonzero(there & (total > 0.0) & (noted & 1 != 0)[:, None])
+    return _Points(pair, number, total[pair, number])
 
 
 def _strongest(found: _Points, code: Whole, wanted: Whole) -> _Points:
@@ -125,17 +139,18 @@ def _strongest(found: _Points, code: Whole, wanted: Whole) -> _Points:
     return _Points(found.pair[row], found.number[row], total)
 
 
-def _contacts(world: World, side: int, bodies: Whole, points: _Points) -> Contacts:
+def _contacts(bodies: Whole, touch: Array, count: Whole, points: _Points) -> Contacts:
     """Return where points are and what they did."""
     pair, number, impulse = points
-    touch = world.touches[side, pair]
-    row, column = np.arange(len(pair)), POINT * number
-    first = bodies[pair, 0]
-    begin = world.pose[first, :2] - world.motion[first, DX : DY + 1]
+    flown = count[pair] == 0
+    row = touch[pair]
+    at = np.arange(len(pair))
+    place = WHERE + 2 * number
+    normal = np.where(flown[:, None], row[:, FLOWN_NORMAL : FLOWN_NORMAL + 2], row[:, NX : NY + 1])
     return Contacts(
         bodies=bodies[pair],
-        point=begin + np.column_stack((touch[row, PX + column], touch[row, PY + column])),
-        normal=touch[:, [NX, NY]],
+        point=np.column_stack((row[at, place], row[at, place + 1])),
+        normal=normal,
         impulse=impulse,
-        separation=touch[row, GAP + column],
+        separation=np.where(flown, 0.0, row[at, GAP + POINT * number]),
     )

@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.generated import drag
 from tamias2d.simulator.batch import Batch
 from tamias2d.simulator.pieces import Piece, pieces
 from tamias2d.state import Array
@@ -114,6 +113,8 @@ class Roster:
 
     def settle(self) -> None:
         """Let go of what was removed, and give all that is new its rank."""
+        if not (len(self._leaving) or self._new):
+            return
         if len(self._leaving):
             self._let_go(self._leaving)
             self._leaving = self._leaving[:0]
@@ -186,10 +187,10 @@ class Roster:
     def _set_flow(self, batch: Batch, rows: Whole) -> None:
         """Set how drag slows bodies; most have none, and share what follows from that."""
         world = self.world
-        dragged = batch.linear_drag.any() or batch.angular_drag.any()
+        dragged = batch.slowing.any()
         if dragged or self._flow is None:
-            world.flow(rows, drag.drag_rate(batch.linear_drag, batch.mass), 0)
-            world.flow(rows, drag.angular_drag_rate(batch.angular_drag, batch.inertia), ANGULAR)
+            world.flow(rows, batch.slowing[:, 0], 0)
+            world.flow(rows, batch.slowing[:, 1], ANGULAR)
             if not dragged and len(rows):
                 self._flow = world.body[rows[0], FULL:].copy()
         else:

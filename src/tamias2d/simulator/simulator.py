@@ -28,6 +28,7 @@ from tamias2d.simulator.fault import fault
 from tamias2d.simulator.pushing import add_rows, kicks, loads
 from tamias2d.simulator.roster import Roster
 from tamias2d.simulator.selection import Bodies, selected
+from tamias2d.simulator.unstated import refuse_unstated
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
@@ -89,7 +90,10 @@ class Simulator(Views):
         self._staying = list(range(len(scene)))
         gravity, substeps = scene.gravity, self._substeps
         self._begin(World(gravity=gravity, time_step=self._time_step, substeps=substeps))
-        self._roster.place(scene_batch(scene))
+        batch = scene_batch(scene)
+        names = [f"'{body.name}'" for body in scene.bodies]
+        refuse_unstated(self._world, batch, names.__getitem__, scene.restitution_of_pairs)
+        self._roster.place(batch)
         self._roster.mix(scene.friction_of_pairs, scene.restitution_of_pairs)
 
     def _begin(self, world: World) -> None:
@@ -112,19 +116,21 @@ class Simulator(Views):
         """
         if count.__class__ is not int or count < 0:
             count = _checked_count(count, "count", 0)
-        for _ in range(count):
-            self._settled()
+        while count:
+            if self._unsettled:
+                self._settle()
+            taken = count
             if self._acting is not None or self._pushed is not None:
                 self._step_loaded()
-            elif self._world.step():
+                taken = 1
+            elif self._world.step(count):
                 raise fault(self._world, self._name_of)
-            self._steps += 1
             self._touching = None
+            self._steps += taken
+            count -= taken
 
-    def _settled(self) -> None:
+    def _settle(self) -> None:
         """Give what was added its place, and see what acts on what is left."""
-        if not self._unsettled:
-            return
         self._roster.settle()
         self._unsettled = False
         self._acting = None
@@ -136,7 +142,7 @@ class Simulator(Views):
         """Settle between steps: what touched is told before what was removed is forgotten."""
         if self._unsettled:
             self._tell()
-            self._settled()
+            self._settle()
 
     def _step_loaded(self) -> None:
         """Take a step with loads that count for this one only."""
@@ -272,6 +278,7 @@ class Simulator(Views):
         return self._add(added_batch(KINEMATIC, shape, **given), position)
 
     def _add(self, batch: Batch, position: object) -> Any:
+        refuse_unstated(self._world, batch, self._name_of)
         rows = self._roster.place(batch)
         self._unsettled = True
         one = len(rows) == 1 and np.ndim(position) == 1  # type: ignore[arg-type]
@@ -431,6 +438,8 @@ class Simulator(Views):
 
     def _name_of(self, row: int) -> str:
         names: Mapping[int, str] = {k: name for name, k in self._names.items()}
+        if row >= self._world.size:
+            return f"body {row - self._world.size} of those added"
         return f"body '{names[row]}'" if row in names else f"body {row}"
 
 
