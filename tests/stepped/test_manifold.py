@@ -58,7 +58,7 @@ def plainly_placed(draw: st.DrawFn) -> tuple[Outline, Outline, np.ndarray]:
     return a, b, np.round(delta, 9)
 
 
-@settings(max_examples=20000, deadline=None)
+@settings(max_examples=1000, deadline=None)
 @given(placed())
 def test_the_smallest_separation_is_the_distance(pair) -> None:
     a, b, delta = pair
