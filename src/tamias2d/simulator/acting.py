@@ -67,7 +67,9 @@ def _terms(scene: Scene, rows: Sequence[int]) -> list[Term]:
     if any(scene.bodies[row].quadratic_drag for row in dynamic):
         found.append(Drag(scene, rows, "quadratic_drag", drag.quadratic_drag_force))
     springs = [spring for spring in scene.springs if place.keys() >= set(spring.bodies)]
-    springs.sort(key=lambda spring: [place[row] for row in spring.bodies])
+    springs.sort(
+        key=lambda s: ([place[row] for row in s.bodies], s.point, s.stiffness, s.rest_length)
+    )
     if springs:
         found.append(Springs(scene, springs, place))
     if scene.attraction is not None and len(dynamic) > 1:
