@@ -112,37 +112,37 @@ def test_oa11_kepler_s_ellipse() -> None:
 
 
 def test_oa11b_kepler_s_ellipse_on_the_way_out() -> None:
-    """OA11b, srs/verification/forces.md:809; verifies R5, R9, R10."""
+    """OA11b, srs/verification/forces.md:820; verifies R5, R9, R10."""
     passes("OA11b")
 
 
 def test_oa11c_the_trap_of_the_whole_period() -> None:
-    """OA11c, srs/verification/forces.md:864; verifies R10."""
+    """OA11c, srs/verification/forces.md:859; verifies R10."""
     passes("OA11c")
 
 
 def test_oa12_two_bodies_that_attract_each_other() -> None:
-    """OA12, srs/verification/forces.md:902; verifies R5, R9, R10."""
+    """OA12, srs/verification/forces.md:897; verifies R5, R9, R10."""
     passes("OA12")
 
 
 def test_oa12b_momenta_under_coarse_steps() -> None:
-    """OA12b, srs/verification/forces.md:979; verifies R9, NFR2."""
+    """OA12b, srs/verification/forces.md:974; verifies R9, NFR2."""
     passes("OA12b")
 
 
 def test_oa12c_three_bodies_that_attract_each_other() -> None:
-    """OA12c, srs/verification/forces.md:1010; verifies R9, NFR2."""
+    """OA12c, srs/verification/forces.md:1005; verifies R9, NFR2."""
     passes("OA12c")
 
 
 def test_oa14_motion_made_to_measure_with_all_terms() -> None:
-    """OA14, srs/verification/forces.md:1064; verifies R2, R5, R6, R9, R10."""
+    """OA14, srs/verification/forces.md:1059; verifies R2, R5, R6, R9, R10."""
     passes("OA14")
 
 
 def test_oa14b_many_turns_made_to_measure_with_all_terms() -> None:
-    """OA14b, srs/verification/forces.md:1295; verifies R2, R5, R6, R9, R10."""
+    """OA14b, srs/verification/forces.md:1290; verifies R2, R5, R6, R9, R10."""
     passes("OA14b")
 
 

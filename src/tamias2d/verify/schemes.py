@@ -4,7 +4,7 @@ Service: a scene is stepped with n, 2n, 4n, 8n and 16n steps. Secret: how a sche
 offered to users only with steps that adapt themselves.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import inf, log2
@@ -136,18 +136,27 @@ def _on_scene(case: Case, durations: Mapping[str, Any]) -> Stepping:
 
     def errors(scheme: str, steps: int) -> Errors:
         own = durations.get(scheme)
-        duration = None if own is None else float(measure(own, "duration"))
-        found = answers(run_by(case, scheme, steps, duration), exact, slice(-1, None))
+        duration = case.duration if own is None else float(measure(own, "duration"))
+        run = run_by(case, scheme, steps, duration=duration, times=[duration])
+        found = answers(run, exact, slice(-1, None))
         return {(one.body, one.quantity): one.found - one.exact for one in found}
 
     return errors
 
 
-def run_by(case: Case, scheme: str, steps: int, duration: float | None = None) -> Run:
-    """Return the run of a case's scene by a scheme, in equal steps; without a duration, s, its own.
+def run_by(
+    case: Case,
+    scheme: str,
+    steps: int,
+    *,
+    duration: float | None = None,
+    times: Sequence[float] | None = None,
+) -> Run:
+    """Return the run of a case's scene by a scheme, in equal steps.
 
-    Times of samples other than the end are those of the steps.
+    It lasts as long as the case and is sampled at each step, where nothing else is asked, in s.
     """
     method = METHODS.get(scheme, FixedSteps(scheme))
     duration = duration or case.duration
-    return simulate(case.scene, duration=duration, method=method, time_step=duration / steps)
+    step = duration / steps
+    return simulate(case.scene, duration=duration, method=method, time_step=step, times=times)
