@@ -52,10 +52,10 @@ ISLAND, QUIET, NIGHT, LIVE = 0, 1, 2, 3
 # rest (n+1, 8): pose, load and gravity with which it fell asleep
 REST_LOAD, REST_GRAVITY = 3, 6
 
-# energy (n+1, 12): velocities as the step began, and before bouncing; then of the island whose
-# lowest row this is: how it is seen (see `energy`), and its sums
-EARLIER, UNBOUNCED, SEEN, SUMS = 0, 3, 6, 9
-ENERGIES = 12
+# energy (n+1, 20): velocities as the step began, and before bouncing; then of the island whose
+# lowest row this is: the motion of what it leans on, whether it does, and sums, J
+EARLIER, UNBOUNCED, SEEN, LEANS, SUMS = 0, 3, 6, 9, 10
+ENERGIES = 20
 
 # kind (n+1,)
 ABSENT, STATIC, KINEMATIC, DYNAMIC = 0, 1, 2, 3
@@ -69,7 +69,8 @@ FRICTION, RESTITUTION, SHAPE_REACH = 0, 1, 2
 # filter (m, 4): which shapes meet at all
 CATEGORY, MASK, GROUP, SENSOR = 0, 1, 2, 3
 
-# box (m, 8): low and high corner; as it is now, and with the room that its body has
+# box (m, 8): low and high corner of what is k-th along the tree's curve; then those of the shape,
+# with the room that its body has
 FAT = 4
 
 # touch (p, 24): normal from a to b; two points from the centre of body A, m, with their

@@ -14,7 +14,9 @@ from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     ABSENT,
     ARM,
+    CACHE,
     CATEGORY,
+    COUNT,
     DTURN,
     DX,
     DY,
@@ -29,7 +31,6 @@ from tamias2d.stepped.layout import (
     HALF_PLANE,
     HIGH_X,
     HIGH_Y,
-    HINT,
     HITS,
     HOME_TURN,
     LEAVES,
@@ -41,6 +42,7 @@ from tamias2d.stepped.layout import (
     PAIR_RESTITUTION,
     PAIRS,
     PHASE,
+    PUSH,
     REACH,
     RESTITUTION,
     SIDE,
@@ -239,12 +241,14 @@ def find_pairs(
     """
     leaves = grow_tree(shape_kind, shape_body, kind, ranked, box, curve, node)
     counts[LEAVES] = leaves
+    for k in range(leaves):
+        for n in range(4):
+            box[k, n] = box[curve[0, k], FAT + n]
     total = 0
     first = lowest(leaves)
     for k in range(leaves):
         s = curve[0, k]
-        low_x, low_y = box[s, FAT], box[s, FAT + 1]
-        high_x, high_y = box[s, FAT + 2], box[s, FAT + 3]
+        low_x, low_y, high_x, high_y = box[k, 0], box[k, 1], box[k, 2], box[k, 3]
         start = k + 1  # those before have found this one
         at = first + k // BUNCH
         while True:
@@ -261,15 +265,14 @@ def find_pairs(
             if at >= first:
                 bunch = (at - first) * BUNCH
                 for m in range(max(start, bunch), min(bunch + BUNCH, leaves)):
-                    t = curve[0, m]
                     near = (
-                        (box[t, FAT] <= high_x)
-                        & (box[t, FAT + 2] >= low_x)
-                        & (box[t, FAT + 1] <= high_y)
-                        & (box[t, FAT + 3] >= low_y)
+                        (box[m, 0] <= high_x)
+                        & (box[m, 2] >= low_x)
+                        & (box[m, 1] <= high_y)
+                        & (box[m, 3] >= low_y)
                     )
-                    if near and may_meet(s, t, shape_body, kind, filters):
-                        total = note_pair(total, s, t, ranked, found)
+                    if near and may_meet(s, curve[0, m], shape_body, kind, filters):
+                        total = note_pair(total, s, curve[0, m], ranked, found)
             while at & 1:  # up, until there is a node to the right
                 at >>= 1
             if at == 0:
@@ -436,13 +439,25 @@ def copy_pair(
     next_touch: Array,
     next_trace: Whole,
 ) -> None:
-    """Copy all that is known of a pair."""
-    for k in range(2):
-        next_pair[new, k] = pair[old, k]
-    for k in range(TOUCH):
-        next_touch[new, k] = touch[old, k]
+    """Copy what is known of a pair; of one that does not touch, only how its surfaces mix."""
+    next_pair[new, 0], next_pair[new, 1] = pair[old, 0], pair[old, 1]
+    if trace[old, COUNT] > 0 or trace[old, TOUCHED] != 0:
+        for k in range(TOUCH):
+            next_touch[new, k] = touch[old, k]
+        for k in range(6):
+            next_trace[new, k] = trace[old, k]
+    else:
+        blank(new, next_touch, next_trace)
+        next_touch[new, PAIR_FRICTION] = touch[old, PAIR_FRICTION]
+        next_touch[new, PAIR_RESTITUTION] = touch[old, PAIR_RESTITUTION]
+
+
+def blank(p: int, touch: Array, trace: Whole) -> None:
+    """Let nothing be known of how a pair touches."""
+    for k in range(PUSH, CACHE):
+        touch[p, k] = 0.0
     for k in range(6):
-        next_trace[new, k] = trace[old, k]
+        trace[p, k] = 0
 
 
 def new_pair(
@@ -460,11 +475,7 @@ def new_pair(
     `mixed` (k, 4) holds what was set for pairs of shapes: both, friction, restitution.
     """
     pair[new, 0], pair[new, 1] = s, t
-    for k in range(TOUCH):
-        touch[new, k] = 0.0
-    for k in range(6):
-        trace[new, k] = 0
-    trace[new, HINT] = -1
+    blank(new, touch, trace)
     touch[new, PAIR_FRICTION] = both_friction(surface[s, FRICTION], surface[t, FRICTION])
     touch[new, PAIR_RESTITUTION] = both_restitution(
         surface[s, RESTITUTION], surface[t, RESTITUTION]
