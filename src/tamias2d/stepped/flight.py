@@ -49,6 +49,7 @@ from tamias2d.stepped.layout import (
     POINT,
     PX,
     PY,
+    REACH,
     SENSOR,
     SHAPE_REACH,
     SPIN,
@@ -64,6 +65,7 @@ from tamias2d.stepped.layout import (
     Y,
 )
 from tamias2d.stepped.manifold import touch_pair
+from tamias2d.stepped.pairs import AROUND
 from tamias2d.stepped.sweep import MISSED, NEAR, WIDE, place, time_of_impact
 
 FAST = 0.35  # of half its width: how far a body goes before it is looked after
@@ -75,25 +77,36 @@ def goes_far(kind: Whole, motion: Array, body: Array) -> bool:
     """Return whether some body goes farther in this step than it could be pushed back from."""
     far = False
     for i in range(len(kind)):
-        way = abs(motion[i, DX]) + abs(motion[i, DY]) + abs(motion[i, DTURN]) * body[i, ARM]
-        far = far | ((way > FAST * body[i, INNER]) & (kind[i] >= KINEMATIC))
+        far = far | ((way_of(i, motion, body) > FAST * body[i, INNER]) & (kind[i] >= KINEMATIC))
     return far
 
 
-def outruns(settings: Array, kind: Whole, pose: Array, motion: Array, home: Array) -> bool:
-    """Return whether the line of some body leaves the room in which its neighbours are known."""
+def outruns(
+    settings: Array, kind: Whole, pose: Array, motion: Array, body: Array, home: Array
+) -> bool:
+    """Return whether a body that goes far leaves the room in which its neighbours are known.
+
+    They are known a little farther than the room, too.
+    """
     out = False
     for i in range(len(kind)):
-        x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
-        y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
-        inside = (
-            (x >= home[i, LOW_X])
-            & (x <= home[i, HIGH_X])
-            & (y >= home[i, LOW_Y])
-            & (y <= home[i, HIGH_Y])
-        )
-        out = out | ((kind[i] == DYNAMIC) & (not inside))
+        if kind[i] == DYNAMIC and way_of(i, motion, body) > FAST * body[i, INNER]:
+            x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
+            y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
+            more = AROUND * body[i, REACH]
+            inside = (
+                (x >= home[i, LOW_X] - more)
+                & (x <= home[i, HIGH_X] + more)
+                & (y >= home[i, LOW_Y] - more)
+                & (y <= home[i, HIGH_Y] + more)
+            )
+            out = out | (not inside)
     return out
+
+
+def way_of(i: int, motion: Array, body: Array) -> float:
+    """Return how far some point of a body may go in this step, m."""
+    return abs(motion[i, DX]) + abs(motion[i, DY]) + abs(motion[i, DTURN]) * body[i, ARM]
 
 
 def fly(

@@ -255,7 +255,7 @@ def step_once(
             ARRIVING
             if not far
             else OUTRUN
-            if outruns(settings, kind, pose, motion, home)
+            if outruns(settings, kind, pose, motion, body, home)
             else SWEPT
         )
     if counts[PHASE] == OUTRUN:
