@@ -5,6 +5,7 @@ Serves: games. Hides: which file holds which concept.
 
 from tamias2d.simulator.asking import Hits
 from tamias2d.simulator.contacts import Contacts
+from tamias2d.simulator.frames import Frames, Overlap
 from tamias2d.simulator.simulator import Simulator
 
-__all__ = ["Contacts", "Hits", "Simulator"]
+__all__ = ["Contacts", "Frames", "Hits", "Overlap", "Simulator"]

@@ -21,6 +21,7 @@ from tamias2d.stepped.layout import (
     ABSENT,
     ANGULAR,
     ARM,
+    COUNT,
     FULL,
     INNER,
     INVERSE_INERTIA,
@@ -54,12 +55,10 @@ class Roster:
         """Add the bodies of a batch, and return their rows."""
         world = self.world
         rows = self._take(len(batch))
+        world.clear(rows)
         world.pose[rows] = batch.pose
-        world.motion[rows] = 0.0
         world.motion[rows, :3] = batch.motion
         world.load[rows] = batch.load
-        world.body[rows] = 0.0
-        world.carried[rows] = 0.0
         world.body[rows, INVERSE_MASS] = 1 / batch.mass
         world.body[rows, INVERSE_INERTIA] = 1 / batch.inertia
         self._set_flow(batch, rows)
@@ -131,8 +130,7 @@ class Roster:
             self._free_shapes.setdefault(int(world.shape_count[slot]), []).append(slot)
         world.shape_body[gone] = self._idle
         self._order = self._order[~gone[self._order]]
-        for values in (world.pose, world.motion, world.load, world.body):
-            values[rows] = 0.0
+        world.clear(rows)
         self.rank[rows] = -1
         self._free = sorted({*self._free, *rows.tolist()}, reverse=True)
 
@@ -239,11 +237,13 @@ class Roster:
         return list(np.flatnonzero(self.world.shape_body == row).tolist())
 
     def _drop_pairs(self, rows: Whole) -> None:
-        """Take the pairs of bodies out of the list, and what was set for them."""
+        """Take the pairs of bodies out of the list, and what was set for them; wake the others."""
         world = self.world
         side, size = world.counts[SIDE], world.counts[PAIRS]
         owner = world.shape_body[world.pairs[side, :size]]
-        kept = np.flatnonzero(~np.isin(owner, rows).any(axis=1))
+        left = np.isin(owner, rows).any(axis=1)
+        world.wake(owner[left & (world.traces[side, :size, COUNT] > 0)].ravel())
+        kept = np.flatnonzero(~left)
         for values in (world.pairs, world.touches, world.traces):
             values[side, : len(kept)] = values[side, kept]
         world.counts[PAIRS] = len(kept)

@@ -34,11 +34,13 @@ from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     DYNAMIC,
     KINEMATIC,
+    PATIENCE,
     STATIC,
 )
 from tamias2d.stepped.world import World
 
 Whole = NDArray[np.int64]
+_QUIET = 0.5  # s, until what is quiet falls asleep
 
 
 class Simulator(Views):
@@ -70,8 +72,21 @@ class Simulator(Views):
         "_unsettled",
     )  # fmt: skip
 
-    def __init__(self, scene: Scene, *, time_step: float = 1 / 60, substeps: int = 4) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        *,
+        time_step: float = 1 / 60,
+        substeps: int = 4,
+        sleeping: bool = False,
+    ) -> None:
         """Start where a scene does; steps are of `time_step` in s, contacts solved in substeps.
+
+        With `sleeping`, bodies that touch each other and have been quiet for half a second stop and
+        cost next to nothing until something happens to them. Quiet is what is slower than
+        2 % of sqrt(g r), or of r a second without gravity, where r is how far a body reaches from
+        its centre: a fall through 1/5000 of that makes it faster. What sleeps loses what was left
+        of its motion, so that a run with sleeping is another one than without.
 
         Raises:
             InputError: a value breaks a rule (R4).
@@ -90,6 +105,8 @@ class Simulator(Views):
         self._staying = list(range(len(scene)))
         gravity, substeps = scene.gravity, self._substeps
         self._begin(World(gravity=gravity, time_step=self._time_step, substeps=substeps))
+        if _checked_flag(sleeping, "sleeping"):
+            self._world.counts[PATIENCE] = max(round(_QUIET / self._time_step), 1)
         batch = scene_batch(scene)
         names = [f"'{body.name}'" for body in scene.bodies]
         refuse_unstated(self._world, batch, names.__getitem__, scene.restitution_of_pairs)
@@ -205,6 +222,17 @@ class Simulator(Views):
             pushed[: len(self._pushed)] = self._pushed
         add_rows(pushed, rows, changes, "force")
         self._pushed = pushed
+
+    def wake(self, bodies: Bodies) -> None:
+        """Wake bodies that sleep, and what they touch; `asleep` tells which do.
+
+        What is moved, pushed or met by something that moves wakes by itself, and so does what
+        touched a body that is moved or removed.
+
+        Raises:
+            InputError: a body is not there.
+        """
+        self._world.wake(self._rows(bodies))
 
     # -- adding and removing
 
@@ -453,6 +481,12 @@ def _restored(arrays: Mapping[str, NDArray[Any]], where: str) -> Simulator:
             f"{where}: {error}: it is damaged, or was saved by another version. Save it again."
         ) from error
     return sim
+
+
+def _checked_flag(value: Any, key: str) -> bool:
+    if not isinstance(value, bool):
+        raise RuleError(f"{key}: found {shown(value)}: must be True or False (R4). Give one.", key)
+    return value
 
 
 def _checked_count(value: Any, key: str, least: int) -> int:

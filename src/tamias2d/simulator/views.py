@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tamias2d.scene.rules import RuleError
 from tamias2d.state import Array
-from tamias2d.stepped.layout import ABSENT, DYNAMIC, INVERSE_MASS
+from tamias2d.stepped.layout import ABSENT, DYNAMIC, INVERSE_MASS, NIGHT
 from tamias2d.stepped.world import World
 
 
@@ -96,6 +96,11 @@ class Views:
     def dynamic(self) -> NDArray[np.bool_]:
         """Which rows hold a body that can be pushed: a new array (n,)."""
         return np.equal(self._kind, DYNAMIC)
+
+    @property
+    def asleep(self) -> NDArray[np.bool_]:
+        """Which bodies sleep: a new array (n,)."""
+        return np.greater(self._world.island[: self._world.size, NIGHT], 0)
 
     @property
     def _kind(self) -> NDArray[np.int8]:

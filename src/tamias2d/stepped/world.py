@@ -18,7 +18,9 @@ from tamias2d.stepped.layout import (
     HORIZON,
     LIFT,
     NEEDED,
+    NIGHT,
     PHASE,
+    QUIET,
     SOUND,
     STILL,
     SUB,
@@ -61,7 +63,7 @@ class World:
         self.carried = np.zeros((1, 6))
         self.kind = np.zeros(1, dtype=np.int8)
         self.used = np.zeros(1, dtype=np.int64)
-        self.island = np.zeros((1, 4), dtype=np.int64)
+        self.island = np.zeros((1, 6), dtype=np.int64)
         self.rest = np.zeros((1, 8))
         self.energy = np.zeros((1, ENERGIES))
         self.ranked = np.zeros((2, 0), dtype=np.int64)
@@ -111,6 +113,12 @@ class World:
             self.body[new, at + GAIN] = drag.position(none, one, none, rate, time)[0]
             self.body[new, at + LIFT] = drag.position(none, none, one, rate, time)[0]
 
+    def wake(self, rows: Whole) -> None:
+        """Wake bodies that sleep, with their islands."""
+        nights = self.island[rows, NIGHT]
+        woken = np.isin(self.island[:, NIGHT], nights[nights > 0])
+        self.island[woken, NIGHT] = self.island[woken, QUIET] = 0
+
     def forget(self) -> None:
         """Look for pairs anew at the next step."""
         self.counts[STILL] = 0
@@ -125,6 +133,11 @@ class World:
         for name in _BODY:
             setattr(self, name, _longer(getattr(self, name), room))
         self.shape_body[self.shape_body == idle] = room - 1
+
+    def clear(self, rows: Whole) -> None:
+        """Forget all that is known of some bodies."""
+        for name in _BODY:
+            getattr(self, name)[rows] = 0
 
     def make_shape_room(self, shapes: int, corners: int) -> None:
         """Make room for so many shapes and corners in all."""
