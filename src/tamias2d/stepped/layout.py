@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 Whole: TypeAlias = NDArray[Any]
 """An array of whole numbers."""
 
-# settings (7,), as numbers: gravity, m/s^2, and the step, s; velocity of the frame in which the list
-# of pairs holds, m/s, and how far it has gone since, m
+# settings (7,), as numbers: gravity, m/s^2, and the step, s; velocity of the frame in which the
+# list of pairs holds, m/s, and how far it has gone since, m
 GRAVITY_X, GRAVITY_Y, TIME_STEP = 0, 1, 2
 FRAME_VX, FRAME_VY, FRAME_X, FRAME_Y = 3, 4, 5, 6
 
@@ -45,9 +45,10 @@ ANGULAR = 3  # columns from the flow of the velocity to that of the spin
 # home (n+1, 6): where the centre may be until pairs are looked for again, m; then its turn, rad
 LOW_X, LOW_Y, HIGH_X, HIGH_Y, HOME_TURN, TURN_ROOM = 0, 1, 2, 3, 4, 5
 
-# island (n+1, 4), as whole numbers: the lowest row of those that touch each other; for how many
-# steps it has been quiet; by what name its island sleeps, 0 awake; whether it may wake others
-ISLAND, QUIET, NIGHT, LIVE = 0, 1, 2, 3
+# island (n+1, 6), as whole numbers: the lowest row of those that touch each other; for how many
+# steps it has been quiet; by what name its island sleeps, 0 awake; whether it may wake others; what
+# it touches; and, of the lowest row, for how many steps all have been quiet
+ISLAND, QUIET, NIGHT, LIVE, COMPANY, PEACE = 0, 1, 2, 3, 4, 5
 
 # rest (n+1, 8): pose, load and gravity with which it fell asleep
 REST_LOAD, REST_GRAVITY = 3, 6

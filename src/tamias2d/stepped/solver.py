@@ -211,6 +211,7 @@ def bounce_lanes(at: int, row: Array, bench: Array, slowest: float) -> None:
         )
         after = bounced if meets else before
         row[at + P_PUSH + m] = after
+        row[at + P_NOW + m] = after - before  # the gap is of no more use
         row[at + P_TOTAL + m] = row[at + P_TOTAL + m] + (after - before)
         push(m, at, after - before, row, bench)
 

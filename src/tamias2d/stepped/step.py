@@ -24,7 +24,9 @@ from tamias2d.kernels.arrays import (
 )
 from tamias2d.state import Array
 from tamias2d.stepped.coast import coast
+from tamias2d.stepped.energy import bound_energy, note_velocities
 from tamias2d.stepped.flight import fly, goes_far, outruns
+from tamias2d.stepped.islands import find_islands
 from tamias2d.stepped.layout import (
     ACTIVE,
     ANGULAR,
@@ -32,10 +34,12 @@ from tamias2d.stepped.layout import (
     BEGUN,
     BLOCKS,
     DECAY,
+    DORMANT,
     DTURN,
     DX,
     DY,
     DYNAMIC,
+    EARLIER,
     FRAME_VX,
     FRAME_VY,
     FRAME_X,
@@ -53,9 +57,11 @@ from tamias2d.stepped.layout import (
     KINEMATIC,
     KNOWN,
     LIFT,
+    LIVE,
     NEEDED,
     OUTRUN,
     PAIRS,
+    PATIENCE,
     PHASE,
     POINT,
     SENSOR,
@@ -72,6 +78,7 @@ from tamias2d.stepped.layout import (
     SWEPT,
     TIME_STEP,
     TOUCHED,
+    UNBOUNCED,
     VX,
     VY,
     WANTED,
@@ -96,6 +103,14 @@ from tamias2d.stepped.rows import (
     colour,
     fill_rows,
     keep_impulses,
+)
+from tamias2d.stepped.sleep import (
+    fall_asleep,
+    keep_still,
+    keep_touching,
+    look_who_sleeps,
+    note_company,
+    rouse,
 )
 from tamias2d.stepped.solver import bounce, relax, sweep, warm
 
@@ -143,13 +158,21 @@ def step(
     carried: FloatRows,
     times: Floats,
     scratch: FloatRows,
+    island: RankRows,
+    rest: FloatRows,
+    energy: FloatRows,
 ) -> int:
     """Take the steps that are wanted, or say what there is too little room for.
 
     Called again, it goes on.
     """
     while counts[WANTED] > 0:
-        if counts[PHASE] == BEGUN and counts[PAIRS] == 0 and counts[STILL] == 1:
+        if (
+            counts[PHASE] == BEGUN
+            and counts[PAIRS] == 0
+            and counts[STILL] == 1
+            and counts[PATIENCE] == 0
+        ):
             if counts[SOUND] == 0 and not all_sound(settings, kind, pose, motion, load):
                 return UNSOUND
             counts[SOUND] = 1
@@ -161,6 +184,7 @@ def step(
             shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
             filters, mixed, corner, turned, box, curve, node, found, pairs, touches,
             traces, hits, fill, rows, lanes, bench, carried, times, scratch,
+            island, rest, energy,
         )  # fmt: skip
         if status != DONE:
             return status
@@ -204,12 +228,20 @@ def step_once(
     carried: Array,
     times: Array,
     scratch: Array,
+    island: Whole,
+    rest: Array,
+    energy: Array,
 ) -> int:
     """Take one step, or say what there is too little room for; called again, it goes on."""
     if counts[PHASE] == BEGUN:
         if counts[SOUND] == 0 and not all_sound(settings, kind, pose, motion, load):
             return UNSOUND
         counts[SOUND] = 1
+        if counts[PATIENCE] > 0:
+            look_who_sleeps(
+                settings, counts, pose, motion, load, kind, shape_body, pairs[counts[SIDE]],
+                traces[counts[SIDE]], island, rest,
+            )  # fmt: skip
         counts[PHASE] = (
             STALE if counts[STILL] == 0 or left_home(settings, kind, pose, home) else FRESH
         )
@@ -231,8 +263,13 @@ def step_once(
         pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
         meet(
             settings, counts, pose, motion, shape_body, shape_kind, shape_first, shape_count,
-            shape_radius, surface, filters, turned, pair, touch, trace, hits,
+            shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
         )  # fmt: skip
+        while counts[DORMANT] > 0 and rouse(counts, pair, shape_body, hits, island):
+            meet(
+                settings, counts, pose, motion, shape_body, shape_kind, shape_first, shape_count,
+                shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
+            )  # fmt: skip
         needed = colour(counts, pair, trace, shape_body, kind, hits, used, fill)
         if needed > len(rows):
             counts[NEEDED] = needed
@@ -243,11 +280,16 @@ def step_once(
             hits, fill, rows, lanes,
         )  # fmt: skip
         solve(
-            settings, counts, motion, load, body, kind, used, pair, shape_body, hits, rows, lanes,
-            bench, carried, bouncing,
+            settings, counts, pose, motion, load, body, kind, used, pair, shape_body, hits, rows,
+            lanes, bench, carried, island, energy, bouncing,
         )  # fmt: skip
         age_touches(counts, trace)
         keep_impulses(counts, pair, shape_body, pose, rows, lanes, touch, trace)
+        if counts[PATIENCE] > 0:
+            note_company(counts, pair, shape_body, kind, hits, island)
+        if counts[DORMANT] > 0:
+            keep_still(kind, island, motion, used)
+            keep_touching(counts, pair, shape_body, island, trace)
         drift(settings, motion, load, body, kind, used, carried)
         move_frame(settings, kind, motion)
         far = goes_far(kind, motion, body)
@@ -274,6 +316,8 @@ def step_once(
             shape_first, shape_count, shape_radius, surface, filters, corner, turned, pair, touch,
             trace, times, scratch,
         )  # fmt: skip
+    if counts[PATIENCE] > 0:
+        fall_asleep(settings, counts, pose, motion, load, body, kind, island, rest)
     arrive(pose, motion)
     counts[SINCE] += 1
     counts[PHASE] = BEGUN
@@ -392,12 +436,15 @@ def meet(
     touch: Array,
     trace: Whole,
     hits: Whole,
+    island: Whole,
 ) -> None:
     """Find the contacts of all pairs, and list the pairs that have some."""
     total = 0
     for p in range(counts[PAIRS]):
         s, t = pair[p, 0], pair[p, 1]
         i, j = shape_body[s], shape_body[t]
+        if counts[DORMANT] > 0 and island[i, LIVE] + island[j, LIVE] == 0:
+            continue
         x, y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
         reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
         by_x = motion[j, VX] - motion[i, VX]
@@ -432,6 +479,7 @@ def meet(
 def solve(
     settings: Array,
     counts: Whole,
+    pose: Array,
     motion: Array,
     load: Array,
     body: Array,
@@ -444,6 +492,8 @@ def solve(
     lanes: Whole,
     bench: Array,
     carried: Array,
+    island: Whole,
+    energy: Array,
     bouncing: int,
 ) -> None:
     """Take the substeps of all bodies with contacts, and let them bounce."""
@@ -453,6 +503,7 @@ def solve(
     substeps = counts[SUBSTEPS]
     blocks = counts[BLOCKS]
     substep = settings[TIME_STEP] / substeps
+    note_velocities(EARLIER, counts, motion, hits, energy)
     begin(counts, motion, carried, hits)
     warm(blocks, rows, lanes, motion, bench)
     carry(counts, motion, carried, hits)
@@ -464,8 +515,14 @@ def solve(
         relax(blocks, rows, lanes, motion, bench, substep)
         carry(counts, motion, carried, hits)
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
+    note_velocities(UNBOUNCED, counts, motion, hits, energy)
     if bouncing > 0:
         bounce(blocks, rows, lanes, motion, bench, slowest)
+    find_islands(counts, pair, shape_body, kind, hits, island)
+    bound_energy(
+        settings, counts, pose, motion, load, body, kind, pair, shape_body, hits, island, energy,
+        rows, lanes,
+    )  # fmt: skip
 
 
 def begin(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:
