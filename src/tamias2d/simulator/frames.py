@@ -1,0 +1,150 @@
+"""A scene followed step by step: its states at given times, and what began to touch.
+
+Serves: `simulate`, where it goes through contacts by steps. Hides: how states between the ends of
+two steps are told, and how deep bodies overlapped.
+"""
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.generated import impact
+from tamias2d.scene import Scene
+from tamias2d.simulator.contacts import Contacts
+from tamias2d.simulator.simulator import Simulator
+from tamias2d.state import Array, History
+
+_ROUNDED = 1e-9  # of a step: as near to its end as that is at it
+
+
+class Overlap(NamedTuple):
+    """How deep two bodies are in each other."""
+
+    share: float
+    """of the size of the smaller one: the radius around it"""
+    depth: float
+    """m"""
+    bodies: tuple[int, int]
+    time: float
+    """s"""
+
+
+class Met(NamedTuple):
+    """Pairs that began to touch in one step."""
+
+    time: float
+    """The end of the step, s"""
+    contacts: Contacts
+    normal_velocity: Array
+    """(m,), as the step began, m/s"""
+
+
+class Frames:
+    """A scene on its way by steps: `go` to the end, then read what there was.
+
+    The state at the end of a step is the engine's; between two ends all of it changes linearly.
+    """
+
+    def __init__(self, scene: Scene, *, time_step: float, substeps: int, times: Array) -> None:
+        """Prepare to tell the states at sorted times (k,), s, in steps of `time_step`, s."""
+        self._sim = Simulator(scene, time_step=time_step, substeps=substeps)
+        self._times = times
+        count, bodies = len(times), len(scene)
+        self._rows = np.zeros((count, 6, bodies))
+        self._told = 0
+        self._sizes = np.array([_size(body.shape) for body in scene.bodies])
+        self.steps = 0
+        self.contacts = 0
+        """Points of contact that were solved, summed over all steps."""
+        self.met: list[Met] = []
+        self.deepest: Overlap | None = None
+        """The deepest overlap of all steps."""
+        self.last: Overlap | None = None
+        """The deepest overlap as the last step began."""
+        self._tell(self._state(), self._state(), 0.0)
+
+    def go(self, duration: float, *, told: Callable[[float], None] = lambda _: None) -> None:
+        """Step until a duration in s is over; `told` hears of every time that is reached.
+
+        Raises:
+            SimulationError: a force that varies has no finite value.
+        """
+        step = self._sim.time_step
+        for _ in range(math.ceil(duration / step - _ROUNDED)):
+            before = self._state()
+            self._sim.step()
+            self.steps += 1
+            self._tell(before, self._state(), self._sim.time)
+            self._look(before, min(self._sim.time, duration))
+            told(self._sim.time)
+
+    @property
+    def time(self) -> float:
+        """Which was reached, s."""
+        return self._sim.time
+
+    def history(self) -> History:
+        """Return the states at all times that were reached."""
+        x, y, turn, u, v, spin = self._rows[: self._told].transpose(1, 0, 2)
+        return History(np.stack((x, y), axis=-1), turn, np.stack((u, v), axis=-1), spin)
+
+    def _state(self) -> Array:
+        """Return (6, n): place, orientation, velocity and angular velocity now."""
+        sim = self._sim
+        parts = (*sim.position.T, sim.orientation, *sim.velocity.T, sim.angular_velocity)
+        return np.array(parts)
+
+    def _tell(self, before: Array, after: Array, end: float) -> None:
+        """Write down the states at all times up to the end of a step, s."""
+        step = self._sim.time_step
+        while self._told < len(self._times):
+            left = (end - float(self._times[self._told])) / step
+            if left < -_ROUNDED:
+                return
+            row = after if left < _ROUNDED else before + (1.0 - left) * (after - before)
+            self._rows[self._told] = row
+            self._told += 1
+
+    def _look(self, before: Array, time: float) -> None:
+        """Note what touched in a step that ended at a time, s."""
+        found, began = self._sim.contacts, self._sim.began
+        self.contacts += len(found)
+        if len(began):
+            self.met.append(Met(time, began, _approach(before, began)))
+        self.last = self._worst(found)
+        if self.last and (self.deepest is None or self.last.share > self.deepest.share):
+            self.deepest = self.last
+
+    def _worst(self, found: Contacts) -> Overlap | None:
+        if not len(found):
+            return None
+        share = -found.separation / self._sizes[found.bodies].min(axis=1)
+        k = int(np.argmax(share))
+        if share[k] <= 0.0:
+            return None
+        a, b = found.bodies[k].tolist()
+        began = self._sim.time - self._sim.time_step
+        return Overlap(float(share[k]), float(-found.separation[k]), (a, b), began)
+
+
+def _size(shape: object) -> float:
+    radius: float = getattr(shape, "bounding_radius", math.inf)
+    return radius
+
+
+def _approach(before: Array, began: Contacts) -> Array:
+    """Return how fast points of contact opened (m,), m/s, with the motion before a step."""
+    place, turning = before[:2].T, before[5]
+    a, b = began.bodies.T
+    rates: Array = impact.normal_velocity(
+        tuple(before[3:5, a]),
+        turning[a],
+        tuple((began.point - place[a]).T),
+        tuple(before[3:5, b]),
+        turning[b],
+        tuple((began.point - place[b]).T),
+        tuple(began.normal.T),
+    )
+    return rates
