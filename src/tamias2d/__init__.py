@@ -31,6 +31,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         RungeKutta4 as RungeKutta4,
         SemiImplicitEuler as SemiImplicitEuler,
         StabilityError as StabilityError,
+        Stepped as Stepped,
         StepSizeError as StepSizeError,
         VelocityVerlet as VelocityVerlet,
         Yoshida4 as Yoshida4,
@@ -64,8 +65,8 @@ _HOMES = {
     "cost": "Cost",
     "errors": "InputError RecordingError SceneError SimulationError SpecError TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
-    "Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError VelocityVerlet "
-    "Yoshida4",
+    "Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError Stepped "
+    "VelocityVerlet Yoshida4",
     "run": "Impacts Run",
     "scene": "Body Box Capsule Compound Disc HalfPlane Part Polygon Scene Segment catalogue load "
     "needs scene_text",

@@ -68,6 +68,7 @@ class Method(StrEnum):
     DOP853 = "dop853"
     LEGACY_2018 = "legacy-2018"
     REFERENCE = "reference"
+    STEPPED = "stepped"
 
 
 _Scene = Annotated[

@@ -17,4 +17,6 @@ class Cost:
     force_evaluations: int
     """How often the accelerations were computed, of however many bodies at once."""
     impacts: int
-    """Located meetings, one for each pair and instant."""
+    """Meetings, one for each pair and instant."""
+    contacts: int = 0
+    """Points of contact that pushed, summed over all steps of the stepped way."""

@@ -4,31 +4,42 @@ Serves: `tamias2d.simulate`, the one door to a run. Hides: which way is taken, a
 are put together.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import NamedTuple
+from dataclasses import replace
+from typing import Protocol
 
 import numpy as np
 
 from tamias2d.balance import balance
-from tamias2d.contact import Hit, Located, RangeError, Refusal, refuse_contact
+from tamias2d.contact import (
+    MEANT_TO_TOUCH,
+    FrictionError,
+    Hit,
+    LastingContactError,
+    Located,
+    OverlapError,
+    RangeError,
+    Refusal,
+    SimultaneousImpactsError,
+    UndecidedContactError,
+    refuse_contact,
+)
 from tamias2d.cost import Cost
-from tamias2d.errors import InputError
-from tamias2d.motion import ClosedForm, Legacy2018, Method, Motion, Reference, Tally
+from tamias2d.errors import InputError, SimulationError
+from tamias2d.motion import Legacy2018, Method, Motion, Stepped, Tally
 from tamias2d.motion.legacy import legacy_history
 from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.motion.reference import NoStepError
 from tamias2d.motion.stepped import grid
 from tamias2d.motion.track import sample
+from tamias2d.plan import Plan, planned
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import varying_loads
-from tamias2d.scene.exact import closed_forms
-from tamias2d.scene.rules import number, sequence
+from tamias2d.simulator import Frames, Overlap
 from tamias2d.state import Array, History
 
-_FRAMES = 60  # samples in a second, where nothing else is asked
-_MOST = 2**30  # bytes that a history, or the times of all steps, may take
+_UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError, FrictionError)
 
 
 class Interrupted(KeyboardInterrupt):
@@ -37,15 +48,6 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, run: Run) -> None:
         super().__init__(f"Run of {run.duration:g} s: interrupted at {run.times[-1]:.6g} s.")
         self.run = run
-
-
-class _Plan(NamedTuple):
-    scene: Scene
-    method: Method
-    duration: float
-    time_step: float | None
-    times: Array
-    notes: tuple[str, ...]
 
 
 def simulate(
@@ -62,9 +64,14 @@ def simulate(
 
     Impacts are located: the path of the method is followed to the instant at which a pair meets,
     and IM3 says how it parts. Without a `method` it is the closed form if all bodies have one, and
-    the reference otherwise. `times` are those of the samples, s, sorted and
-    within the run; without them it is 60 a second, or every step (`time_step`, s) of a stepped
-    method. `progress` shows a bar on standard error.
+    the reference otherwise; but contacts are stepped (`Stepped`, R12) where more than a hundred
+    moving bodies can meet, where a body is kinematic, a sensor or a compound, where bodies are so
+    near at the start that they are meant to touch, and from the start where impacts, located, came
+    to what rigid bodies leave open. The first of the run's `notes` says which way it was, and why.
+
+    `times` are those of the samples, s, sorted and within the run; without them it is 60 a second,
+    or every step (`time_step`, s) of a stepped method. Between steps through contacts states are
+    interpolated. `progress` shows a bar on standard error.
 
     With a `tolerance` method and step are those that meet it at the least cost, found by pilot
     runs, and the run has a certificate (`recommend` says what is bounded).
@@ -72,19 +79,29 @@ def simulate(
     Raises:
         InputError: an argument breaks a rule, or the history would take more than 1 GiB.
         SceneError: bodies overlap at the start, or a pair that meets has no restitution.
-        SimulationError: the answer is not unique, or not within the models; the message says
-            when, and the error's `run` is the history up to there.
+        SimulationError: by the method that was asked for the answer is not unique, or not within
+            the models; the message says when, and the error's `run` is the history up to there.
         ToleranceError: no method meets the tolerance; it says what can be met.
         RangeError: a number of the run, or its energy or momentum, is beyond float64.
         StabilityError: the method is unstable at the time step; told before it runs.
         StepSizeError: no step that float64 can take meets an adaptive method's tolerance.
         Interrupted: the user stopped it; likewise with its `run`.
     """
-    plan = _plan(scene, duration, method, time_step, times)
+    plan = planned(scene, duration, method, time_step, times)
     if tolerance is not None:
         return _within(plan, tolerance, chosen=method, progress=progress)
     with _within_range(plan.duration):
-        return _run(plan, progress)
+        try:
+            return _run(plan, progress)
+        except _UNDECIDED as refusal:
+            if method is not None:
+                raise
+            reason = f"impacts could be located up to {refusal.time:.6g} s. {refusal}"
+        except OverlapError as refusal:
+            if method is not None or refusal.share > MEANT_TO_TOUCH:
+                raise
+            reason = f"bodies touch at the start, and by rounding overlap. {refusal}"
+        return _run(plan.by_steps(reason), progress)
 
 
 @contextmanager
@@ -104,19 +121,21 @@ def _beyond(what: str) -> str:
     )
 
 
-def _run(plan: _Plan, progress: bool) -> Run:
+def _run(plan: Plan, progress: bool) -> Run:
     scene = plan.scene
     _refuse_singular(scene)
     _refuse_beyond(np.zeros(1), *balance(scene, _start(scene)))
     if isinstance(plan.method, Legacy2018):
         return _legacy(plan)
+    if isinstance(plan.method, Stepped):
+        return _stepped(plan, plan.method, progress)
     motion = plan.method.motion(scene, plan.duration, plan.time_step or plan.duration)
     located = Located(scene, motion)
     if not located.can_meet:
         history = _unhindered(plan, motion)
         return _finished(plan, history, _impacts([]), motion.notes, motion.tally)
     try:
-        _go(located, plan.duration, progress)
+        _go(located, plan, progress)
     except (Refusal, NoStepError) as refusal:
         refusal.run = _collected(plan, motion, located)
         raise
@@ -152,7 +171,7 @@ def _refuse_beyond(times: Array, *found: Array) -> None:
             raise RangeError(_beyond(f"run at {time!r} s: its {name}"), time=time)
 
 
-def _within(plan: _Plan, tolerance: float, *, chosen: Method | None, progress: bool) -> Run:
+def _within(plan: Plan, tolerance: float, *, chosen: Method | None, progress: bool) -> Run:
     if chosen is not None:
         raise InputError(
             f"tolerance {tolerance!r}: found method {chosen} beside it: the method follows from "
@@ -169,7 +188,7 @@ def _within(plan: _Plan, tolerance: float, *, chosen: Method | None, progress: b
     )
 
 
-def _unhindered(plan: _Plan, motion: Motion) -> History:
+def _unhindered(plan: Plan, motion: Motion) -> History:
     """Return the history of a scene in which nothing meets: by a kernel, where that pays."""
     if plan.time_step is not None:
         from tamias2d.kernels import flight
@@ -183,83 +202,7 @@ def _unhindered(plan: _Plan, motion: Motion) -> History:
     return motion.history(plan.times)
 
 
-def _plan(
-    scene: Scene,
-    duration: float,
-    method: Method | None,
-    time_step: float | None,
-    times: Iterable[float] | None,
-) -> _Plan:
-    duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
-    chosen, note = _method(scene, method)
-    if chosen.stepped != (time_step is not None):
-        need = "needs" if chosen.stepped else "chooses its own steps and takes no"
-        remedy = "Give time_step in s." if chosen.stepped else "Leave time_step out."
-        raise InputError(f"time_step {time_step!r}: {chosen} {need} time step (R5). {remedy}")
-    if time_step is not None:
-        time_step = number(time_step, "time_step", "the run", "Give it in s.", at=("time_step",))
-    _refuse_endless(scene, duration, time_step, kept=times is None)
-    steps = grid(duration, time_step or 1 / _FRAMES) if times is None else _samples(times, duration)
-    return _Plan(scene, chosen, duration, time_step, steps, (note,))
-
-
-def _refuse_endless(scene: Scene, duration: float, time_step: float | None, *, kept: bool) -> None:
-    """Refuse more steps or samples than memory should be asked for."""
-    if time_step is None and not kept:
-        return
-    count = duration / time_step if time_step else duration * _FRAMES
-    size = count * 8 * (6 * len(scene.bodies) + 5 if kept else 1)
-    if size <= _MOST:
-        return
-    what = f"time_step {time_step!r} s" if time_step else f"duration {duration!r} s"
-    makes = "steps" if time_step else f"samples, {_FRAMES} a second"
-    remedy = (
-        "a larger time_step, `times` of the samples"
-        if time_step and kept
-        else ("a larger time_step" if time_step else "`times` of the samples")
-    )
-    raise InputError(
-        f"{what} of the run: found {count:.3g} {makes}, which take {size / 2**30:.3g} GiB: must "
-        f"take at most {_MOST / 2**30:g} GiB (R5). Give {remedy}, or a shorter duration."
-    )
-
-
-def _method(scene: Scene, method: Method | None) -> tuple[Method, str]:
-    if method is None:
-        solved = closed_forms(scene)
-        for body, why in varying_loads(scene).items():
-            if body not in solved:
-                return Reference(), f"Reference(): '{scene.bodies[body].name}' is {why}"
-        forms = dict.fromkeys(solved.values())
-        if list(forms) == ["constant loads"] or not forms:
-            return ClosedForm(), "ClosedForm(): every force and torque is constant"
-        return ClosedForm(), f"ClosedForm(): every body has one, {', '.join(forms)}"
-    if not isinstance(method, Method):
-        raise InputError(
-            f"method {method!r}: must be a method of motion (R5). Give one such as ClosedForm() "
-            "or VelocityVerlet(), with its brackets."
-        )
-    return method, f"{method}: as asked"
-
-
-def _samples(times: Iterable[float], duration: float) -> Array:
-    remedy = "Give sorted times in s, from 0 to the duration."
-    values = sequence(times, "the run", remedy, at=("times",))
-    steps = [
-        number(value, "time", "the run", remedy, at=("times", k)) for k, value in enumerate(values)
-    ]
-    if not steps:
-        raise InputError(f"times of the run: found none: must be one or more (R5). {remedy}")
-    for k, (before, after) in enumerate(zip(steps, [*steps[1:], duration], strict=True)):
-        if after < before:
-            raise InputError(
-                f"times[{k}] {before!r} s of the run: {after!r} s follows: must be sorted, and "
-                f"within the duration of {duration!r} s (R5). {remedy}"
-            )
-    return np.array(steps)
-
-
-def _legacy(plan: _Plan) -> Run:
+def _legacy(plan: Plan) -> Run:
     times, history = legacy_history(plan.scene, plan.duration, plan.time_step or plan.duration)
     if not np.array_equal(times, plan.times):
         raise InputError(
@@ -273,19 +216,86 @@ def _legacy(plan: _Plan) -> Run:
     return _finished(plan._replace(times=times), history, _impacts([]), (), tally)
 
 
-def _go(located: Located, duration: float, progress: bool) -> None:
+def _stepped(plan: Plan, method: Stepped, progress: bool) -> Run:
+    """Follow a scene step by step through its contacts (R12)."""
+    frames = Frames(
+        plan.scene,
+        time_step=plan.time_step or plan.duration,
+        substeps=method.substeps,
+        times=plan.times,
+    )
+    try:
+        _go(frames, plan, progress)
+    except InputError:  # what was given was sound
+        raise RangeError(_beyond(f"run at {frames.time!r} s: a number"), time=frames.time) from None
+    except SimulationError as fault:
+        fault.run = _told(plan, frames)  # type: ignore[attr-defined]
+        raise
+    except KeyboardInterrupt:
+        raise Interrupted(_told(plan, frames)) from None
+    return _told(plan, frames)
+
+
+def _told(plan: Plan, frames: Frames) -> Run:
+    """Return the run up to the step that was reached, with what is known of its error."""
+    history = frames.history()
+    plan = plan._replace(times=plan.times[: len(history.position)])
+    tally = Tally(steps=frames.steps, force_evaluations=frames.steps)
+    run = _finished(plan, history, _begun(frames), (), tally)
+    names = [body.name for body in plan.scene.bodies]
+    notes = (
+        f"contacts: told at the ends of steps; {frames.contacts} points pushed, over all steps",
+        _overlap(frames.deepest, names),
+        f"energy: {run.energy[0]:.6g} J at first, {run.energy[-1]:.6g} J at last, "
+        f"never more than {run.energy.max():.6g} J",
+        "error: not bounded; `certify` finds how much shorter steps change",
+    )
+    cost = replace(_cost(run.impacts, tally), contacts=frames.contacts)
+    return replace(run, notes=run.notes + notes, cost=cost)
+
+
+def _overlap(deepest: Overlap | None, names: Sequence[str]) -> str:
+    if deepest is None:
+        return "overlap: none"
+    a, b = (names[k] for k in deepest.bodies)
+    return (
+        f"overlap: at most {deepest.share:.2g} of the size of the smaller body, "
+        f"{deepest.depth:.2g} m of '{a}' and '{b}' at {deepest.time:.4g} s"
+    )
+
+
+def _begun(frames: Frames) -> Impacts:
+    """Return the pairs that began to touch, as they are told of each step."""
+    met = [one.contacts for one in frames.met]
+    return Impacts(
+        time=np.repeat([one.time for one in frames.met], [len(one) for one in met]),
+        bodies=np.concatenate([np.zeros((0, 2), np.int64), *(one.bodies for one in met)]),
+        point=np.concatenate([np.zeros((0, 2)), *(one.point for one in met)]),
+        normal=np.concatenate([np.zeros((0, 2)), *(one.normal for one in met)]),
+        impulse=np.concatenate([np.zeros(0), *(one.impulse for one in met)]),
+        normal_velocity=np.concatenate([np.zeros(0), *(one.normal_velocity for one in frames.met)]),
+    )
+
+
+class _Followed(Protocol):
+    """What goes on to a time in s, and tells of each that it reaches."""
+
+    def go(self, duration: float, *, told: Callable[[float], None] = ...) -> None: ...
+
+
+def _go(way: _Followed, plan: Plan, progress: bool) -> None:
     if not progress:
-        located.go(duration)
+        way.go(plan.duration)
         return
     from rich.console import Console
     from rich.progress import Progress
 
     with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("simulating", total=duration)
-        located.go(duration, told=lambda time: bar.update(task, completed=time))
+        task = bar.add_task("simulating", total=plan.duration)
+        way.go(plan.duration, told=lambda time: bar.update(task, completed=time))
 
 
-def _collected(plan: _Plan, motion: Motion, located: Located) -> Run:
+def _collected(plan: Plan, motion: Motion, located: Located) -> Run:
     """Return the run up to the time that was reached."""
     reached = plan.times[plan.times <= located.time]
     plan = plan._replace(times=reached if len(reached) else plan.times[:1])
@@ -297,7 +307,7 @@ def _collected(plan: _Plan, motion: Motion, located: Located) -> Run:
 
 
 def _finished(
-    plan: _Plan, history: History, impacts: Impacts, notes: tuple[str, ...], tally: Tally
+    plan: Plan, history: History, impacts: Impacts, notes: tuple[str, ...], tally: Tally
 ) -> Run:
     energy, momentum, angular_momentum = balance(plan.scene, history)
     _refuse_beyond(plan.times, energy, momentum, angular_momentum)

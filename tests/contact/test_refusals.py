@@ -35,7 +35,7 @@ def test_cradle_with_gaps_passes_the_blow_on():
 def test_touching_cradle_is_refused():
     """B7: rigid bodies do not say how a blow goes through bodies that touch."""
     with pytest.raises(SimultaneousImpactsError, match="small gap") as refusal:
-        t2.simulate(cradle(0.0), duration=4.0)
+        t2.simulate(cradle(0.0), duration=4.0, method=t2.ClosedForm())
     assert refusal.value.time == pytest.approx(2.0)
     assert refusal.value.code == "simultaneous-impacts"
     assert isinstance(refusal.value, SimulationError)
@@ -62,7 +62,7 @@ def test_disc_into_a_right_corner_comes_straight_back():
 
 def test_disc_into_another_corner_is_refused():
     with pytest.raises(SimultaneousImpactsError, match=r"'body0'.*'body2' meet 'body1'"):
-        t2.simulate(wedge(0.6), duration=2.0)
+        t2.simulate(wedge(0.6), duration=2.0, method=t2.ClosedForm())
 
 
 @pytest.mark.parametrize(("speed", "restitution"), [(0, 1), (1, 0)])
@@ -74,7 +74,7 @@ def test_corner_that_stays_on_a_corner_is_refused(speed: float, restitution: flo
     scene.add_body(box, mass=1, position=(apart, apart), velocity=(-speed, -speed))
     scene.set_restitution(0, 1, restitution)
     with pytest.raises(UndecidedContactError, match="corner meets corner"):
-        t2.simulate(scene, duration=4.0)
+        t2.simulate(scene, duration=4.0, method=t2.ClosedForm())
 
 
 def test_moving_bodies_that_press_and_turn_are_refused():
@@ -83,7 +83,7 @@ def test_moving_bodies_that_press_and_turn_are_refused():
     scene.add_body(DISC, mass=1, position=(0, 0), force=(0, 1), restitution=0)
     scene.add_body(DISC, mass=1, position=(math.sin(0.1), math.cos(0.1)), force=(0, -1))
     with pytest.raises(LastingContactError, match="turns"):
-        t2.simulate(scene, duration=4.0)
+        t2.simulate(scene, duration=4.0, method=t2.ClosedForm())
 
 
 def test_overlap_names_both_and_the_depth():

@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tamias2d.contact import LastingContactError, UndecidedContactError
+from tamias2d.motion import Reference
 from tamias2d.scene import Box, Disc, HalfPlane, Scene
 from tamias2d.simulate import simulate
 
@@ -99,7 +100,7 @@ def test_bodies_on_each_other_under_loads_that_vary_are_refused_by_name() -> Non
     with pytest.raises(
         LastingContactError, match=r"'lower' and 'upper' at 0\.0 s: .* while loads vary"
     ):
-        simulate(scene, duration=1)
+        simulate(scene, duration=1, method=Reference())
 
 
 def test_a_stack_at_rest_in_the_air_stands() -> None:
@@ -119,5 +120,5 @@ def test_a_box_that_a_growing_torque_tips_is_refused_when_it_tips() -> None:
     """The weight of 20 N acts 0.5 m inside the corner: it holds 10 N m, which 4 N m/s reach."""
     scene = on_the_floor(Box(width=1, height=1), torque="4[N*m/s]*time")
     with pytest.raises(UndecidedContactError, match="contacts last or open") as caught:
-        simulate(scene, duration=4)
+        simulate(scene, duration=4, method=Reference())
     assert caught.value.time == pytest.approx(2.5, abs=1e-9)

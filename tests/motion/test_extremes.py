@@ -90,7 +90,7 @@ def test_a_pair_that_meets_without_end_is_refused(monkeypatch):
     """As when an impact leaves everything as it was."""
     monkeypatch.setattr(located.Located, "_happens", lambda self, *_: self._predict([0, 1]))
     with pytest.raises(UndecidedContactError, match="again and again"):
-        t2.simulate(spinning(1.0), duration=2.0)
+        t2.simulate(spinning(1.0), duration=2.0, method=t2.ClosedForm())
 
 
 def test_an_interrupt_before_the_first_path_gets_through(monkeypatch):

@@ -18,8 +18,10 @@ from tamias2d.contact.refusal import (
     UndecidedContactError,
     UnlocatedContactError,
 )
+from tamias2d.contact.way import MEANT_TO_TOUCH, steps_because
 
 __all__ = [
+    "MEANT_TO_TOUCH",
     "FrictionError",
     "Hit",
     "LastingContactError",
@@ -31,4 +33,5 @@ __all__ = [
     "UndecidedContactError",
     "UnlocatedContactError",
     "refuse_contact",
+    "steps_because",
 ]

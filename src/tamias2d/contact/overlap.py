@@ -16,11 +16,16 @@ from tamias2d.state import Array, History, State
 
 
 def refuse_overlap(cores: Sequence[Core], states: Sequence[State]) -> None:
-    """Raise `OverlapError` if two bodies overlap at the start."""
-    for a, b, depth in _overlaps(cores, states):
+    """Raise `OverlapError` if two bodies overlap at the start; it is about the worst of them."""
+    found = [
+        (depth / min(a.bounding_radius, b.bounding_radius), a.name, b.name, depth)
+        for a, b, depth in _overlaps(cores, states)
+    ]
+    for share, a, b, depth in sorted(found, reverse=True)[:1]:
         raise OverlapError(
-            f"{named(a.name, b.name)}: they overlap by {depth:.6g} m at the start: bodies must not "
-            "(R4). Move them apart."
+            f"{named(a, b)}: they overlap by {depth:.6g} m at the start: bodies must not "
+            "(R4). Move them apart.",
+            share=share,
         )
 
 

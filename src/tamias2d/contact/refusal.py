@@ -64,9 +64,13 @@ class StepwiseError(SceneError):
 
 
 class OverlapError(SceneError):
-    """Bodies overlap at the start of a run."""
+    """Bodies overlap at the start of a run, by some `share` of the size of the smaller one."""
 
     code = "overlap"
+
+    def __init__(self, message: str, *, share: float) -> None:
+        super().__init__(message)
+        self.share = share
 
 
 def named(*names: str) -> str:

@@ -14,7 +14,7 @@ def refuse_stepwise(scene: Scene) -> None:
             raise StepwiseError(
                 f"body '{body.name}': {what}: impacts are located only between bodies of one "
                 "piece that stand still or move freely (R8). "
-                "Step the scene: Simulator(scene).step()."
+                "Step it: method=Stepped(), or none; or Simulator(scene).step()."
             )
 
 

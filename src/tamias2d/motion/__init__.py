@@ -16,6 +16,7 @@ from tamias2d.motion.methods import (
     Reference,
     RungeKutta4,
     SemiImplicitEuler,
+    Stepped,
     VelocityVerlet,
     Yoshida4,
 )
@@ -39,6 +40,7 @@ __all__ = [
     "SemiImplicitEuler",
     "StabilityError",
     "StepSizeError",
+    "Stepped",
     "Tally",
     "VelocityVerlet",
     "Yoshida4",

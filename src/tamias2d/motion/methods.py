@@ -195,6 +195,30 @@ class Legacy2018(Method):
 
 
 @dataclass(frozen=True)
+class Stepped(Method):
+    """Contacts solved in `substeps` of each step: for piles, stacks and all that stays in touch.
+
+    Impacts are not located, and what several contacts at once leave open is decided by the order in
+    which they are solved. Free flight is exact; bodies that overlap are pushed apart.
+    """
+
+    substeps: int = 4
+    stepped = True
+
+    def __post_init__(self) -> None:
+        whole = isinstance(self.substeps, int) and not isinstance(self.substeps, bool)
+        if not whole or self.substeps < 1:
+            raise InputError(
+                f"substeps {self.substeps!r} of Stepped: must be a whole number of at least 1 "
+                "(R12). Give one such as 4; more make contacts firmer."
+            )
+
+    def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
+        """Raise: contacts are part of its steps, so that there is no motion without them."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
 class Reference(Method):
     """scipy's DOP853 at a relative tolerance `rtol`, for loads that vary with time."""
 

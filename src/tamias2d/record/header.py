@@ -37,6 +37,7 @@ METHODS: dict[str, Any] = {
         methods.Dop853,
         methods.Legacy2018,
         methods.Reference,
+        methods.Stepped,
     )
 }
 

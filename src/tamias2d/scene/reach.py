@@ -47,17 +47,21 @@ def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
         for k, body in bounded
         if body.dynamic and _reaches(body, wall, scene.gravity, loads.get(k), duration)
     ]
-    bounds = [_swept(body, scene.gravity, loads.get(k), duration) for k, body in bounded]
     moves = np.array([body.dynamic for _, body in bounded], dtype=bool)
     index = [k for k, _ in bounded]
-    found += [_ordered(index[one], index[other]) for one, other in _overlaps(bounds, moves)]
+    for gravity, both in ((scene.gravity, False), ((0.0, 0.0), True)):  # all fall alike
+        bounds = [_swept(body, gravity, loads.get(k), duration) for k, body in bounded]
+        met = _overlaps(bounds, moves, both=both)
+        found += [_ordered(index[one], index[other]) for one, other in met]
     if any(filters(body) for _, body in solid):
         found = [pair for pair in found if scene.collides(*pair)]
     return sorted(found)
 
 
-def _overlaps(bounds: list[_Bounds], moves: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
-    """Find all overlaps of which one moves, by place.
+def _overlaps(
+    bounds: list[_Bounds], moves: NDArray[np.bool_], *, both: bool
+) -> Iterator[tuple[int, int]]:
+    """Find all overlaps, by place, of which both move, or one.
 
     A box is compared with those that start before it ends (along x).
     """
@@ -72,7 +76,8 @@ def _overlaps(bounds: list[_Bounds], moves: NDArray[np.bool_]) -> Iterator[tuple
         meets = detection.overlap(
             (x[k], y[k]), width[k], height[k], (x[near], y[near]), width[near], height[near]
         )
-        others = order[near][meets & (moves[near] | moves[k])]
+        wanted = moves[near] & moves[k] if both else moves[near] != moves[k]
+        others = order[near][meets & wanted]
         yield from ((int(order[k]), other) for other in others.tolist())
 
 

@@ -9,6 +9,7 @@ nothing; else all schemes that suit its forces. A pilot finds what each would co
 import math
 from dataclasses import dataclass, replace
 
+from tamias2d.contact import steps_because
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.motion import (
     ClosedForm,
@@ -68,6 +69,13 @@ def recommend(scene: Scene, *, duration: float, tolerance: float) -> Plan:
     """
     duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
     tolerance = checked_tolerance(tolerance)
+    if reason := steps_because(scene, duration):
+        raise ToleranceError(
+            f"tolerance {tolerance:g}: {reason}: contacts are stepped, and no step is known to "
+            "meet it (R12). Leave it out, and `certify` the run: it shows what shorter steps "
+            "change.",
+            None,
+        )
     if solved(scene):
         why = "costs nothing more than its impacts"
         return Plan(tolerance, (Estimate(ClosedForm(), None, 0.0, 0.0, None, why),), 0)

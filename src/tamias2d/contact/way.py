@@ -1,0 +1,29 @@
+"""Which way leads through the contacts of a scene: impacts located, or steps.
+
+Serves: `simulate`, the study of tolerances, `explain`. Hides: when contacts are too many.
+"""
+
+from tamias2d.contact.stepwise import beyond_location
+from tamias2d.scene import Scene
+from tamias2d.scene.reach import pairs_that_can_meet
+
+MANY = 100
+"""So many bodies that move and can meet are followed from impact to impact, and no more."""
+MEANT_TO_TOUCH = 1e-6
+"""Bodies that overlap by a smaller part of their size at the start are meant to touch there."""
+
+
+def steps_because(scene: Scene, duration: float) -> str | None:
+    """Return why a scene is stepped through its contacts for a duration in s, or None (R12).
+
+    It is where impacts cannot be located at all, and where more than a hundred moving bodies can
+    meet. All others are tried: the located way is exact where it can go.
+    """
+    for body in scene.bodies:
+        if what := beyond_location(body):
+            return f"body '{body.name}': {what}"
+    if sum(body.dynamic and body.shape is not None for body in scene.bodies) <= MANY:
+        return None
+    meeting = {k for pair in pairs_that_can_meet(scene, duration) for k in pair}
+    count = sum(scene.bodies[k].dynamic for k in meeting)
+    return f"{count} moving bodies can meet, more than {MANY}" if count > MANY else None

@@ -1,0 +1,132 @@
+"""What a run is asked for, checked: the way, the step, the samples.
+
+Serves: `simulate`. Hides: how arguments are checked, and what is taken where nothing is asked.
+"""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.contact import steps_because
+from tamias2d.errors import InputError
+from tamias2d.motion import ClosedForm, Method, Reference, Stepped
+from tamias2d.motion.stepped import grid
+from tamias2d.scene import Scene
+from tamias2d.scene.acting import varying_loads
+from tamias2d.scene.exact import closed_forms
+from tamias2d.scene.rules import number, sequence
+from tamias2d.state import Array
+
+FRAMES = 60
+"""Samples in a second, where nothing else is asked; and steps, where contacts are stepped."""
+_MOST = 2**30  # bytes that a history, or the times of all steps, may take
+
+
+class Plan(NamedTuple):
+    """A run before it is run; times (k,), duration and time step in s."""
+
+    scene: Scene
+    method: Method
+    duration: float
+    time_step: float | None
+    times: Array
+    notes: tuple[str, ...]
+
+    def by_steps(self, reason: str) -> "Plan":
+        """Return the same run stepped through its contacts, for a reason."""
+        method = Stepped()
+        return self._replace(
+            method=method, time_step=1 / FRAMES, notes=(f"{method}, 1/{FRAMES} s: {reason}",)
+        )
+
+
+def planned(
+    scene: Scene,
+    duration: float,
+    method: Method | None,
+    time_step: float | None,
+    times: Iterable[float] | None,
+) -> Plan:
+    """Return what to do, where nothing that was asked breaks a rule.
+
+    Raises:
+        InputError: an argument does, or the history would take more than 1 GiB.
+    """
+    duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
+    chosen, note, usual = _method(scene, method, duration)
+    time_step = usual if time_step is None else time_step
+    if chosen.stepped != (time_step is not None):
+        need = "needs" if chosen.stepped else "chooses its own steps and takes no"
+        remedy = "Give time_step in s." if chosen.stepped else "Leave time_step out."
+        raise InputError(f"time_step {time_step!r}: {chosen} {need} time step (R5). {remedy}")
+    if time_step is not None:
+        time_step = number(time_step, "time_step", "the run", "Give it in s.", at=("time_step",))
+    _refuse_endless(scene, duration, time_step, kept=times is None)
+    steps = grid(duration, time_step or 1 / FRAMES) if times is None else _samples(times, duration)
+    return Plan(scene, chosen, duration, time_step, steps, (note,))
+
+
+def _refuse_endless(scene: Scene, duration: float, time_step: float | None, *, kept: bool) -> None:
+    """Refuse more steps or samples than memory should be asked for."""
+    if time_step is None and not kept:
+        return
+    count = duration / time_step if time_step else duration * FRAMES
+    size = count * 8 * (6 * len(scene.bodies) + 5 if kept else 1)
+    if size <= _MOST:
+        return
+    what = f"time_step {time_step!r} s" if time_step else f"duration {duration!r} s"
+    makes = "steps" if time_step else f"samples, {FRAMES} a second"
+    remedy = (
+        "a larger time_step, `times` of the samples"
+        if time_step and kept
+        else ("a larger time_step" if time_step else "`times` of the samples")
+    )
+    raise InputError(
+        f"{what} of the run: found {count:.3g} {makes}, which take {size / 2**30:.3g} GiB: must "
+        f"take at most {_MOST / 2**30:g} GiB (R5). Give {remedy}, or a shorter duration."
+    )
+
+
+def _method(
+    scene: Scene, method: Method | None, duration: float
+) -> tuple[Method, str, float | None]:
+    """Return the way with the reason for it, and the step that it takes if none is asked for."""
+    if method is None:
+        if reason := steps_because(scene, duration):
+            return Stepped(), f"{Stepped()}: {reason}", 1 / FRAMES
+        return *_located(scene), None
+    if not isinstance(method, Method):
+        raise InputError(
+            f"method {method!r}: must be a method of motion (R5). Give one such as ClosedForm() "
+            "or VelocityVerlet(), with its brackets."
+        )
+    return method, f"{method}: as asked", None
+
+
+def _located(scene: Scene) -> tuple[Method, str]:
+    solved = closed_forms(scene)
+    for body, why in varying_loads(scene).items():
+        if body not in solved:
+            return Reference(), f"Reference(): '{scene.bodies[body].name}' is {why}"
+    forms = dict.fromkeys(solved.values())
+    if list(forms) == ["constant loads"] or not forms:
+        return ClosedForm(), "ClosedForm(): every force and torque is constant"
+    return ClosedForm(), f"ClosedForm(): every body has one, {', '.join(forms)}"
+
+
+def _samples(times: Iterable[float], duration: float) -> Array:
+    remedy = "Give sorted times in s, from 0 to the duration."
+    values = sequence(times, "the run", remedy, at=("times",))
+    steps = [
+        number(value, "time", "the run", remedy, at=("times", k)) for k, value in enumerate(values)
+    ]
+    if not steps:
+        raise InputError(f"times of the run: found none: must be one or more (R5). {remedy}")
+    for k, (before, after) in enumerate(zip(steps, [*steps[1:], duration], strict=True)):
+        if after < before:
+            raise InputError(
+                f"times[{k}] {before!r} s of the run: {after!r} s follows: must be sorted, and "
+                f"within the duration of {duration!r} s (R5). {remedy}"
+            )
+    return np.array(steps)

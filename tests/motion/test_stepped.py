@@ -1,0 +1,202 @@
+"""Which way `simulate` takes through contacts, and what a run by steps is and says."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tamias2d import record
+from tamias2d.contact import LastingContactError, OverlapError, SimultaneousImpactsError
+from tamias2d.motion import ClosedForm, Stepped
+from tamias2d.simulate import Interrupted
+
+G = 9.81
+FLOOR = t2.HalfPlane(normal=(0, 1), offset=0)
+BOX = t2.Box(width=1, height=1)
+WAY = {
+    "pyramid-30": "moving bodies can meet, more than 100",
+    "disc-pile": "moving bodies can meet, more than 100",
+    "tumbler": "body 'drum': it is kinematic",
+    "dominoes": "impacts could be located up to 0.264046 s",
+    "bullet-wall": "impacts could be located up to 0.049925 s",
+    "arch": "bodies touch at the start",
+    "card-house": "bodies touch at the start",
+    "cradle-touching": "impacts could be located up to 2 s",
+}
+
+
+def column(count: int = 3, *, gap: float = 0.0) -> t2.Scene:
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(FLOOR, friction=0.5, restitution=0, name="floor")
+    for k in range(count):
+        place = (0.0, 0.5 + gap + k * (1 + gap))
+        scene.add_body(BOX, mass=1, position=place, friction=0.5, restitution=0)
+    return scene
+
+
+def conveyor() -> t2.Scene:
+    """A box that is put on a belt, which takes it along."""
+    scene = t2.Scene(gravity=(0, -G))
+    belt = t2.Box(width=40, height=1)
+    scene.add_kinematic(belt, position=(0, -0.5), velocity=(1, 0), friction=0.5, name="belt")
+    scene.add_body(BOX, mass=2, position=(0, 0.5), friction=0.5, restitution=0)
+    return scene
+
+
+@pytest.mark.parametrize("name", WAY)
+def test_scenes_of_the_catalogue_that_are_stepped_say_why(name: str) -> None:
+    scene = t2.catalogue.load(name)
+    run = t2.simulate(scene, duration=1.0 if len(scene) > 100 else 2.1)
+    assert run.method == Stepped()
+    assert run.time_step == 1 / 60
+    assert WAY[name] in run.notes[0]
+
+
+@pytest.mark.parametrize("name", ["stack-10-heavy", "free-discs", "billiard", "resting", "cradle"])
+def test_scenes_of_the_catalogue_that_can_be_located_are(name: str) -> None:
+    run = t2.simulate(t2.catalogue.load(name), duration=0.5)
+    assert run.method == ClosedForm()
+    assert run.cost is not None
+    assert run.cost.contacts == 0
+
+
+def test_a_method_that_is_asked_for_is_taken_and_refuses_by_name() -> None:
+    scene = t2.catalogue.load("cradle-touching")
+    with pytest.raises(SimultaneousImpactsError):
+        t2.simulate(scene, duration=3.0, method=ClosedForm())
+    run = t2.simulate(t2.catalogue.load("tc3"), duration=0.5, method=Stepped(), time_step=0.01)
+    assert run.notes[0] == "Stepped(substeps=4): as asked"
+
+
+def test_bodies_that_overlap_by_more_than_rounding_are_refused_unless_steps_are_asked_for() -> None:
+    scene = column(2, gap=-1e-3)
+    with pytest.raises(OverlapError):
+        t2.simulate(scene, duration=0.5)
+    run = t2.simulate(scene, duration=0.5, method=Stepped(), time_step=1 / 60)
+    assert "of the smaller body, 0.001" in run.notes[2]  # m
+    assert t2.simulate(column(2, gap=-1e-9), duration=0.5).method == Stepped()
+
+
+def test_the_shape_of_a_run() -> None:
+    run = t2.simulate(conveyor(), duration=1.0, method=Stepped(substeps=2), time_step=0.01)
+    assert run.times == pytest.approx(np.arange(101) / 100)
+    assert run.position.shape == run.velocity.shape == (101, 2, 2)
+    assert run.orientation.shape == run.angular_velocity.shape == (101, 2)
+    assert run.energy.shape == run.angular_momentum.shape == (101,)
+    assert run.momentum[:, 0] == pytest.approx(2 * run.velocity[:, 1, 0])
+    assert run.cost is not None
+    assert run.cost.steps == 100
+    assert run.cost.contacts == 200  # a box on its side: two points a step
+    assert run.cost.impacts == 1
+    assert run.impacts.bodies.tolist() == [[0, 1]]
+    assert run.impacts.time.tolist() == [0.01]
+    assert run.impacts.normal == pytest.approx(np.array([[0, 1]]))
+    assert run.impacts.impulse == pytest.approx(2 * G * 0.01, rel=0.05)  # it sinks in a little
+    words = [note.split(":")[0] for note in run.notes[1:]]
+    assert words == ["contacts", "overlap", "energy", "error"]
+
+
+def test_a_belt_takes_a_box_along_as_friction_says() -> None:
+    """It slides for v/(mu g), and then rides: x = v t - v^2/(2 mu g); by the law of friction."""
+    run = t2.simulate(conveyor(), duration=2.0)
+    assert run.velocity[-1, 1] == pytest.approx((1.0, 0.0), abs=1e-6)
+    ridden = 2.0 - 1 / (2 * 0.5 * G)
+    assert run.position[-1, 1, 0] == pytest.approx(ridden, abs=1 / 60 * 0.5)  # half a step of it
+    assert run.position[-1, 0, 0] == pytest.approx(2.0)
+
+
+def test_the_approach_of_what_begins_to_touch() -> None:
+    """A box dropped from 1 m meets the floor at sqrt(2 g h), within what one step changes."""
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(FLOOR, restitution=0)
+    scene.add_body(BOX, mass=3, position=(0, 1.5), restitution=0)
+    run = t2.simulate(scene, duration=1.0, method=Stepped(), time_step=1e-3)
+    speed = math.sqrt(2 * G)
+    assert run.impacts.time[0] == pytest.approx(speed / G, abs=2e-3)
+    assert -run.impacts.normal_velocity[0] == pytest.approx(speed, abs=2e-3 * G)
+    assert run.impacts.impulse.max() <= 3 * speed * 1.01
+
+
+def test_samples_at_the_ends_of_steps_are_states_of_the_simulator() -> None:
+    scene = t2.catalogue.load("arch")
+    run = t2.simulate(scene, duration=0.5)
+    sim = t2.Simulator(scene)
+    for k in range(1, 31):
+        sim.step()
+        assert (run.position[k] == sim.position).all()
+        assert (run.angular_velocity[k] == sim.angular_velocity).all()
+
+
+def test_samples_between_steps_lie_between_their_states() -> None:
+    scene = column(2, gap=0.1)
+    step = 0.02
+    times = [0.0, 0.01, 0.02, 0.025, 0.0999]
+    run = t2.simulate(scene, duration=0.0999, method=Stepped(), time_step=step, times=times)
+    ends = t2.simulate(scene, duration=0.1, method=Stepped(), time_step=step)
+    assert len(run.times) == 5
+    np.testing.assert_array_equal(run.position[2], ends.position[1])
+    between = 0.75 * ends.position[1] + 0.25 * ends.position[2]
+    np.testing.assert_allclose(run.position[3], between, rtol=0, atol=1e-15)
+    assert run.cost is not None
+    assert run.cost.steps == 5
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".rrd"])
+def test_a_recording_is_computed_again_to_the_bit(tmp_path: Path, suffix: str) -> None:
+    if suffix == ".rrd":
+        pytest.importorskip("rerun")
+    run = t2.simulate(t2.catalogue.load("dominoes"), duration=1.0)
+    assert len(run.impacts)
+    run.save(tmp_path / f"run{suffix}")
+    answer = record.check(tmp_path / f"run{suffix}")
+    assert answer.identical, answer.says
+
+
+@pytest.mark.parametrize("substeps", [0, -1, 1.5, True, "4", math.nan])
+def test_wrong_substeps_are_refused(substeps: object) -> None:
+    with pytest.raises(t2.InputError, match=r"substeps .* whole number"):
+        Stepped(substeps=substeps)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("step", [None, 0, -1.0, math.nan, math.inf])
+def test_wrong_steps_are_refused(step: float | None) -> None:
+    with pytest.raises(t2.InputError, match=r"time.step"):
+        t2.simulate(column(), duration=1.0, method=Stepped(), time_step=step)
+
+
+def test_what_float64_cannot_hold_is_refused() -> None:
+    scene = t2.Scene(gravity=(0, -1e308))
+    scene.add_body(BOX, mass=1, position=(0, 0), restitution=0)
+    with pytest.raises(t2.SimulationError, match="beyond what float64 holds"):
+        t2.simulate(scene, duration=100.0, method=Stepped(), time_step=1.0)
+
+
+def test_a_tolerance_is_refused_where_contacts_are_stepped() -> None:
+    with pytest.raises(t2.ToleranceError, match=r"'belt': it is kinematic.*Leave"):
+        t2.simulate(conveyor(), duration=1.0, tolerance=1e-3)
+    with pytest.raises(t2.ToleranceError, match="more than 100"):
+        t2.recommend(t2.catalogue.load("pyramid-30"), duration=1.0, tolerance=1e-3)
+    slope = t2.Scene(gravity=(1, -1))
+    slope.add_static(FLOOR, friction=0.1, restitution=0)
+    for y in (0.5, 1.5):
+        slope.add_body(BOX, mass=1, position=(0, y), friction=0.1)
+    with pytest.raises(LastingContactError):
+        t2.simulate(slope, duration=1.0, tolerance=1e-3)
+
+
+def test_an_interrupted_run_keeps_the_steps_that_were_taken(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    taken = t2.Simulator.step
+
+    def stop(sim: t2.Simulator, count: int = 1) -> None:
+        if sim.time > 0.4:
+            raise KeyboardInterrupt
+        taken(sim, count)
+
+    monkeypatch.setattr(t2.Simulator, "step", stop)
+    with pytest.raises(Interrupted, match=r"interrupted at 0\.41") as stopped:
+        t2.simulate(conveyor(), duration=1.0)
+    assert len(stopped.value.run.position) == len(stopped.value.run.times) == 26
