@@ -7,26 +7,33 @@ Cost: about as many visits as there are contacts. Source: Tarjan and van Leeuwen
 path halving.
 """
 
-from tamias2d.stepped.layout import DYNAMIC, HITS, ISLAND, Whole
+from tamias2d.stepped.layout import DYNAMIC, HITS, ISLAND, TURN_IN, Whole
+
+LAST = 2**62
 
 
 def find_islands(
     counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, island: Whole
 ) -> None:
-    """Give each body that moves freely the lowest row of its island's bodies.
+    """Give each body that moves freely the row of that body of its island which touches first.
 
-    `hits` holds the touching pairs in its first row.
+    `hits` holds the touching pairs in its first row, in canonical order: so it is not the order of
+    rows that decides from where an island is seen.
     """
     for i in range(len(kind)):
-        island[i, ISLAND] = i
+        island[i, ISLAND], island[i, TURN_IN] = i, LAST
     for k in range(counts[HITS]):
         p = hits[0, k]
         i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+        island[i, TURN_IN] = min(island[i, TURN_IN], 2 * k)
+        island[j, TURN_IN] = min(island[j, TURN_IN], 2 * k + 1)
         if kind[i] == DYNAMIC and kind[j] == DYNAMIC:
             i, j = root_of(i, island), root_of(j, island)
-            island[max(i, j), ISLAND] = min(i, j)
-    for i in range(len(kind)):  # what leads there has a lower row, which is done already
-        island[i, ISLAND] = island[island[i, ISLAND], ISLAND]
+            if island[j, TURN_IN] < island[i, TURN_IN]:
+                i, j = j, i
+            island[j, ISLAND] = i
+    for i in range(len(kind)):
+        island[i, ISLAND] = root_of(i, island)
 
 
 def root_of(i: int, island: Whole) -> int:

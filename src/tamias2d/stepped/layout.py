@@ -45,16 +45,17 @@ ANGULAR = 3  # columns from the flow of the velocity to that of the spin
 # home (n+1, 6): where the centre may be until pairs are looked for again, m; then its turn, rad
 LOW_X, LOW_Y, HIGH_X, HIGH_Y, HOME_TURN, TURN_ROOM = 0, 1, 2, 3, 4, 5
 
-# island (n+1, 6), as whole numbers: the lowest row of those that touch each other; for how many
-# steps it has been quiet; by what name its island sleeps, 0 awake; whether it may wake others; what
-# it touches; and, of the lowest row, for how many steps all have been quiet
-ISLAND, QUIET, NIGHT, LIVE, COMPANY, PEACE = 0, 1, 2, 3, 4, 5
+# island (n+1, 7), as whole numbers: the root, which is the first in canonical order of those that
+# touch each other; for how many steps it has been quiet; by what name its island sleeps, 0 awake;
+# whether it may wake others; what it touches; of the root, for how many steps all have been quiet;
+# and its turn in the order of touching
+ISLAND, QUIET, NIGHT, LIVE, COMPANY, PEACE, TURN_IN = 0, 1, 2, 3, 4, 5, 6
 
 # rest (n+1, 8): pose, load and gravity with which it fell asleep
 REST_LOAD, REST_GRAVITY = 3, 6
 
 # energy (n+1, 20): velocities as the step began, and before bouncing; then of the island whose
-# lowest row this is: the motion of what it leans on, whether it does, and sums, J
+# root this is: the motion of what it leans on, whether it does, and sums, J
 EARLIER, UNBOUNCED, SEEN, LEANS, SUMS = 0, 3, 6, 9, 10
 ENERGIES = 20
 

@@ -63,7 +63,7 @@ class World:
         self.carried = np.zeros((1, 6))
         self.kind = np.zeros(1, dtype=np.int8)
         self.used = np.zeros(1, dtype=np.int64)
-        self.island = np.zeros((1, 6), dtype=np.int64)
+        self.island = np.zeros((1, 7), dtype=np.int64)
         self.rest = np.zeros((1, 8))
         self.energy = np.zeros((1, ENERGIES))
         self.ranked = np.zeros((2, 0), dtype=np.int64)
