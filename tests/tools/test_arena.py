@@ -19,7 +19,7 @@ PEERS = [Chipmunk, Box2D]
 
 def zoo():
     scene = t2.Scene(gravity=(0.0, 0.0))
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=-50.0))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=-50.0), restitution=0.0)
     ell = t2.Compound(
         parts=[
             t2.Part(shape=t2.Box(width=2.0, height=0.5), position=(0.0, 0.0)),
@@ -32,10 +32,14 @@ def zoo():
     for k, shape in enumerate(shapes):
         scene.add_body(
             shape, mass=1.0 + k, position=(5.0 * k, 1.0 - k), velocity=(0.5, k),
-            orientation=0.3 * k, angular_velocity=0.1 * k,
+            orientation=0.3 * k, angular_velocity=0.1 * k, restitution=0.0,
         )  # fmt: skip
-    scene.add_static(t2.Segment(length=3.0), position=(-7.0, -7.0), orientation=0.5)
-    scene.add_kinematic(ell, position=(-20.0, 0.0), velocity=(-1.0, 2.0), angular_velocity=0.25)
+    scene.add_static(
+        t2.Segment(length=3.0), position=(-7.0, -7.0), orientation=0.5, restitution=0.0
+    )
+    scene.add_kinematic(
+        ell, position=(-20.0, 0.0), velocity=(-1.0, 2.0), angular_velocity=0.25, restitution=0.0
+    )
     return scene
 
 

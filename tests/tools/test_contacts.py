@@ -39,10 +39,12 @@ def test_the_table_has_every_engine_on_every_scene(measured):
     assert (folder / "contacts.png").stat().st_size > 10_000
 
 
-def test_a_ratio_is_of_one_repetition():
-    times = Times({"one": [1.0, 10.0, 3.0], "other": [2.0, 30.0, 3.0]})
-    assert times.median("one") == 3.0
-    assert times.ratio("other", "one") == 2.0
+def test_a_burst_in_one_turn_of_one_repetition_does_not_count():
+    quiet = [[1.0, 2.0], [1.0, 2.0], [1.0, 2.0]]
+    burst = [[2.0, 4.0], [99.0, 4.0], [2.0, 99.0]]
+    times = Times({"one": quiet, "other": burst}, steps=20)
+    assert times.of_a_step("one") == pytest.approx(0.15)
+    assert times.ratio("other", "one") == pytest.approx(2.0)
 
 
 def test_what_is_stopped_tells_what_it_has(monkeypatch, capsys):

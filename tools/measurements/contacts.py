@@ -85,7 +85,7 @@ def _scene(name: str, repeats: int, found: dict[str, Any]) -> None:
     scene = entry.make()
     times = race(list(_ENGINES.values()), scene, steps=entry.timed, repeats=repeats)
     engines = {
-        engine: {"seconds": times.median(engine)}
+        engine: {"seconds": times.of_a_step(engine)}
         | asdict(quality(make, scene, steps=entry.steps, stands=entry.stands))
         for engine, make in _ENGINES.items()
     }

@@ -16,8 +16,11 @@ class Own:
     name = "Tamias2D"
 
     def __init__(self, scene: Scene, time_step: float, substeps: int | None = None) -> None:
-        more = {} if substeps is None else {"substeps": substeps}
-        self.simulator = t2.Simulator(scene, time_step=time_step, **more)
+        self.simulator = (
+            t2.Simulator(scene, time_step=time_step)
+            if substeps is None
+            else t2.Simulator(scene, time_step=time_step, substeps=substeps)
+        )
 
     def step(self) -> None:
         """Go one time step ahead."""

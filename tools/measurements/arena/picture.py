@@ -11,7 +11,8 @@ from tamias2d.storage import write_aside
 
 _COLOURS = {"Tamias2D": "#8a3d0f", "Pymunk": "#9a9a9a", "pyb2d3": "#0b5c82"}
 _BAR = 0.26
-_LEAST = 1e-4  # of a radius: what is shown at least, for a scale by powers of ten has no zero
+_LEAST, _MOST = 1e-4, 1.0  # of a radius: a scale by powers of ten has no zero, and what is deeper
+# than a whole radius is through
 
 
 def draw(found: dict[str, Any], folder: Path) -> None:
@@ -28,16 +29,19 @@ def draw(found: dict[str, Any], folder: Path) -> None:
         rows = [found["engines"][scene][name] for scene in scenes]
         longer = [_times(found, scene, name) - 1 for scene in scenes]
         _bars(speed, heights, longer, name, left=1.0)
-        _bars(depth, heights, [max(row["relative_penetration"], _LEAST) for row in rows], name)
+        _bars(depth, heights, [_shown(row["relative_penetration"]) for row in rows], name)
     speed.set(
         title="Time of a step over that of Tamias2D",
         xlabel="to the right of 1 it is slower than Tamias2D",
     )
-    depth.set(title="Deepest overlap, of a radius", xlabel="to the right is worse")
+    depth.set(
+        title="Deepest overlap, of a radius",
+        xlabel="to the right is worse; what is deeper than 100% is cut off",
+    )
     speed.axvline(1, color=_COLOURS["Tamias2D"], linewidth=3)
     speed.set_yticks(range(len(scenes)), scenes)
     speed.invert_yaxis()
-    for axes, form in ((speed, "{x:g}"), (depth, "{x:.2%}")):
+    for axes, form in ((speed, "{x:g}"), (depth, _percent)):
         axes.set_xscale("log")
         _plain(axes)
         axes.minorticks_off()
@@ -90,6 +94,14 @@ def _save(figure: Any, path: Path) -> None:
     drawn = io.BytesIO()
     figure.savefig(drawn, format="png", dpi=110)
     write_aside(path, drawn.getvalue())
+
+
+def _percent(share: float, _: object) -> str:
+    return f"{100 * share:g}%"
+
+
+def _shown(share: float) -> float:
+    return min(max(share, _LEAST), _MOST)
 
 
 def _times(found: dict[str, Any], scene: str, name: str) -> float:

@@ -7,7 +7,7 @@ Time is that of the processor: what else the machine does is not counted, and a 
 
 import gc
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from statistics import median
@@ -23,54 +23,44 @@ _TURN = 10  # steps of one engine before it is another's turn
 
 @dataclass(frozen=True)
 class Times:
-    """Seconds of a step of each engine by name: one number for each repetition."""
+    """Seconds of each engine by name: rows are repetitions, columns are turns."""
 
-    seconds: dict[str, list[float]]
+    turns: dict[str, list[list[float]]]
+    steps: int
+    """Of all turns together."""
 
-    def median(self, name: str) -> float:
-        """Return seconds."""
-        return median(self.seconds[name])
+    def of_a_step(self, name: str) -> float:
+        """Return seconds: of each turn the median over repetitions, which no burst moves."""
+        medians = [float(median(turn)) for turn in zip(*self.turns[name], strict=True)]
+        return sum(medians) / self.steps
 
     def ratio(self, name: str, to: str) -> float:
-        """Return the median of an engine's time over another's in the same repetition."""
-        both = zip(self.seconds[name], self.seconds[to], strict=True)
-        return median(one / other for one, other in both)
+        """Return an engine's time over another's."""
+        return self.of_a_step(name) / self.of_a_step(to)
 
 
-def race(
-    makers: Sequence[Maker],
-    scene: Scene,
-    *,
-    steps: int,
-    repeats: int,
-    warm_up: int = 0,
-    done: Callable[[], object] = lambda: None,
-) -> Times:
+def race(makers: Sequence[Maker], scene: Scene, *, steps: int, repeats: int) -> Times:
     """Let engines take steps in turns, each repetition from the start of the scene.
 
-    A first repetition of a few steps, and `warm_up` steps of each, are not counted; `done` is
-    called after each repetition.
+    A first repetition of one turn is not counted.
     """
-    _run(makers, scene, _TURN, 0)
-    seconds: dict[str, list[float]] = {}
+    _run(makers, scene, _TURN)
+    turns: dict[str, list[list[float]]] = {}
     for _ in range(repeats):
-        for name, total in _run(makers, scene, steps, warm_up).items():
-            seconds.setdefault(name, []).append(total / steps)
-        done()
-    return Times(seconds)
+        for name, times in _run(makers, scene, steps).items():
+            turns.setdefault(name, []).append(times)
+    return Times(turns, steps)
 
 
-def _run(makers: Sequence[Maker], scene: Scene, steps: int, warm_up: int) -> dict[str, float]:
+def _run(makers: Sequence[Maker], scene: Scene, steps: int) -> dict[str, list[float]]:
     engines = [make(scene, TIME_STEP) for make in makers]
-    for engine in engines:
-        _advance(engine, warm_up)
-    total = {engine.name: 0.0 for engine in engines}
+    times: dict[str, list[float]] = {engine.name: [] for engine in engines}
     with undisturbed():
         for start in range(0, steps, _TURN):
             engines.append(engines.pop(0))  # nobody is always the first
             for engine in engines:
-                total[engine.name] += _advance(engine, min(_TURN, steps - start))
-    return total
+                times[engine.name].append(_advance(engine, min(_TURN, steps - start)))
+    return times
 
 
 def _advance(engine: Engine, steps: int) -> float:
