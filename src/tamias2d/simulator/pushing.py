@@ -50,7 +50,8 @@ def add_rows(values: Array, rows: Whole, changes: Array, what: str) -> None:
     """
     before = values[rows]
     with np.errstate(all="ignore"):
-        np.add.at(values, rows, changes)
+        for column, change in zip(values.T, changes.T, strict=True):  # faster than all at once
+            np.add.at(column, rows, change)
     good = np.isfinite(values[rows]).all(axis=1)
     if not good.all():
         values[rows] = before
