@@ -127,6 +127,19 @@ def test_a_spring_goes_with_its_body() -> None:
     assert sim.velocity[ball].tolist() == before.tolist()
 
 
+def test_a_spring_follows_the_kinematic_body_that_holds_it() -> None:
+    """It pulls a body too heavy to move with what it is longer by at the start of each step."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    shape = t2.Disc(radius=0.1)
+    lift = scene.add_kinematic(shape, position=(0.0, 0.0), velocity=(2.0, 0.0))
+    load = scene.add_body(None, mass=1e9, position=(0.0, 0.0))
+    scene.add_spring(load, lift, stiffness=3.0, rest_length=0.0)
+    sim = t2.Simulator(scene, time_step=0.01)
+    sim.step(100)
+    lengths = 2.0 * 0.01 * np.arange(100)
+    assert sim.velocity[load, 0] == pytest.approx(3.0 * lengths.sum() * 0.01 / 1e9, rel=1e-6)
+
+
 def test_a_kinematic_body_moves_as_it_is_told() -> None:
     sim = flight()
     lift = sim.add_kinematic(
