@@ -11,6 +11,8 @@ from tamias2d import record
 from tamias2d.contact import LastingContactError, OverlapError, SimultaneousImpactsError
 from tamias2d.motion import ClosedForm, Stepped
 from tamias2d.simulate import Interrupted
+from tamias2d.study.certify import certify
+from tamias2d.study.error import apart, scale
 
 G = 9.81
 FLOOR = t2.HalfPlane(normal=(0, 1), offset=0)
@@ -200,3 +202,41 @@ def test_an_interrupted_run_keeps_the_steps_that_were_taken(
     with pytest.raises(Interrupted, match=r"interrupted at 0\.41") as stopped:
         t2.simulate(conveyor(), duration=1.0)
     assert len(stopped.value.run.position) == len(stopped.value.run.times) == 26
+
+
+@pytest.mark.parametrize(
+    ("name", "duration"),
+    [("oblique-discs", 3.0), ("spinning-square", 0.75), ("bouncing-elastic", 2.0), ("kepler", 2.0)],
+)
+def test_a_certificate_bounds_what_the_located_way_shows_to_be_the_error(
+    name: str, duration: float
+) -> None:
+    scene = t2.catalogue.load(name)
+    run = certify(t2.simulate(scene, duration=duration, method=Stepped(), time_step=1 / 60))
+    assert run.certificate is not None
+    assert run.certificate.kind == "step doubling"
+    assert run.certificate.bound is not None
+    truth = t2.simulate(scene, duration=duration, times=run.times)
+    assert truth.method != Stepped()
+    error = float(apart(run, truth).max()) / scale(run)
+    assert 1e-4 < error <= run.certificate.bound < 10 * error
+
+
+def test_a_certificate_says_what_steps_leave_open() -> None:
+    run = certify(t2.simulate(t2.catalogue.load("arch"), duration=0.5))
+    assert run.certificate is not None
+    assert "shorter steps" in run.certificate.claims[0]
+    assert "solve them one after the other" in run.certificate.does_not_claim[-1]
+
+
+def test_where_no_bound_is_found_the_energy_is_told_or_nothing() -> None:
+    """Dominoes have rolled apart after 4 s; a drum that is driven gives energy."""
+    run = certify(t2.simulate(t2.catalogue.load("dominoes"), duration=4.0))
+    assert run.certificate is not None
+    assert run.certificate.kind == "invariants"
+    assert run.certificate.bound is not None
+    assert 0 <= run.certificate.bound < 1e-6  # contacts make no energy but by rounding
+    tumbling = certify(t2.simulate(t2.catalogue.load("tumbler"), duration=0.5))
+    assert tumbling.certificate is not None
+    assert tumbling.certificate.kind == "none"
+    assert tumbling.certificate.bound is None

@@ -3,17 +3,22 @@
 Serves: the command `explain`. Hides: how the reasons are laid out.
 """
 
-from dataclasses import asdict
+from collections.abc import Sequence
+from dataclasses import asdict, replace
 
 from tamias2d.commands.names import find_method, find_scene
 from tamias2d.commands.output import print_json, print_table, say
+from tamias2d.contact import steps_because
 from tamias2d.errors import InputError
-from tamias2d.scene import needs
+from tamias2d.scene import Scene, needs
+from tamias2d.scene.needs import Need
+
+_STEPS = "steps through contacts (IM10)"
 
 
 def explain_scene(name: str, *, as_json: bool) -> None:
     """Print every state, term, model and method with the reason for it or against it."""
-    entries = needs(find_scene(name)).entries
+    entries = _entries(find_scene(name))
     if as_json:
         print_json({"scene": name, "entries": [asdict(entry) for entry in entries]})
         return
@@ -24,6 +29,22 @@ def explain_scene(name: str, *, as_json: bool) -> None:
             for entry in entries
         ),
     )
+
+
+def _entries(scene: Scene) -> Sequence[Need]:
+    """What the scene needs; a way through contacts is located or stepped."""
+    found = needs(scene)
+    reason = steps_because(scene, scene.duration or 0.0)  # `needs` had one
+    if reason is None:
+        why = "taken only where impacts turn out not to be located" if found.pairs else "none meet"
+        return [*found.entries, Need(_STEPS, "method", False, why)]
+    located = [
+        replace(entry, needed=False, reason=f"contacts are stepped: {reason}")
+        if entry.what == "location of impacts"
+        else entry
+        for entry in found.entries
+    ]
+    return [*located, Need(_STEPS, "method", True, reason)]
 
 
 def explain_source(name: str, method: str) -> None:

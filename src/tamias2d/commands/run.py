@@ -19,6 +19,7 @@ from tamias2d.run import Run
 from tamias2d.simulate import Interrupted, simulate
 
 _SHOWN = 5  # impacts
+_BODIES = 30  # whose states are shown
 _ROUNDING = 1e-12  # of a place, relative to the size of a body
 
 
@@ -115,7 +116,8 @@ def _print(run: Run, name: str, errors: list[KnownError]) -> None:
     say(f"{name}: {figure(run.duration)} s, {count} of {len(run.scene.bodies)} bodies can move")
     for note in run.notes:
         say(f"  {note}")
-    say(f"\nState at {figure(run.times[-1])} s")
+    shown = "" if count <= _BODIES else f", the first {_BODIES} bodies (--json has all)"
+    say(f"\nState at {figure(run.times[-1])} s{shown}")
     print_table(
         ("body", "position, m", "orientation, rad", "velocity, m/s", "angular velocity, rad/s"),
         (
@@ -126,7 +128,7 @@ def _print(run: Run, name: str, errors: list[KnownError]) -> None:
                 pair(body["velocity"]),
                 figure(body["angular_velocity"]),
             )
-            for body in _final(run)
+            for body in _final(run)[:_BODIES]
         ),
     )
     _print_impacts(run)

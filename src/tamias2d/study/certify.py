@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tamias2d.certificate import Certificate, Kind, hashes, not_claimed
-from tamias2d.motion import ClosedForm, Dop853, Legacy2018, Method, Reference
+from tamias2d.motion import ClosedForm, Dop853, Legacy2018, Method, Reference, Stepped
 from tamias2d.run import Run
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import MEASURE, apart, radii, scale
-from tamias2d.study.invariants import energy_drift, energy_rounding
+from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
 
 _EPSILON = 2.0**-52
@@ -28,6 +28,19 @@ _COARSEST = 16  # steps of a grid that is trusted to show the order
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
 _LEFT = 0.3  # of the error may be left in it
 _TIGHTEST = 1e-14
+
+
+_SOLUTION = "the exact solution of the scene's equations"
+_LIMIT = "where ever shorter steps lead"
+_STEPPED_MEASURE = MEASURE.replace("its exact place", _LIMIT)
+_LEFT_OPEN = (
+    "that rigid bodies do so where several contacts act at once, as those of a side that lands "
+    "flat: steps solve them one after the other"
+)
+_BALANCE = "balance of energy, with what impacts take, relative to the largest kinetic energy"
+_KEPT = "the balance of energy"
+_RISE = "rise of the energy above what it was before"
+_RISING = f"{_RISE}, relative to the largest kinetic one, or to what lifts bodies by their radius"
 
 
 @dataclass(frozen=True)
@@ -48,7 +61,8 @@ def certify(run: Run) -> Run:
 
     The scene is simulated some times more: in closed form twice, by a stepped scheme on two coarser
     grids (together three quarters of the run's cost, and a finer one if they disagree about the
-    order), by an adaptive one at a tighter tolerance; and once more for the twin.
+    order), by an adaptive one at a tighter tolerance, through contacts by steps of a half and of a
+    quarter (six times the run's cost); and once more for the twin.
     """
     grown = growth(run)
     lost_at = horizon(run, grown)
@@ -68,23 +82,28 @@ def _way(method: Method) -> Callable[[Run, Array | None], _Bound]:
         return _exact
     if isinstance(method, Legacy2018):
         raise _NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
+    if isinstance(method, Stepped):
+        return _shorter_steps
     if method.stepped:
         return _step_doubling
     return _embedded
 
 
 def _of_positions(run: Run, found: _Bound) -> Certificate:
-    length = scale(run)
+    stepped = isinstance(run.method, Stepped)
+    length, of = scale(run), "that the farthest one goes"
+    if stepped and length < (largest := float(radii(run.scene).max(initial=0.0))):
+        length, of = largest, "around the largest one"  # what only sinks in goes nowhere
     if found.value > length:
         raise _NoBoundError(f"a bound by {found.kind} would be larger than the motion itself")
     until = f"at all {len(run.times)} samples up to {run.times[-1]:g} s"
     return Certificate(
         kind=found.kind,
-        measure=f"{MEASURE}, relative to the {length:.6g} m that the farthest one goes",
+        measure=f"{_STEPPED_MEASURE if stepped else MEASURE}, relative to the {length:.6g} m {of}",
         bound=found.value / length,
         how=found.how,
-        claims=(f"how far it is from the exact solution of the scene's equations, {until}",),
-        does_not_claim=not_claimed(None),
+        claims=(f"how far it is from {_LIMIT if stepped else _SOLUTION}, {until}",),
+        does_not_claim=(*not_claimed(None), *((_LEFT_OPEN,) if stepped else ())),
         observed_order=found.order,
         predictability_horizon=None,
         hashes=hashes(run.scene),
@@ -93,17 +112,18 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
 
 def _of_energy(run: Run, reason: str, lost_at: float | None) -> Certificate:
     """Return what is left to say: how well the run keeps the balance of energy."""
-    strayed = energy_drift(run)
+    stepped = isinstance(run.method, Stepped)
+    strayed = energy_rise(run) if stepped else energy_drift(run)
     if strayed is None or not math.isfinite(strayed):
         bound = None
     else:
         bound = strayed + energy_rounding(run)
     return Certificate(
         kind="none" if bound is None else "invariants",
-        measure="balance of energy, with what impacts take, relative to the largest kinetic energy",
+        measure=_RISING if stepped else _BALANCE,
         bound=bound,
         how=reason,
-        claims=() if bound is None else ("the balance of energy at all samples",),
+        claims=() if bound is None else (f"{_RISE if stepped else _KEPT} at all samples",),
         does_not_claim=(*not_claimed(lost_at), "where single bodies are, since " + reason),
         observed_order=None,
         predictability_horizon=lost_at,
@@ -167,6 +187,22 @@ def _step_doubling(run: Run, _: Array | None) -> _Bound:
     value = _GRIDS * finer / (1 - 2.0 ** -min(seen, nominal)) + rounded
     how = f"steps of {step:.4g} s, of twice and of half that; observed order {seen:.2f}"
     return _Bound("step doubling", value, how, seen)
+
+
+def _shorter_steps(run: Run, _: Array | None) -> _Bound:
+    """Bound the error of steps through contacts from steps of a half and of a quarter.
+
+    Where bodies meet, and when they let go, falls anywhere within a step: the error shrinks with
+    the step, but not at an order that can be seen.
+    """
+    step = run.time_step or run.duration
+    half, quarter = (_companion(run, time_step=step / k) for k in (2, 4))
+    changed = max(_difference(run, half), _difference(run, quarter))
+    rounded = rounding(run) * 4 * run.duration / step  # no step shorter than a quarter
+    if _difference(half, quarter) > max(changed, rounded):
+        raise _NoBoundError("steps half as long bring the results no nearer to each other")
+    how = f"steps of {step:.4g} s, of a half and of a quarter of that"
+    return _Bound("step doubling", _DISTRUSTED * changed + rounded, how)
 
 
 def _coarser(run: Run, step: float) -> tuple[float, float]:

@@ -3,12 +3,15 @@
 Serves: certificates past the horizon. Hides: how the energy that impacts take is accounted for.
 """
 
+import math
+
 import numpy as np
 
 from tamias2d.generated import definitions
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.state import Array
+from tamias2d.study.error import radii
 
 _ROUNDINGS = 4.0  # of the largest terms of the energy, in their sum
 
@@ -32,6 +35,20 @@ def energy_drift(run: Run) -> float | None:
     return float(np.abs(run.energy - left).max()) / largest if largest else None
 
 
+def energy_rise(run: Run) -> float | None:
+    """Return by how much the energy rises above what it was before; None if something gives energy.
+
+    It is relative to the largest kinetic energy or, where that is more, to the energy that lifts
+    all bodies by their radius: what is at rest moves too little to be a measure.
+    """
+    mass = np.array([body.mass if body.dynamic else 0.0 for body in run.scene.bodies])
+    lift = float((mass * radii(run.scene)).sum()) * math.hypot(*run.scene.gravity)
+    largest = max(float(_kinetic(run).max()), lift)
+    if _gives_energy(run.scene) or not largest:
+        return None
+    return float((run.energy - np.minimum.accumulate(run.energy)).max()) / largest
+
+
 def energy_rounding(run: Run) -> float:
     """Return how much of what `energy_drift` says may be the rounding of its own terms."""
     moving = [i for i, body in enumerate(run.scene.bodies) if body.dynamic]
@@ -47,12 +64,17 @@ def energy_rounding(run: Run) -> float:
 
 def _conserves_energy(scene: Scene) -> bool:
     """Whether all forces but those of smooth impacts are gravity, attraction and springs."""
-    pushed = any(law != 0 for body in scene.bodies for law in (*body.force, body.torque))
     slowed = any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
     rough = any(body.friction for body in scene.bodies) or any(scene.friction_of_pairs.values())
-    driven = any(body.kinematic for body in scene.bodies)
     damped = any(spring.damping for spring in scene.springs)
-    return not (pushed or slowed or rough or driven or damped or scene.fields)
+    return not (slowed or rough or damped or _gives_energy(scene))
+
+
+def _gives_energy(scene: Scene) -> bool:
+    """Whether a force or a body that moves as it is told may do work."""
+    pushed = any(law != 0 for body in scene.bodies for law in (*body.force, body.torque))
+    driven = any(body.kinematic for body in scene.bodies)
+    return bool(pushed or driven or scene.fields)
 
 
 def _kinetic(run: Run) -> Array:

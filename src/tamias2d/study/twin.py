@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tamias2d.motion import ClosedForm, RungeKutta4
+from tamias2d.motion import ClosedForm, RungeKutta4, Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Body, Scene
 from tamias2d.scene.restart import restarted
@@ -43,17 +43,19 @@ def rounded_apart(run: Run) -> float | None:
 def growth(run: Run) -> Array | None:
     """Return (k,): how far the twin is from the run, relative to how far it was moved.
 
-    None if the twin could not go all the way. The motion is that of the run where it is exact, and
-    else that of a scheme on as many steps as the run took, for both.
+    None if the twin could not go all the way. The motion is that of the run where it is exact or
+    goes through contacts by steps, and else that of a scheme on as many steps as the run took, for
+    both.
     """
     twin = _twin(run, MOVED, 1.0)
-    method: dict[str, object] = {"method": ClosedForm()}
-    if not isinstance(run.method, ClosedForm):
+    like_it = isinstance(run.method, ClosedForm | Stepped)
+    method: dict[str, object] = {"method": run.method, "time_step": run.time_step}
+    if not like_it:
         steps = max(run.cost.steps if run.cost else 0, 64)
         method = {"method": RungeKutta4(), "time_step": run.duration / steps}
     try:
         other = _history(twin, run, method)
-        own = run if isinstance(run.method, ClosedForm) else _history(run.scene, run, method)
+        own = run if like_it else _history(run.scene, run, method)
     except RefusedError:
         return None
     away = apart(other, own)
