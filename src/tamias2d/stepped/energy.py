@@ -4,7 +4,8 @@ Serves: a step, after its contacts have been solved and have bounced. Hides: how
 where it leans on something that moves.
 
 Each contact gets what it asks for, one after the other; where many hold the same bodies, together
-they may give more than there was. The kinetic energy of an island may be no more than when the step
+they may give more than there was. It is looked at where something bounces, or where there is more
+energy in all than there may be. The kinetic energy of an island may be no more than when the step
 began and what gravity and forces have given it since; lifting what overlaps costs nothing. It is
 measured as seen from what the island leans on, since that may give any; an island that leans on
 several things which move against each other has no bound.
@@ -79,6 +80,39 @@ def note_velocities(column: int, counts: Whole, motion: Array, hits: Whole, ener
             energy[i, column + n] = motion[i, n]
 
 
+def makes_energy(
+    settings: Array,
+    counts: Whole,
+    motion: Array,
+    load: Array,
+    body: Array,
+    kind: Whole,
+    hits: Whole,
+    energy: Array,
+) -> bool:
+    """Return whether contacts have made energy in all, where nothing that is driven could have.
+
+    This is cheap, and nearly always all that has to be asked where nothing bounces.
+    """
+    first = last = work = 0.0
+    for k in range(counts[ACTIVE]):
+        i = hits[1, k]
+        if kind[i] != DYNAMIC:
+            return False
+        mass = 1.0 / body[i, INVERSE_MASS]
+        inertia = 1.0 / body[i, INVERSE_INERTIA] if body[i, INVERSE_INERTIA] > 0.0 else 0.0
+        was = (energy[i, EARLIER], energy[i, EARLIER + 1])
+        first += kinetic_energy(mass, was, inertia, energy[i, EARLIER + 2])
+        now = (motion[i, VX], motion[i, VY])
+        last += kinetic_energy(mass, now, inertia, motion[i, SPIN])
+        work += (
+            (mass * settings[GRAVITY_X] + load[i, 0]) * motion[i, DX]
+            + (mass * settings[GRAVITY_Y] + load[i, 1]) * motion[i, DY]
+            + load[i, 2] * motion[i, DTURN]
+        )
+    return bool(last > (first + max(work, 0.0)) * (1.0 + GRACE))
+
+
 def bound_energy(
     settings: Array,
     counts: Whole,
@@ -94,11 +128,12 @@ def bound_energy(
     energy: Array,
     rows: Array,
     lanes: Whole,
+    bouncing: int,
 ) -> None:
     """Take back of the bounce and of the motion of each island what makes energy."""
-    look_from_supports(counts, pose, motion, body, kind, pair, shape_body, hits, island, energy)
-    sum_energies(settings, counts, pose, motion, load, body, kind, hits, island, energy)
-    if share_bounces(counts, kind, hits, island, energy):
+    look_from_supports(counts, pose, motion, kind, pair, shape_body, hits, island, energy)
+    sum_energies(settings, counts, pose, motion, load, body, kind, hits, island, energy, bouncing)
+    if share_bounces(counts, kind, hits, island, energy, bouncing):
         take_back(counts, motion, kind, hits, island, energy)
         take_back_pushes(counts, kind, island, energy, rows, lanes)
     if choose_calm(counts, kind, hits, island, energy):
@@ -110,7 +145,6 @@ def look_from_supports(
     counts: Whole,
     pose: Array,
     motion: Array,
-    body: Array,
     kind: Whole,
     pair: Whole,
     shape_body: Whole,
@@ -118,31 +152,16 @@ def look_from_supports(
     island: Whole,
     energy: Array,
 ) -> None:
-    """Write for each island the motion of what it leans on, at its lowest body; if free, its own.
+    """Write for each island the motion of what it leans on, at its root; if free, of the root.
 
-    A free island is seen as its centre of mass moved at first: impulses within it do not depend on
-    who sees them, but rounding does.
+    Impulses within a free island do not depend on who sees them, but rounding does.
     """
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
-        if kind[i] == DYNAMIC:
-            row = energy[island[i, ISLAND]]
-            row[LEANS] = FREE
-            for n in range(3):
-                row[SEEN + n] = 0.0
-            row[SUMS] = 0.0
-    for k in range(counts[ACTIVE]):
-        i = hits[1, k]
-        if kind[i] == DYNAMIC:
-            row, mass = energy[island[i, ISLAND]], 1.0 / body[i, INVERSE_MASS]
-            row[SEEN] += mass * energy[i, EARLIER]
-            row[SEEN + 1] += mass * energy[i, EARLIER + 1]
-            row[SUMS] += mass
-    for k in range(counts[ACTIVE]):
-        i = hits[1, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
-            energy[i, SEEN] /= energy[i, SUMS]
-            energy[i, SEEN + 1] /= energy[i, SUMS]
+            row = energy[i]
+            row[LEANS] = FREE
+            row[SEEN], row[SEEN + 1], row[SEEN + 2] = row[EARLIER], row[EARLIER + 1], 0.0
     for k in range(counts[HITS]):
         p = hits[0, k]
         i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
@@ -187,13 +206,14 @@ def sum_energies(
     hits: Whole,
     island: Whole,
     energy: Array,
+    bouncing: int,
 ) -> None:
     """Add up the kinetic energies of all islands, and the work of forces, J."""
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
-        if kind[i] == DYNAMIC:
+        if kind[i] == DYNAMIC and island[i, ISLAND] == i:
             for n in range(5):
-                energy[island[i, ISLAND], SUMS + n] = 0.0
+                energy[i, SUMS + n] = 0.0
     time_step = settings[TIME_STEP]
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
@@ -206,14 +226,13 @@ def sum_energies(
         here, row = energy[i], energy[island[i, ISLAND]]
         was = (here[EARLIER] - x, here[EARLIER + 1] - y)
         row[FIRST_ENERGY] += kinetic_energy(mass, was, inertia, here[EARLIER + 2] - spin)
-        was = (here[UNBOUNCED] - x, here[UNBOUNCED + 1] - y)
-        row[BEFORE] += kinetic_energy(mass, was, inertia, here[UNBOUNCED + 2] - spin)
         now = (motion[i, VX] - x, motion[i, VY] - y)
         row[AFTER] += kinetic_energy(mass, now, inertia, motion[i, SPIN] - spin)
-        change = (now[0] - was[0], now[1] - was[1])
-        row[OF_CHANGE] += kinetic_energy(
-            mass, change, inertia, motion[i, SPIN] - here[UNBOUNCED + 2]
-        )
+        if bouncing > 0:
+            was = (here[UNBOUNCED] - x, here[UNBOUNCED + 1] - y)
+            row[BEFORE] += kinetic_energy(mass, was, inertia, here[UNBOUNCED + 2] - spin)
+            change, turn = (now[0] - was[0], now[1] - was[1]), motion[i, SPIN] - here[UNBOUNCED + 2]
+            row[OF_CHANGE] += kinetic_energy(mass, change, inertia, turn)
         row[WORK] += (
             (mass * settings[GRAVITY_X] + load[i, 0]) * (motion[i, DX] - x * time_step)
             + (mass * settings[GRAVITY_Y] + load[i, 1]) * (motion[i, DY] - y * time_step)
@@ -221,7 +240,9 @@ def sum_energies(
         )
 
 
-def share_bounces(counts: Whole, kind: Whole, hits: Whole, island: Whole, energy: Array) -> bool:
+def share_bounces(
+    counts: Whole, kind: Whole, hits: Whole, island: Whole, energy: Array, bouncing: int
+) -> bool:
     """Write for each island which share of its bounce it keeps; return whether one loses any."""
     some = False
     for k in range(counts[ACTIVE]):
@@ -233,7 +254,7 @@ def share_bounces(counts: Whole, kind: Whole, hits: Whole, island: Whole, energy
         row[MOST] = row[FIRST_ENERGY] + max(row[WORK], 0.0)
         most = max(row[MOST], before)
         row[KEPT], row[NOW] = 1.0, after
-        if row[LEANS] != TORN and after > most * (1.0 + GRACE):
+        if bouncing > 0 and row[LEANS] != TORN and after > most * (1.0 + GRACE):
             share = kept_share(most - before, after - before, change)
             rest = 1.0 - share
             row[KEPT], row[NOW] = share, rest * before + share * after - share * rest * change

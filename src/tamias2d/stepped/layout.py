@@ -21,7 +21,7 @@ FRAME_VX, FRAME_VY, FRAME_X, FRAME_Y = 3, 4, 5, 6
 
 # counts (20,), as whole numbers
 SUBSTEPS, SHAPES, PAIRS, SIDE, HORIZON, SINCE, BUILT, NEEDED, BLOCKS, STILL = range(10)
-LEAVES, HITS, ACTIVE, PHASE, STATIC_BLOCK = 10, 11, 12, 13, 14
+LEAVES, HITS, ACTIVE, PHASE, STATIC_BLOCK, THIN = 10, 11, 12, 13, 14, 15
 WANTED, SOUND = 16, 17  # steps that are left of a call, and whether its values have been checked
 PATIENCE, DORMANT = 18, 19  # steps of quiet until sleep, 0 for never; how many bodies sleep
 

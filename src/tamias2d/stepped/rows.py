@@ -67,6 +67,7 @@ FASTEST = 0.02  # of the smaller reach: how far an overlap is pushed apart in a 
 R_NX, R_NY, R_MASS_A, R_INERTIA_A, R_MASS_B, R_INERTIA_B = 0, 16, 32, 48, 64, 80
 R_FRICTION, R_ROUND_A, R_ROUND_B, R_LIMIT, R_RESTITUTION = 96, 112, 128, 144, 160
 R_BIAS, R_SHARE, R_KEEP = 176, 192, 208
+R_REACH, R_LOAD = R_KEEP, R_BIAS  # what softness is made of, before it is there
 SHARED = 224
 P_ARM_A, P_ARM_B, P_SIDE_A, P_SIDE_B, P_MASS, P_SIDE_MASS = 0, 16, 32, 48, 64, 80
 P_GAP, P_PUSH, P_RUB, P_TOTAL, P_BEFORE, P_NOW = 96, 112, 128, 144, 160, 176
@@ -140,7 +141,6 @@ def clear_lanes(counts: Whole, idle: int, fill: Whole, rows: Array, lanes: Whole
 
 
 def fill_rows(
-    settings: Array,
     counts: Whole,
     pair: Whole,
     touch: Array,
@@ -156,7 +156,6 @@ def fill_rows(
     lanes: Whole,
 ) -> int:
     """Write the row of each touching pair; return how many of them may bounce."""
-    substep = settings[TIME_STEP] / counts[SUBSTEPS]
     bouncing = 0
     for k in range(counts[HITS]):
         p, c, place = hits[0, k], hits[1, k], hits[2, k]
@@ -179,8 +178,8 @@ def fill_rows(
         bouncing += touch[p, PAIR_RESTITUTION] > 0.0
         row[R_ROUND_A + m], row[R_ROUND_B + m] = shape_radius[s], shape_radius[t]
         reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
-        row[R_LIMIT + m] = -FASTEST * reach / substep
-        soften(m, c % 2 + 1, substep, reach, touch[p, PUSH] + touch[p, PUSH + IMPULSE], row)
+        row[R_REACH + m] = reach
+        row[R_LOAD + m] = (touch[p, PUSH] + touch[p, PUSH + IMPULSE]) / (1 + c % 2)
         delta_x, delta_y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
         for n in range(1 + c % 2):
             at = SHARED + n * SIZE + m
@@ -190,8 +189,6 @@ def fill_rows(
             arm_b, side_b = x * normal_y - y * normal_x, x * normal_x + y * normal_y
             row[at + P_ARM_A], row[at + P_SIDE_A] = arm_a, side_a
             row[at + P_ARM_B], row[at + P_SIDE_B] = arm_b, side_b
-            row[at + P_MASS] = row_mass(mass_a, inertia_a, arm_a, mass_b, inertia_b, arm_b)
-            row[at + P_SIDE_MASS] = row_mass(mass_a, inertia_a, side_a, mass_b, inertia_b, side_b)
             row[at + P_GAP] = touch[p, GAP + POINT * n]
             row[at + P_PUSH] = touch[p, PUSH + IMPULSE * n]
             row[at + P_RUB] = touch[p, RUB + IMPULSE * n]
@@ -208,21 +205,48 @@ def fill_rows(
     return bouncing
 
 
-def soften(m: int, points: int, substep: float, reach: float, load: float, row: Array) -> None:
-    """Write how soft a contact is: as little as its load needs to press it in by `REST`.
+def finish_rows(settings: Array, counts: Whole, rows: Array, lanes: Whole) -> None:
+    """Write the masses that impulses meet, and how soft contacts are, lane by lane."""
+    substep = settings[TIME_STEP] / counts[SUBSTEPS]
+    for b in range(counts[BLOCKS]):
+        row = rows[b]
+        soften_lanes(row, substep)
+        weigh_lanes(FIRST, row)
+        if lanes[b, POINTS] == 2:
+            weigh_lanes(SECOND, row)
 
-    The load is that of the last substep, N s. What is firmer than `FIRMEST` allows would shake
-    under the load of a deep pile, whose contacts are not all solved in one substep.
+
+def weigh_lanes(at: int, row: Array) -> None:
+    """Write the masses that impulses along normal and tangent meet; 0 in an idle lane."""
+    for m in range(LANES):
+        a, b = row[R_MASS_A + m], row[R_MASS_B + m]
+        turn_a, turn_b = row[R_INERTIA_A + m], row[R_INERTIA_B + m]
+        idle = a + b == 0.0
+        b = 1.0 if idle else b
+        mass = row_mass(a, turn_a, row[at + P_ARM_A + m], b, turn_b, row[at + P_ARM_B + m])
+        side = row_mass(a, turn_a, row[at + P_SIDE_A + m], b, turn_b, row[at + P_SIDE_B + m])
+        row[at + P_MASS + m] = 0.0 if idle else mass
+        row[at + P_SIDE_MASS + m] = 0.0 if idle else side
+
+
+def soften_lanes(row: Array, substep: float) -> None:
+    """Write how soft contacts are: as little as their loads need to press them in by `REST`.
+
+    The load is that of a point in the last substep, N s. What is firmer than `FIRMEST` allows would
+    shake under the load of a deep pile, whose contacts are not all solved in one substep.
     """
-    masses = row[R_MASS_A + m] + row[R_MASS_B + m]
-    cycles = CYCLES if row[R_MASS_A + m] > 0.0 and row[R_MASS_B + m] > 0.0 else CYCLES * FIRMER
-    frequency = CIRCLE * cycles / substep
-    wanted = load * masses / (points * substep * REST * reach)  # of its square (DD28)
-    if wanted > frequency * frequency:
-        frequency = min(sqrt(wanted), FIRMEST * frequency)
-    row[R_BIAS + m] = bias_rate(frequency, DAMPING, substep)
-    row[R_SHARE + m] = mass_share(frequency, DAMPING, substep)
-    row[R_KEEP + m] = impulse_share(frequency, DAMPING, substep)
+    for m in range(LANES):
+        a, b = row[R_MASS_A + m], row[R_MASS_B + m]
+        frequency = CIRCLE * CYCLES / substep
+        frequency = frequency if (a > 0.0) & (b > 0.0) else FIRMER * frequency
+        reach = row[R_REACH + m] if row[R_REACH + m] > 0.0 else 1.0  # 0 in an idle lane
+        wanted = row[R_LOAD + m] * (a + b) / (substep * REST * reach)  # of its square (DD28)
+        firm = min(sqrt(wanted), FIRMEST * frequency)
+        frequency = firm if firm > frequency else frequency
+        row[R_BIAS + m] = bias_rate(frequency, DAMPING, substep)
+        row[R_SHARE + m] = mass_share(frequency, DAMPING, substep)
+        row[R_KEEP + m] = impulse_share(frequency, DAMPING, substep)
+        row[R_LIMIT + m] = -FASTEST * reach / substep
 
 
 def keep_impulses(

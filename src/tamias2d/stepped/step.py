@@ -24,7 +24,8 @@ from tamias2d.kernels.arrays import (
 )
 from tamias2d.state import Array
 from tamias2d.stepped.coast import coast
-from tamias2d.stepped.energy import bound_energy, note_velocities
+from tamias2d.stepped.direct import ready, settle_islands
+from tamias2d.stepped.energy import bound_energy, makes_energy, note_velocities
 from tamias2d.stepped.flight import fly, goes_far, outruns
 from tamias2d.stepped.islands import find_islands
 from tamias2d.stepped.layout import (
@@ -76,6 +77,7 @@ from tamias2d.stepped.layout import (
     SUB,
     SUBSTEPS,
     SWEPT,
+    THIN,
     TIME_STEP,
     TOUCHED,
     UNBOUNCED,
@@ -102,6 +104,7 @@ from tamias2d.stepped.rows import (
     clear_lanes,
     colour,
     fill_rows,
+    finish_rows,
     keep_impulses,
 )
 from tamias2d.stepped.sleep import (
@@ -113,8 +116,9 @@ from tamias2d.stepped.sleep import (
     rouse,
 )
 from tamias2d.stepped.solver import bounce, relax, sweep, warm
+from tamias2d.stepped.thin import plan
 
-DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND = 0, 1, 2, 3, 4
+DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND, MORE_WEB = 0, 1, 2, 3, 4, 5
 
 SENSED = 4  # the bit of `TOUCHED`, within a step, for a pair with a sensor that overlaps
 
@@ -161,6 +165,9 @@ def step(
     island: RankRows,
     rest: FloatRows,
     energy: FloatRows,
+    isle: RankRows,
+    web: RankRows,
+    weave: FloatRows,
 ) -> int:
     """Take the steps that are wanted, or say what there is too little room for.
 
@@ -184,7 +191,7 @@ def step(
             shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
             filters, mixed, corner, turned, box, curve, node, found, pairs, touches,
             traces, hits, fill, rows, lanes, bench, carried, times, scratch,
-            island, rest, energy,
+            island, rest, energy, isle, web, weave,
         )  # fmt: skip
         if status != DONE:
             return status
@@ -231,6 +238,9 @@ def step_once(
     island: Whole,
     rest: Array,
     energy: Array,
+    isle: Whole,
+    web: Whole,
+    weave: Array,
 ) -> int:
     """Take one step, or say what there is too little room for; called again, it goes on."""
     if counts[PHASE] == BEGUN:
@@ -274,14 +284,20 @@ def step_once(
         if needed > len(rows):
             counts[NEEDED] = needed
             return MORE_BLOCKS
+        find_islands(counts, pair, shape_body, kind, hits, island)
+        counts[THIN] = plan(counts, pair, shape_body, kind, hits, fill, island, isle, web)
+        if counts[THIN] < 0:
+            counts[NEEDED] = -counts[THIN]
+            return MORE_WEB
         clear_lanes(counts, len(pose) - 1, fill, rows, lanes)
         bouncing = fill_rows(
-            settings, counts, pair, touch, shape_body, shape_radius, surface, pose, motion, body,
+            counts, pair, touch, shape_body, shape_radius, surface, pose, motion, body,
             hits, fill, rows, lanes,
         )  # fmt: skip
+        finish_rows(settings, counts, rows, lanes)
         solve(
             settings, counts, pose, motion, load, body, kind, used, pair, shape_body, hits, rows,
-            lanes, bench, carried, island, energy, bouncing,
+            lanes, bench, carried, island, energy, bouncing, web, weave,
         )  # fmt: skip
         age_touches(counts, trace)
         keep_impulses(counts, pair, shape_body, pose, rows, lanes, touch, trace)
@@ -368,7 +384,7 @@ def look_around(
     """Make the list of pairs anew, for as many steps ahead as has been worth while."""
     if counts[SINCE] > 0:
         if counts[PAIRS] > 2 * len(shape_body):
-            counts[HORIZON] = max(counts[HORIZON] // 2, 1)
+            counts[HORIZON] = max(counts[HORIZON] // 2, 2)
         elif 2 * counts[SINCE] >= counts[HORIZON]:
             counts[HORIZON] = min(2 * counts[HORIZON], LONGEST)
         counts[SINCE] = 0
@@ -495,6 +511,8 @@ def solve(
     island: Whole,
     energy: Array,
     bouncing: int,
+    web: Whole,
+    weave: Array,
 ) -> None:
     """Take the substeps of all bodies with contacts, and let them bounce."""
     active = mark_active(counts, kind, used, pair, shape_body, hits, motion)
@@ -503,6 +521,7 @@ def solve(
     substeps = counts[SUBSTEPS]
     blocks = counts[BLOCKS]
     substep = settings[TIME_STEP] / substeps
+    ready(counts[THIN], body, rows, lanes, web, weave)
     note_velocities(EARLIER, counts, motion, hits, energy)
     begin(counts, motion, carried, hits)
     warm(blocks, rows, lanes, motion, bench)
@@ -510,19 +529,21 @@ def solve(
     back(counts, motion, carried, hits)
     for _ in range(substeps):
         hasten(settings, counts, motion, load, body, kind, hits, carried)
+        settle_islands(False, substep, counts, rows, lanes, motion, web, weave)
         sweep(blocks, rows, lanes, motion, bench, substep)
         shift(substep, counts, motion, hits)
+        settle_islands(True, substep, counts, rows, lanes, motion, web, weave)
         relax(blocks, rows, lanes, motion, bench, substep)
         carry(counts, motion, carried, hits)
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
-    note_velocities(UNBOUNCED, counts, motion, hits, energy)
-    if bouncing > 0:
-        bounce(blocks, rows, lanes, motion, bench, slowest)
-    find_islands(counts, pair, shape_body, kind, hits, island)
-    bound_energy(
-        settings, counts, pose, motion, load, body, kind, pair, shape_body, hits, island, energy,
-        rows, lanes,
-    )  # fmt: skip
+    if bouncing > 0 or makes_energy(settings, counts, motion, load, body, kind, hits, energy):
+        if bouncing > 0:
+            note_velocities(UNBOUNCED, counts, motion, hits, energy)
+            bounce(blocks, rows, lanes, motion, bench, slowest)
+        bound_energy(
+            settings, counts, pose, motion, load, body, kind, pair, shape_body, hits, island,
+            energy, rows, lanes, bouncing,
+        )  # fmt: skip
 
 
 def begin(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:

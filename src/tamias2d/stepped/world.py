@@ -10,6 +10,7 @@ import numpy as np
 
 from tamias2d.generated import drag
 from tamias2d.state import Array
+from tamias2d.stepped.elimination import WEAVE
 from tamias2d.stepped.layout import (
     DECAY,
     ENERGIES,
@@ -33,13 +34,14 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.menu import CONTACT
 from tamias2d.stepped.rows import WIDTH
 from tamias2d.stepped.solver import BENCH
-from tamias2d.stepped.step import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, step
+from tamias2d.stepped.step import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, MORE_WEB, step
+from tamias2d.stepped.thin import ISLE, WEB
 from tamias2d.stepped.tree import lowest
 
 _ORDER = tuple(signature(step).parameters)
 _BODY = (
     *("pose", "motion", "load", "body", "home", "carried", "kind", "used"),
-    *("island", "rest", "energy"),
+    *("island", "rest", "energy", "isle"),
 )
 _SHAPE = (
     *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
@@ -66,6 +68,9 @@ class World:
         self.island = np.zeros((1, 7), dtype=np.int64)
         self.rest = np.zeros((1, 8))
         self.energy = np.zeros((1, ENERGIES))
+        self.isle = np.zeros((1, ISLE), dtype=np.int64)
+        self.web = np.zeros((2, WEB), dtype=np.int64)
+        self.weave = np.zeros((2, WEAVE))
         self.ranked = np.zeros((2, 0), dtype=np.int64)
         self.shape_body = np.zeros(0, dtype=np.int32)
         self.shape_kind = np.zeros(0, dtype=np.int32)
@@ -170,6 +175,10 @@ class World:
                 room = int(self.counts[NEEDED] * 5 // 4 + 4)
                 self.rows = np.zeros((room, WIDTH))
                 self.lanes = np.zeros((room, 50), dtype=np.uint32)
+            elif status == MORE_WEB:
+                room = int(self.counts[NEEDED] * 5 // 4 + 16)
+                self.web = np.zeros((room, WEB), dtype=np.int64)
+                self.weave = np.zeros((room, WEAVE))
             else:
                 self.counts[PHASE] = 0
                 return int(status)
