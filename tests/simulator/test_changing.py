@@ -190,6 +190,8 @@ def test_who_can_meet_without_a_restitution_is_refused() -> None:
     sim.add(**{**given, "shape": None})
     sim.add_static(t2.Box(width=1.0, height=1.0), position=(0.0, -20.0), mask=8)
     assert len(sim) == 11
+    walls = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    walls.add_static(t2.Box(width=1.0, height=1.0), position=[(0.0, 0.0), (1.0, 0.0)])
 
 
 BAD: dict[str, tuple[dict[str, Any], str]] = {

@@ -179,3 +179,27 @@ def test_what_meets_in_flight_is_told_with_its_impulse() -> None:
     sim.step()
     assert sorted(sim.ended[0].tolist()) == [plate, bullet]
     assert len(sim.contacts) == 0
+
+
+def test_the_normal_leads_from_the_first_to_the_second_in_flight_too() -> None:
+    """A floor that came after the bullet is the second of the pair."""
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+    bullet = sim.add(
+        t2.Disc(radius=0.05), mass=1.0, position=(0.0, 9.0), velocity=(0.0, 0.0), restitution=0.0
+    )
+    sim.step()
+    floor = sim.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0))
+    sim.velocity[bullet] = 0.0, -3000.0
+    sim.step()
+    assert sim.began.bodies.tolist() == [[bullet, floor]]
+    assert sim.began.normal[0].tolist() == [0.0, -1.0]
+
+
+def test_who_is_taken_far_away_ceases_to_touch() -> None:
+    sim = bouncing(0.0)
+    sim.step(60)
+    assert len(sim.contacts) == 1
+    sim.position[0] = 1e4, 1e4
+    sim.step()
+    assert sim.ended.tolist() == [[1, 0]]
+    assert len(sim.contacts) == 0

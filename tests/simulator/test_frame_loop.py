@@ -127,6 +127,19 @@ def test_a_spring_goes_with_its_body() -> None:
     assert sim.velocity[ball].tolist() == before.tolist()
 
 
+def test_bodies_attract_each_other_whatever_else_there_is() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_static(t2.Box(width=1.0, height=1.0), position=(0.0, 50.0), restitution=0.0)
+    for x, mass in ((0.0, 2.0), (4.0, 3.0)):
+        shape = t2.Disc(radius=0.1)
+        scene.add_body(shape, mass=mass, position=(x, 0.0), restitution=0.0)
+    scene.add_attraction(gravitational_constant=8.0)
+    sim = t2.Simulator(scene, time_step=0.01)
+    sim.step()
+    pulls = 0.01 * 8.0 / 16.0  # per mass of the other one
+    np.testing.assert_allclose(sim.velocity[1:, 0], [3.0 * pulls, -2.0 * pulls], rtol=1e-12)
+
+
 def test_a_spring_follows_the_kinematic_body_that_holds_it() -> None:
     """It pulls a body too heavy to move with what it is longer by at the start of each step."""
     scene = t2.Scene(gravity=(0.0, 0.0))

@@ -133,6 +133,15 @@ def test_known_answers() -> None:
     assert sim.in_box((-1.0, -1.0), (6.0, 3.0), mask=4).tolist() == [2]
 
 
+def test_of_what_is_met_at_once_the_first_in_canonical_order_is_told() -> None:
+    found = []
+    for masses in ((1.0, 2.0, 3.0), (3.0, 1.0, 2.0), (2.0, 3.0, 1.0)):
+        sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
+        sim.add(t2.Disc(radius=1.0), mass=masses, position=[(0.0, 0.0)] * 3, group=-1)
+        found.append(float(sim.mass[sim.ray_cast((-5.0, 0.0), (5.0, 0.0)).body[0]]))
+    assert found[0] == found[1] == found[2]
+
+
 def test_what_was_moved_is_found_where_it_is() -> None:
     scene = t2.Scene(gravity=(0.0, 0.0))
     ball = scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(0.0, 0.0), restitution=0)

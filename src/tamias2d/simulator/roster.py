@@ -55,7 +55,6 @@ class Roster:
         """Add the bodies of a batch, and return their rows."""
         world = self.world
         rows = self._take(len(batch))
-        world.clear(rows)
         world.pose[rows] = batch.pose
         world.motion[rows, :3] = batch.motion
         world.load[rows] = batch.load
