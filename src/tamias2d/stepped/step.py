@@ -116,7 +116,7 @@ from tamias2d.stepped.sleep import (
     rouse,
 )
 from tamias2d.stepped.solver import bounce, relax, sweep, warm
-from tamias2d.stepped.thin import plan
+from tamias2d.stepped.thin import has_leaf, plan
 
 DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND, MORE_WEB = 0, 1, 2, 3, 4, 5
 
@@ -284,8 +284,10 @@ def step_once(
         if needed > len(rows):
             counts[NEEDED] = needed
             return MORE_BLOCKS
-        find_islands(counts, pair, shape_body, kind, hits, island)
-        counts[THIN] = plan(counts, pair, shape_body, kind, hits, fill, island, isle, web)
+        counts[THIN] = 0
+        if has_leaf(kind, used):
+            find_islands(counts, pair, shape_body, kind, hits, island)
+            counts[THIN] = plan(counts, pair, shape_body, kind, used, hits, fill, island, isle, web)
         if counts[THIN] < 0:
             counts[NEEDED] = -counts[THIN]
             return MORE_WEB
@@ -540,6 +542,7 @@ def solve(
         if bouncing > 0:
             note_velocities(UNBOUNCED, counts, motion, hits, energy)
             bounce(blocks, rows, lanes, motion, bench, slowest)
+        find_islands(counts, pair, shape_body, kind, hits, island)
         bound_energy(
             settings, counts, pose, motion, load, body, kind, pair, shape_body, hits, island,
             energy, rows, lanes, bouncing,

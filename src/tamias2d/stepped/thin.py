@@ -10,11 +10,10 @@ Source: Tarjan (1975), for grouping; Tinney and Walker (1967), for the order.
 from tamias2d.stepped.layout import DYNAMIC, HITS, ISLAND, Whole
 from tamias2d.stepped.rows import COLOURS, LANES
 
-# isle (n+1, 4): of the lowest row of an island how many bodies and contacts it has, and its number
-# among those taken; of a body its knot
-BODIES, CONTACTS, NUMBER, KNOT = 0, 1, 2, 3
-UNSEEN = -2
-ISLE = 4
+# isle (n+1, 5): of the root of an island how many bodies and contacts it has, its number among the
+# thin ones, and how many leaves; of a body its knot
+BODIES, CONTACTS, NUMBER, KNOT, LEAVES_OF = 0, 1, 2, 3, 4
+ISLE = 5
 
 # web: columns of lists that have nothing else to do with each other
 K_BODY, K_HEAD, K_DEGREE, K_TURN = 0, 1, 2, 3  # a knot: a moving body of a thin island
@@ -31,15 +30,28 @@ WEB = 24
 def island_of(
     k: int, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, island: Whole
 ) -> int:
-    """Return the lowest row of the island to which a touching pair belongs."""
+    """Return the root of the island to which a touching pair belongs."""
     p = hits[0, k]
     i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
     return island[i if kind[i] == DYNAMIC else j, ISLAND]
 
 
+def is_leaf(i: int, kind: Whole, used: Whole) -> bool:
+    """Return whether a moving body has one contact, which is one colour."""
+    return kind[i] == DYNAMIC and used[i] != 0 and used[i] & (used[i] - 1) == 0
+
+
+def has_leaf(kind: Whole, used: Whole) -> bool:
+    """Return whether any body is a leaf: without one there is no thin island to be looked for."""
+    leaves = 0
+    for i in range(len(kind)):
+        leaves += 1 if is_leaf(i, kind, used) else 0
+    return leaves > 0
+
+
 def is_thin(i: int, isle: Whole) -> bool:
     """Return whether an island hangs together like a tree, the ground being one of its bodies."""
-    return isle[i, BODIES] > 1 and isle[i, CONTACTS] <= isle[i, BODIES]
+    return isle[i, LEAVES_OF] > 0 and isle[i, BODIES] > 1 and isle[i, CONTACTS] <= isle[i, BODIES]
 
 
 def count_islands(
@@ -47,29 +59,23 @@ def count_islands(
     pair: Whole,
     shape_body: Whole,
     kind: Whole,
+    used: Whole,
     hits: Whole,
     island: Whole,
     isle: Whole,
 ) -> int:
     """Count bodies and contacts of all islands; return how many contacts are in thin ones."""
+    for i in range(len(kind)):
+        isle[i, BODIES] = isle[i, CONTACTS] = isle[i, LEAVES_OF] = 0
+        isle[i, NUMBER] = isle[i, KNOT] = -1
+    for i in range(len(kind)):
+        isle[island[i, ISLAND], BODIES] += 1
+        isle[island[i, ISLAND], LEAVES_OF] += 1 if is_leaf(i, kind, used) else 0
     for k in range(counts[HITS]):
-        for n in range(2):
-            i = shape_body[pair[hits[0, k], n]]
-            isle[i, KNOT] = UNSEEN
-            isle[island[i, ISLAND], BODIES] = isle[island[i, ISLAND], CONTACTS] = 0
-    for k in range(counts[HITS]):
-        i = island_of(k, pair, shape_body, kind, hits, island)
-        isle[i, CONTACTS] += 1
-        isle[i, NUMBER] = -1
-        for n in range(2):
-            i = shape_body[pair[hits[0, k], n]]
-            if kind[i] == DYNAMIC and isle[i, KNOT] == UNSEEN:
-                isle[i, KNOT] = -1
-                isle[island[i, ISLAND], BODIES] += 1
+        isle[island_of(k, pair, shape_body, kind, hits, island), CONTACTS] += 1
     joints = 0
-    for k in range(counts[HITS]):
-        i = island_of(k, pair, shape_body, kind, hits, island)
-        joints += 1 if is_thin(i, isle) else 0
+    for i in range(len(kind)):
+        joints += isle[i, CONTACTS] if is_thin(i, isle) else 0
     return joints
 
 
@@ -78,6 +84,7 @@ def plan(
     pair: Whole,
     shape_body: Whole,
     kind: Whole,
+    used: Whole,
     hits: Whole,
     fill: Whole,
     island: Whole,
@@ -88,7 +95,7 @@ def plan(
 
     Or less than zero: for how much room `web` has too little.
     """
-    joints = count_islands(counts, pair, shape_body, kind, hits, island, isle)
+    joints = count_islands(counts, pair, shape_body, kind, used, hits, island, isle)
     if joints == 0:
         return 0
     if 5 * joints + 16 > len(web):
