@@ -11,20 +11,20 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.application import Sphinx
 
-from tamias2d.contact.refusal import Refusal
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
 from weave.chapter import WovenDirective
 from weave.markdown import fence
 
 PICTURES = "_static/scenes"
+_CROWD = 500  # bodies, of which a picture shows little and takes long
 
 
 def on_builder_inited(app: Sphinx) -> None:
     """Draw the scenes whose picture is missing or out of date."""
     folder = Path(app.srcdir) / PICTURES
     folder.mkdir(parents=True, exist_ok=True)
-    names = catalogue.names("located")
+    names = [name for name in catalogue.names() if len(catalogue.load(name)) < _CROWD]
     wanted = {folder / _file(name) for name in names}
     for old in set(folder.glob("*.png")) - wanted:
         old.unlink()
@@ -48,11 +48,7 @@ def _draw(name: str, picture: Path) -> None:
     from tamias2d.record.plot import plot
 
     scene = catalogue.load(name)
-    try:
-        run = simulate(scene, duration=scene.duration or 1.0)
-    except Refusal as refusal:  # a scene that is there to be refused: its run up to then
-        run = refusal.run
-    plot(run, picture)
+    plot(simulate(scene, duration=scene.duration or 1.0), picture)
 
 
 class GalleryDirective(WovenDirective):
