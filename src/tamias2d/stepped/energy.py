@@ -131,7 +131,7 @@ def bound_energy(
     bouncing: int,
 ) -> None:
     """Take back of the bounce and of the motion of each island what makes energy."""
-    look_from_supports(counts, pose, motion, kind, pair, shape_body, hits, island, energy)
+    look_from_supports(counts, pose, motion, body, kind, pair, shape_body, hits, island, energy)
     sum_energies(settings, counts, pose, motion, load, body, kind, hits, island, energy, bouncing)
     if share_bounces(counts, kind, hits, island, energy, bouncing):
         take_back(counts, motion, kind, hits, island, energy)
@@ -145,6 +145,7 @@ def look_from_supports(
     counts: Whole,
     pose: Array,
     motion: Array,
+    body: Array,
     kind: Whole,
     pair: Whole,
     shape_body: Whole,
@@ -152,16 +153,30 @@ def look_from_supports(
     island: Whole,
     energy: Array,
 ) -> None:
-    """Write for each island the motion of what it leans on, at its root; if free, of the root.
+    """Write for each island the motion of what it leans on, at its root.
 
-    Impulses within a free island do not depend on who sees them, but rounding does.
+    A free island is seen from its centre of mass as that moved at first: there, gravity does no
+    work that contacts could take for theirs.
     """
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
-            row = energy[i]
-            row[LEANS] = FREE
-            row[SEEN], row[SEEN + 1], row[SEEN + 2] = row[EARLIER], row[EARLIER + 1], 0.0
+            energy[i, LEANS] = FREE
+            energy[i, SUMS] = 0.0
+            for n in range(3):
+                energy[i, SEEN + n] = 0.0
+    for k in range(counts[ACTIVE]):
+        i = hits[1, k]
+        if kind[i] == DYNAMIC:
+            row, mass = energy[island[i, ISLAND]], 1.0 / body[i, INVERSE_MASS]
+            row[SEEN] += mass * energy[i, EARLIER]
+            row[SEEN + 1] += mass * energy[i, EARLIER + 1]
+            row[SUMS] += mass
+    for k in range(counts[ACTIVE]):
+        i = hits[1, k]
+        if kind[i] == DYNAMIC and island[i, ISLAND] == i:
+            energy[i, SEEN] /= energy[i, SUMS]
+            energy[i, SEEN + 1] /= energy[i, SUMS]
     for k in range(counts[HITS]):
         p = hits[0, k]
         i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]

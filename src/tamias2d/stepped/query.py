@@ -37,9 +37,19 @@ SLACK = 1e-12  # relative: how much larger boxes are than what is in them
 
 
 def survey(
-    kind: Bytes, pose: FloatRows, ranked: RankRows, shape_body: Indices, shape_kind: Indices,
-    shape_first: Indices, shape_count: Indices, shape_radius: Floats, corner: FloatRows,
-    box: FloatRows, curve: RankRows, node: FloatRows, sizes: Ranks,
+    kind: Bytes,
+    pose: FloatRows,
+    ranked: RankRows,
+    shape_body: Indices,
+    shape_kind: Indices,
+    shape_first: Indices,
+    shape_count: Indices,
+    shape_radius: Floats,
+    corner: FloatRows,
+    box: FloatRows,
+    curve: RankRows,
+    node: FloatRows,
+    sizes: Ranks,
 ) -> None:
     """Make the tree for all shapes where they are; half-planes stand behind its leaves.
 
@@ -60,8 +70,13 @@ def survey(
 
 
 def enclose_shape(
-    s: int, place: Array, shape_first: Whole, shape_count: Whole, shape_radius: Array,
-    corner: Array, box: Array,
+    s: int,
+    place: Array,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    corner: Array,
+    box: Array,
 ) -> None:
     """Put a box around a shape."""
     c, d = cos(place[TURN]), sin(place[TURN])
@@ -79,10 +94,24 @@ def enclose_shape(
 
 
 def cast(
-    rays: FloatRows, mask: int, pose: FloatRows, ranked: RankRows, shape_body: Indices,
-    shape_kind: Indices, shape_first: Indices, shape_count: Indices, shape_radius: Floats,
-    filters: RankRows, corner: FloatRows, box: FloatRows, curve: RankRows, node: FloatRows,
-    sizes: Ranks, met: Ranks, hits: FloatRows, found: Ranks,
+    rays: FloatRows,
+    mask: int,
+    pose: FloatRows,
+    ranked: RankRows,
+    shape_body: Indices,
+    shape_kind: Indices,
+    shape_first: Indices,
+    shape_count: Indices,
+    shape_radius: Floats,
+    filters: RankRows,
+    corner: FloatRows,
+    box: FloatRows,
+    curve: RankRows,
+    node: FloatRows,
+    sizes: Ranks,
+    met: Ranks,
+    hits: FloatRows,
+    found: Ranks,
 ) -> None:
     """Find the first shape that each ray (k, 4), from a point to a point, enters.
 
@@ -98,13 +127,47 @@ def cast(
         met[k] = -1
         hits[k, 0], hits[k, 1], hits[k, 2] = NONE, 0.0, 0.0
         held = gather(
-            x, y, x, y, mask, pose, shape_body, shape_kind, shape_first, shape_count, shape_radius,
-            filters, corner, box, curve, node, sizes, found,
+            x,
+            y,
+            x,
+            y,
+            mask,
+            pose,
+            shape_body,
+            shape_kind,
+            shape_first,
+            shape_count,
+            shape_radius,
+            filters,
+            corner,
+            box,
+            curve,
+            node,
+            sizes,
+            found,
         )
         for m in range(leaves, leaves + sizes[1]):
             cast_at(
-                k, curve[0, m], x, y, by_x, by_y, mask, pose, ranked, shape_body, shape_kind,
-                shape_first, shape_count, shape_radius, filters, corner, met, hits, held, found,
+                k,
+                curve[0, m],
+                x,
+                y,
+                by_x,
+                by_y,
+                mask,
+                pose,
+                ranked,
+                shape_body,
+                shape_kind,
+                shape_first,
+                shape_count,
+                shape_radius,
+                filters,
+                corner,
+                met,
+                hits,
+                held,
+                found,
             )
         at = 1 if leaves > 0 else 0
         while at > 0:
@@ -116,9 +179,26 @@ def cast(
                     s = curve[0, m]
                     if crosses(box[s, FAT:], x, y, by_x, by_y, min(hits[k, 0], 1.0)):
                         cast_at(
-                            k, s, x, y, by_x, by_y, mask, pose, ranked, shape_body, shape_kind,
-                            shape_first, shape_count, shape_radius, filters, corner, met, hits,
-                            held, found,
+                            k,
+                            s,
+                            x,
+                            y,
+                            by_x,
+                            by_y,
+                            mask,
+                            pose,
+                            ranked,
+                            shape_body,
+                            shape_kind,
+                            shape_first,
+                            shape_count,
+                            shape_radius,
+                            filters,
+                            corner,
+                            met,
+                            hits,
+                            held,
+                            found,
                         )
             while at & 1:
                 at >>= 1
@@ -141,9 +221,25 @@ def crosses(box: Array, x: float, y: float, by_x: float, by_y: float, most: floa
 
 
 def cast_at(
-    k: int, s: int, x: float, y: float, by_x: float, by_y: float, mask: int, pose: Array,
-    ranked: Whole, shape_body: Whole, shape_kind: Whole, shape_first: Whole, shape_count: Whole,
-    shape_radius: Array, filters: Whole, corner: Array, met: Whole, hits: Array, held: int,
+    k: int,
+    s: int,
+    x: float,
+    y: float,
+    by_x: float,
+    by_y: float,
+    mask: int,
+    pose: Array,
+    ranked: Whole,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    filters: Whole,
+    corner: Array,
+    met: Whole,
+    hits: Array,
+    held: int,
     found: Whole,
 ) -> None:
     """Let a ray meet a shape, and keep the hit if it is the first one."""
@@ -167,12 +263,22 @@ def cast_at(
             )
         elif shape_kind[s] == DISC:
             fraction, x_in, y_in = ray_disc(
-                start_x, start_y, along_x, along_y, corner[first, 0], corner[first, 1],
+                start_x,
+                start_y,
+                along_x,
+                along_y,
+                corner[first, 0],
+                corner[first, 1],
                 shape_radius[s],
             )
         else:
             fraction, x_in, y_in = ray_capsule(
-                start_x, start_y, along_x, along_y, corner[first], corner[first + 1],
+                start_x,
+                start_y,
+                along_x,
+                along_y,
+                corner[first],
+                corner[first + 1],
                 shape_radius[s],
             )
         normal_x, normal_y = c * x_in - d * y_in, d * x_in + c * y_in
@@ -266,10 +372,24 @@ def ray_capsule(
 
 
 def gather(
-    low_x: float, low_y: float, high_x: float, high_y: float, mask: int, pose: FloatRows,
-    shape_body: Indices, shape_kind: Indices, shape_first: Indices, shape_count: Indices,
-    shape_radius: Floats, filters: RankRows, corner: FloatRows, box: FloatRows, curve: RankRows,
-    node: FloatRows, sizes: Ranks, found: Ranks,
+    low_x: float,
+    low_y: float,
+    high_x: float,
+    high_y: float,
+    mask: int,
+    pose: FloatRows,
+    shape_body: Indices,
+    shape_kind: Indices,
+    shape_first: Indices,
+    shape_count: Indices,
+    shape_radius: Floats,
+    filters: RankRows,
+    corner: FloatRows,
+    box: FloatRows,
+    curve: RankRows,
+    node: FloatRows,
+    sizes: Ranks,
+    found: Ranks,
 ) -> int:
     """Write the shapes that overlap a box, which may be a point, into `found`; return how many."""
     leaves, total = sizes[0], 0
@@ -292,9 +412,19 @@ def gather(
             for m in range(bunch, min(bunch + BUNCH, leaves)):
                 s = curve[0, m]
                 solid = filters[s, SENSOR] == 0 and (filters[s, CATEGORY] & mask) != 0
-                if solid and meets_box(box[s, FAT:], low_x, low_y, high_x, high_y) and overlaps(
-                    low_x, low_y, high_x, high_y, pose[shape_body[s]], shape_kind[s],
-                    shape_radius[s], corner[shape_first[s] : shape_first[s] + shape_count[s]],
+                if (
+                    solid
+                    and meets_box(box[s, FAT:], low_x, low_y, high_x, high_y)
+                    and overlaps(
+                        low_x,
+                        low_y,
+                        high_x,
+                        high_y,
+                        pose[shape_body[s]],
+                        shape_kind[s],
+                        shape_radius[s],
+                        corner[shape_first[s] : shape_first[s] + shape_count[s]],
+                    )
                 ):
                     found[total] = s
                     total += 1
@@ -307,14 +437,18 @@ def gather(
 
 def meets_box(box: Array, low_x: float, low_y: float, high_x: float, high_y: float) -> bool:
     """Return whether two boxes overlap."""
-    return bool(
-        (box[0] <= high_x) & (box[2] >= low_x) & (box[1] <= high_y) & (box[3] >= low_y)
-    )
+    return bool((box[0] <= high_x) & (box[2] >= low_x) & (box[1] <= high_y) & (box[3] >= low_y))
 
 
 def overlaps(
-    low_x: float, low_y: float, high_x: float, high_y: float, place: Array, kind: int,
-    radius: float, corners: Array,
+    low_x: float,
+    low_y: float,
+    high_x: float,
+    high_y: float,
+    place: Array,
+    kind: int,
+    radius: float,
+    corners: Array,
 ) -> bool:
     """Return whether a shape overlaps a box of the world; touching counts.
 

@@ -125,7 +125,7 @@ def colour(
     return block
 
 
-def clear_lanes(counts: Whole, idle: int, fill: Whole, rows: Array, lanes: Whole) -> None:
+def clear_lanes(idle: int, fill: Whole, rows: Array, lanes: Whole) -> None:
     """Let the lanes work on the idle body, where the blocks of a colour are not full."""
     for c in range(2 * COLOURS + 2):
         single = c >= 2 * COLOURS

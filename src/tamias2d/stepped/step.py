@@ -291,7 +291,7 @@ def step_once(
         if counts[THIN] < 0:
             counts[NEEDED] = -counts[THIN]
             return MORE_WEB
-        clear_lanes(counts, len(pose) - 1, fill, rows, lanes)
+        clear_lanes(len(pose) - 1, fill, rows, lanes)
         bouncing = fill_rows(
             counts, pair, touch, shape_body, shape_radius, surface, pose, motion, body,
             hits, fill, rows, lanes,
@@ -402,7 +402,6 @@ def look_around(
         shape_count,
         shape_radius,
         kind,
-        pose,
         body,
         home,
         turned,
@@ -412,7 +411,6 @@ def look_around(
         counts,
         shape_kind,
         shape_body,
-        surface,
         filters,
         kind,
         ranked,
@@ -517,7 +515,7 @@ def solve(
     weave: Array,
 ) -> None:
     """Take the substeps of all bodies with contacts, and let them bounce."""
-    active = mark_active(counts, kind, used, pair, shape_body, hits, motion)
+    active = mark_active(counts, kind, used, pair, shape_body, hits)
     if active == 0:
         return
     substeps = counts[SUBSTEPS]
@@ -593,7 +591,6 @@ def mark_active(
     pair: Whole,
     shape_body: Whole,
     hits: Whole,
-    motion: Array,
 ) -> int:
     """List the moving bodies that have contacts in the second row of `hits`; return how many.
 
