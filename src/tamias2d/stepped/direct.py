@@ -103,6 +103,7 @@ NEARLY = 1e-3  # of the fastest point: what is slower to part may push
 SLIGHT = 1e-7  # of the largest push: no reason to correct
 CLOSE_ENOUGH = 1e-10  # what may be left of the equations, as a part of the pushes, both squared
 STILL_GOOD = 1e-6  # more than this is not taken
+WILD = 100.0  # nor pushes so many times what there is to stop, for each contact
 LIVELY = 1.0 + 1e-9  # nor what gives the bodies more energy, but for rounding
 LEFT_ALONE = -1
 
@@ -163,9 +164,11 @@ def settle_islands(
         good = left <= STILL_GOOD
         go_back(n, motion, web, weave)
         if good:
+            most = 0.0
             for joint in range(first, last):
-                apply_joint(joint, rows, lanes, motion, web, weave)
-            good = not_livelier(n, before, apart, motion, web, weave)
+                most = max(most, apply_joint(joint, rows, lanes, motion, web, weave))
+            good = most <= WILD * (last - first) * weave[n, SCALE]
+            good = good and not_livelier(n, before, apart, motion, web, weave)
             if not good:
                 go_back(n, motion, web, weave)
         for joint in range(first, last):
@@ -466,12 +469,13 @@ def load_knots(
 
 def apply_joint(
     joint: int, rows: Array, lanes: Whole, motion: Array, web: Whole, weave: Array
-) -> None:
-    """Let the impulses that were found act, within what contacts can give."""
+) -> float:
+    """Let the impulses that were found act, as contacts can give them; return the larger push."""
     b, m = web[joint, J_BLOCK], web[joint, J_LANE]
     row = rows[b]
     one, other = motion[lanes[b, BODY_A + m]], motion[lanes[b, BODY_B + m]]
     line, tangent = (row[R_NX + m], row[R_NY + m]), (-row[R_NY + m], row[R_NX + m])
+    most = 0.0
     for k in range(lanes[b, POINTS]):
         at = SHARED + k * SIZE + m
         push = max(weave[joint, ASKED + k], 0.0)
@@ -482,6 +486,8 @@ def apply_joint(
         jolt(m, more, line, row[at + P_ARM_A], row[at + P_ARM_B], row, one, other)
         more = rub - row[at + P_RUB]
         jolt(m, more, tangent, row[at + P_SIDE_A], row[at + P_SIDE_B], row, one, other)
+        most = max(most, push)
+    return most
 
 
 def keep_joint(joint: int, rows: Array, lanes: Whole, web: Whole, weave: Array) -> None:

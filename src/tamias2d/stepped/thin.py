@@ -10,10 +10,10 @@ Source: Tarjan (1975), for grouping; Tinney and Walker (1967), for the order.
 from tamias2d.stepped.layout import DYNAMIC, HITS, ISLAND, Whole
 from tamias2d.stepped.rows import COLOURS, LANES
 
-# isle (n+1, 5): of the root of an island how many bodies and contacts it has, its number among the
-# thin ones, and how many leaves; of a body its knot
-BODIES, CONTACTS, NUMBER, KNOT, LEAVES_OF = 0, 1, 2, 3, 4
-ISLE = 5
+# isle (n+1, 6): of the root of an island how many bodies it has, and contacts between them, its
+# number among the thin ones, how many leaves, and contacts with the ground; of a body its knot
+BODIES, CONTACTS, NUMBER, KNOT, LEAVES_OF, GROUNDED = 0, 1, 2, 3, 4, 5
+ISLE = 6
 
 # web: columns of lists that have nothing else to do with each other
 K_BODY, K_HEAD, K_DEGREE, K_TURN = 0, 1, 2, 3  # a knot: a moving body of a thin island
@@ -50,8 +50,12 @@ def has_leaf(kind: Whole, used: Whole) -> bool:
 
 
 def is_thin(i: int, isle: Whole) -> bool:
-    """Return whether an island hangs together like a tree, the ground being one of its bodies."""
-    return isle[i, LEAVES_OF] > 0 and isle[i, BODIES] > 1 and isle[i, CONTACTS] <= isle[i, BODIES]
+    """Return whether an island hangs together like a tree, the ground being one of its bodies.
+
+    Then its contacts ask for no more than its bodies can do, and there is one answer.
+    """
+    tree = isle[i, BODIES] > 1 and isle[i, CONTACTS] < isle[i, BODIES] and isle[i, GROUNDED] <= 1
+    return tree and isle[i, LEAVES_OF] > 0
 
 
 def count_islands(
@@ -66,16 +70,20 @@ def count_islands(
 ) -> int:
     """Count bodies and contacts of all islands; return how many contacts are in thin ones."""
     for i in range(len(kind)):
-        isle[i, BODIES] = isle[i, CONTACTS] = isle[i, LEAVES_OF] = 0
+        isle[i, BODIES] = isle[i, CONTACTS] = isle[i, LEAVES_OF] = isle[i, GROUNDED] = 0
         isle[i, NUMBER] = isle[i, KNOT] = -1
     for i in range(len(kind)):
         isle[island[i, ISLAND], BODIES] += 1
         isle[island[i, ISLAND], LEAVES_OF] += 1 if is_leaf(i, kind, used) else 0
     for k in range(counts[HITS]):
-        isle[island_of(k, pair, shape_body, kind, hits, island), CONTACTS] += 1
+        p = hits[0, k]
+        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+        free = kind[i] == DYNAMIC and kind[j] == DYNAMIC
+        at = CONTACTS if free else GROUNDED
+        isle[island_of(k, pair, shape_body, kind, hits, island), at] += 1
     joints = 0
     for i in range(len(kind)):
-        joints += isle[i, CONTACTS] if is_thin(i, isle) else 0
+        joints += isle[i, CONTACTS] + isle[i, GROUNDED] if is_thin(i, isle) else 0
     return joints
 
 
