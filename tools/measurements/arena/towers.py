@@ -2,8 +2,8 @@
 
 Serves: the measurement of contacts. Hides: what standing means.
 
-Contacts give way like springs, so that a tower bends under its weight like a rod, and buckles if it
-is too high or too heavy; more substeps are stiffer springs.
+Where contacts give way like springs a tower bends under its weight like a rod, and buckles if it is
+too high or too heavy; more substeps are stiffer springs.
 """
 
 import numpy as np
