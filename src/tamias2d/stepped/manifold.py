@@ -32,6 +32,7 @@ from tamias2d.stepped.layout import (
     Whole,
 )
 from tamias2d.stepped.polygons import touch_again, touch_polygons
+from tamias2d.stepped.separation import facing_side
 
 
 @inlined
@@ -253,7 +254,8 @@ def touch_plane(
     """Write the points between a half-plane and a shape; return their names, or 0.
 
     The shape's body is at (x, y) from the half-plane's, m; `swapped` says that the shape is A. The
-    points are its lowest corner and the lower one of those beside it.
+    points are its lowest corner and the other end of the side that looks more at the half-plane:
+    of a thin card the next lower corner may be at the same end.
     """
     nx, ny = turned[plane, 2], turned[plane, 3]
     base = nx * x + ny * y - turned[plane, 0] - radius
@@ -273,15 +275,14 @@ def touch_plane(
     first = 1 + (at * NAMES if swapped else at)
     if count_q == 1:
         return first, 0
-    before, after = at - 1 if at > 0 else count_q - 1, at + 1 if at + 1 < count_q else 0
-    low = nx * turned[first_q + before, 0] + ny * turned[first_q + before, 1]
-    high = nx * turned[first_q + after, 0] + ny * turned[first_q + after, 1]
-    if high < low:
-        before, low = after, high
+    beside = facing_side(first_q, count_q, at, nx, ny, turned)
+    if beside == at:
+        beside = at + 1 if at + 1 < count_q else 0
+    low = nx * turned[first_q + beside, 0] + ny * turned[first_q + beside, 1]
     if base + low >= margin:
         return first, 0
-    touch_corner(row, POINT, first_q + before, nx, ny, x, y, base + low, radius, turned)
-    return first, 1 + (before * NAMES if swapped else before)
+    touch_corner(row, POINT, first_q + beside, nx, ny, x, y, base + low, radius, turned)
+    return first, 1 + (beside * NAMES if swapped else beside)
 
 
 def touch_corner(
