@@ -14,7 +14,6 @@ import numpy as np
 from tamias2d.balance import balance
 from tamias2d.contact import (
     MEANT_TO_TOUCH,
-    FrictionError,
     Hit,
     LastingContactError,
     Located,
@@ -39,7 +38,7 @@ from tamias2d.scene import Scene
 from tamias2d.simulator import Frames, Overlap
 from tamias2d.state import Array, History
 
-_UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError, FrictionError)
+_UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError)
 
 
 class Interrupted(KeyboardInterrupt):

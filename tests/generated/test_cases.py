@@ -352,7 +352,7 @@ def test_od2_inertia_area_and_centre_of_simple_shapes() -> None:
 
 
 def test_od3_quantities_of_one_body() -> None:
-    """OD3, srs/verification/quantities.md:117; verifies R8."""
+    """OD3, srs/verification/quantities.md:134; verifies R8."""
     passes("OD3")
 
 

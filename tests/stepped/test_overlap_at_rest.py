@@ -5,7 +5,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.generated import soft_contact
 from tamias2d.simulator import Simulator
-from tamias2d.stepped.step import CIRCLE, FIRMER, HERTZ
+from tamias2d.stepped.rows import CIRCLE, CYCLES, FIRMER
 
 GRAVITY = 9.81
 
@@ -13,7 +13,7 @@ GRAVITY = 9.81
 def overlap(body: t2.Disc | t2.Box, mass: float, height: float, substeps: int) -> float:
     """How far a body has sunk in after it has come to rest, m."""
     scene = t2.Scene(gravity=(0.0, -GRAVITY))
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), restitution=0.0)
     scene.add_body(body, mass=mass, position=(0.0, height))
     sim = Simulator(scene, substeps=substeps)
     sim.step(6000)
@@ -24,7 +24,7 @@ def overlap(body: t2.Disc | t2.Box, mass: float, height: float, substeps: int) -
 def stated(push: float, row_mass: float, substeps: int) -> float:
     """The overlap of a contact that carries a push, N s in each substep, on what does not move."""
     substep = 1 / 60 / substeps
-    frequency = CIRCLE * HERTZ / substep * FIRMER
+    frequency = CIRCLE * CYCLES / substep * FIRMER
     return -soft_contact.separation_rest(push, row_mass, frequency, substep)
 
 

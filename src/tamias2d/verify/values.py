@@ -38,8 +38,15 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
 
 
 def _arguments(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the arguments by name; `vertices` become the pairs of neighbours of an outline."""
+    """Return the arguments by name, those of many parts as arrays over the parts (`mass_i`).
+
+    `vertices` become the pairs of neighbours of an outline.
+    """
     values = {name: _value(name, value) for name, value in given.items() if name != "vertices"}
+    for name, value in values.items():
+        if name.endswith("_i"):
+            parts = np.array(value)
+            values[name] = parts if parts.ndim == 1 else tuple(parts.T)
     if "vertices" in given:
         corners = np.array([_value("vertex", corner) for corner in given["vertices"]])
         values["vertex_i"] = tuple(corners.T)
@@ -48,6 +55,8 @@ def _arguments(given: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _value(name: str, value: Any) -> Any:
+    if name.endswith("_i"):
+        return [measure(part, _symbol(name)) for part in value]
     return measure(value, _symbol(name))
 
 
