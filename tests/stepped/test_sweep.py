@@ -122,11 +122,11 @@ def test_a_bar_that_spins_fast_beside_a_wall_does_not_meet_it(gap) -> None:
 
 def test_what_touches_at_the_start_meets_again_once_it_has_been_apart() -> None:
     floor, ball = box(10.0, 1.0), disc(0.5)
-    assert swept(floor, ball, (0.0, 1.0), (0.0, -3.0)) == MISSED
+    assert swept(floor, ball, (0.0, 1.0), (0.0, -3.0)) < 2 * NEAR  # deeper is met at once
     assert swept(floor, ball, (0.0, 1.0), (3.0, 0.0)) == MISSED
-    bar = box(2.0, 0.1)  # lies on the floor, turns up and over
-    at = swept(floor, bar, (0.0, 0.55), (0.0, 2.0), 0.0, 7.0)
-    assert at == MISSED
+    bar = box(2.0, 0.1)  # lies on the floor, and turns up faster or slower than it rises
+    assert swept(floor, bar, (0.0, 0.55), (0.0, 2.0), 0.0, 7.0) < 2 * NEAR
+    assert swept(floor, bar, (0.0, 0.55), (0.0, 2.0), 0.0, 1.5) == MISSED
 
 
 @settings(max_examples=100, deadline=None)

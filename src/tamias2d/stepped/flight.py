@@ -5,8 +5,8 @@ Serves: a step, for what the solver has not seen coming. Hides: in which order t
 In a step every body goes along a line and turns evenly. Where one goes farther than its own
 thickness, the instants at which it comes close to others are found, and at the first of them the
 impact happens at once: both go on along new lines for the rest of the step (IM10, one row). What
-then is in their way is looked for again. A body whose new line leaves the room in which its
-neighbours are known waits at its border until the next step.
+then is in their way is looked for again, and where a new line leaves the room in which neighbours
+are known, all pairs are. What is pressed together again for the rest of the step stays together.
 """
 
 from tamias2d.generated.soft_contact import (
@@ -32,6 +32,8 @@ from tamias2d.stepped.layout import (
     FRAME_X,
     FRAME_Y,
     GAP,
+    GRAVITY_X,
+    GRAVITY_Y,
     HALF_PLANE,
     HIGH_X,
     HIGH_Y,
@@ -69,8 +71,12 @@ from tamias2d.stepped.pairs import AROUND
 from tamias2d.stepped.sweep import MISSED, NEAR, WIDE, place, time_of_impact
 
 FAST = 0.35  # of half its width: how far a body goes before it is looked after
-THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back
-IMPACTS = 64  # in one step, and as many again for every pair that meets
+THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back,
+# but not farther than the smaller one reaches
+IMPACTS = 64  # in one step, and four more for every pair that meets
+LOOKS_AROUND = 32  # in one step: then a body waits where its neighbours are not known any more
+BENT, LEANT = 0, 1  # columns of what bodies gained that are free: 1 where a line is bent; where a
+# body has contacts, so that its velocity at the end says little of that on its way
 
 
 def goes_far(kind: Whole, motion: Array, body: Array) -> bool:
@@ -90,18 +96,25 @@ def outruns(
     """
     out = False
     for i in range(len(kind)):
-        if kind[i] == DYNAMIC and way_of(i, motion, body) > FAST * body[i, INNER]:
-            x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
-            y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
-            more = AROUND * body[i, REACH]
-            inside = (
-                (x >= home[i, LOW_X] - more)
-                & (x <= home[i, HIGH_X] + more)
-                & (y >= home[i, LOW_Y] - more)
-                & (y <= home[i, HIGH_Y] + more)
-            )
-            out = out | (not inside)
+        out = out | leaves(i, settings, kind, pose, motion, body, home)
     return out
+
+
+def leaves(
+    i: int, settings: Array, kind: Whole, pose: Array, motion: Array, body: Array, home: Array
+) -> bool:
+    """Return whether a body goes far, and out of where its neighbours are known."""
+    if kind[i] != DYNAMIC or way_of(i, motion, body) <= FAST * body[i, INNER]:
+        return False
+    x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
+    y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
+    more = AROUND * body[i, REACH]
+    return bool(
+        (x < home[i, LOW_X] - more)
+        | (x > home[i, HIGH_X] + more)
+        | (y < home[i, LOW_Y] - more)
+        | (y > home[i, HIGH_Y] + more)
+    )
 
 
 def way_of(i: int, motion: Array, body: Array) -> float:
@@ -132,36 +145,47 @@ def fly(
     trace: Whole,
     times: Array,
     scratch: Array,
-) -> None:
+    looks: int,
+    since: float,
+) -> float:
     """Let all impacts of a step happen that the solver has not seen, in their order.
 
     `gained` (n+1, 6) holds in its last columns what forces add to velocities in this step; `times`
-    (p,) is for when pairs meet, `scratch` (k, 8) for the corners of two shapes.
+    (p,) is for when pairs meet, `scratch` (k, 8) for the corners of two shapes. Returns the
+    fraction of the step from which pairs are to be looked for and this is to be called again, as
+    `since`, if `looks` are left; else `MISSED`.
     """
+    if since == 0.0:
+        begin_flight(settings, kind, gained)
     found = 0
     for p in range(counts[PAIRS]):
         times[p] = MISSED
         s, t = pair[p, 0], pair[p, 1]
-        if trace[p, COUNT] > 0 or filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
-            continue
         i, j = shape_body[s], shape_body[t]
+        bent = gained[i, BENT] + gained[j, BENT] > 0.0
+        if trace[p, COUNT] > 0 and not bent:
+            continue
+        if filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
+            continue
         way = (
             abs(motion[j, DX] - motion[i, DX])
             + abs(motion[j, DY] - motion[i, DY])
             + abs(motion[i, DTURN]) * body[i, ARM]
             + abs(motion[j, DTURN]) * body[j, ARM]
         )
-        if way > THROUGH * width(body[i, INNER], body[j, INNER]):
+        deep = THROUGH * width(body[i, INNER], body[j, INNER])
+        deep = min(deep, surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        if bent or way > deep:
             times[p] = next_meeting(
-                s, t, 0.0, pose, motion, shape_body, shape_kind, shape_first, shape_count,
-                shape_radius, surface, corner, turned, scratch,
+                s, t, since, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
+                shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
             )  # fmt: skip
             found += times[p] <= 1.0
-    for _ in range(IMPACTS * found):
+    for _ in range(IMPACTS + 4 * found):
         first = earliest(counts[PAIRS], times)
         now = times[first]
         if now > 1.0:
-            return
+            return MISSED
         times[first] = MISSED
         s, t = pair[first, 0], pair[first, 1]
         if shape_kind[t] == HALF_PLANE:
@@ -176,14 +200,21 @@ def fly(
             i, j, now, settings[TIME_STEP], friction, restitution, pose, motion, body, gained,
             scratch[0],
         )  # fmt: skip
-        if push == 0.0:
+        if push < 0.0:
             continue
-        note_impact(
-            push, i, now, 1.0 if s == pair[first, 0] else -1.0, pose, motion, scratch[0],
-            touch[first], trace[first],
-        )  # fmt: skip
-        wait_at_border(settings, i, now, pose, motion, home, kind)
-        wait_at_border(settings, j, now, pose, motion, home, kind)
+        if push > 0.0:
+            note_impact(
+                push, i, now, 1.0 if s == pair[first, 0] else -1.0, pose, motion, scratch[0],
+                touch[first], trace[first],
+            )  # fmt: skip
+        gained[i, BENT] = gained[j, BENT] = 1.0
+        if leaves(i, settings, kind, pose, motion, body, home) or leaves(
+            j, settings, kind, pose, motion, body, home
+        ):
+            if looks > 0:
+                return now
+            wait_at_border(settings, i, now, pose, motion, home, kind)
+            wait_at_border(settings, j, now, pose, motion, home, kind)
         for p in range(counts[PAIRS]):
             s, t = pair[p, 0], pair[p, 1]
             a, b = shape_body[s], shape_body[t]
@@ -191,13 +222,24 @@ def fly(
             new = new | (((a == j) | (b == j)) & (kind[j] == DYNAMIC))
             if new and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
                 times[p] = next_meeting(
-                    s, t, now, pose, motion, shape_body, shape_kind, shape_first, shape_count,
-                    shape_radius, surface, corner, turned, scratch,
+                    s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
+                    shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
                 )  # fmt: skip
+    now = times[earliest(counts[PAIRS], times)]
     for p in range(counts[PAIRS]):  # too many impacts: what would meet waits for the next step
         if times[p] <= 1.0:
-            stop_at(shape_body[pair[p, 0]], times[p], pose, motion, kind)
-            stop_at(shape_body[pair[p, 1]], times[p], pose, motion, kind)
+            stop_at(shape_body[pair[p, 0]], now, pose, motion, kind)
+            stop_at(shape_body[pair[p, 1]], now, pose, motion, kind)
+    return MISSED
+
+
+def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:
+    """Mark what has contacts: nothing is noted that gravity has added to its velocity."""
+    pulled = settings[GRAVITY_X] != 0.0 or settings[GRAVITY_Y] != 0.0
+    for i in range(len(kind)):
+        still = gained[i, 3] == 0.0 and gained[i, 4] == 0.0
+        gained[i, BENT] = 0.0
+        gained[i, LEANT] = 1.0 if pulled and still and kind[i] == DYNAMIC else 0.0
 
 
 def width(one: float, other: float) -> float:
@@ -279,6 +321,7 @@ def next_meeting(
     s: int,
     t: int,
     now: float,
+    time_step: float,
     pose: Array,
     motion: Array,
     shape_body: Whole,
@@ -305,22 +348,10 @@ def next_meeting(
     near = NEAR * min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
     rest = 1.0 - now
     if gap <= near:
-        x, y = contact_of(scratch[0])
-        closing = row_velocity(
-            (motion[i, DX], motion[i, DY]),
-            motion[i, DTURN],
-            turning_arm((x, y), (scratch[0, NX], scratch[0, NY])),
-            (motion[j, DX], motion[j, DY]),
-            motion[j, DTURN],
-            turning_arm(
-                (
-                    x - (pose[j, X] - pose[i, X] + now * (motion[j, DX] - motion[i, DX])),
-                    y - (pose[j, Y] - pose[i, Y] + now * (motion[j, DY] - motion[i, DY])),
-                ),
-                (scratch[0, NX], scratch[0, NY]),
-            ),
-            (scratch[0, NX], scratch[0, NY]),
-        )
+        at_a = contact_of(scratch[0])
+        at_b = seen_from_b(i, j, now, at_a, pose, motion)
+        line = (scratch[0, NX], scratch[0, NY])
+        closing = time_step * rate_along(i, j, time_step, at_a, at_b, line, motion)
         if closing * rest < -near:
             return now
     ahead = time_of_impact(
@@ -340,6 +371,14 @@ def next_meeting(
         scratch,
     )
     return now + ahead * rest if ahead <= 1.0 else MISSED
+
+
+def seen_from_b(i: int, j: int, now: float, at_a: Vector, pose: Array, motion: Array) -> Vector:
+    """Return from the centre of B what is known from that of A, at a fraction of the step."""
+    return (
+        at_a[0] - (pose[j, X] - pose[i, X] + now * (motion[j, DX] - motion[i, DX])),
+        at_a[1] - (pose[j, Y] - pose[i, Y] + now * (motion[j, DY] - motion[i, DY])),
+    )
 
 
 def contact_of(row: Array) -> tuple[float, float]:
@@ -368,26 +407,39 @@ def part(
 ) -> float:
     """Let the impact of two bodies happen, by one row along the normal and one along the tangent.
 
-    Returns the impulse along the normal, N s; 0 where they do not approach.
+    Where forces press them together again in the rest of the step, they stay together. Returns the
+    impulse along the normal, N s; a negative number where nothing happens.
     """
-    x, y = contact_of(row)
-    at_b = (
-        x - (pose[j, X] - pose[i, X] + now * (motion[j, DX] - motion[i, DX])),
-        y - (pose[j, Y] - pose[i, Y] + now * (motion[j, DY] - motion[i, DY])),
-    )
+    at_a = contact_of(row)
+    at_b = seen_from_b(i, j, now, at_a, pose, motion)
     line = (row[NX], row[NY])
-    before = speed_along(i, j, now, (x, y), at_b, line, motion, gained)
-    if before >= 0.0:
-        return 0.0
-    mass = mass_along(i, j, (x, y), at_b, line, body)
-    push = bouncing_push(0.0, before, before, restitution, mass)
-    strike(i, j, now, time_step, push, (x, y), at_b, line, pose, motion, body)
+    mass = mass_along(i, j, at_a, at_b, line, body)
+    before = speed_along(i, j, 1.0 - now, at_a, at_b, line, motion, gained)
+    rate = rate_along(i, j, time_step, at_a, at_b, line, motion)
+    if before >= 0.0 and rate >= 0.0:
+        return -1.0
+    back = bouncing_push(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
+    if gained[i, LEANT] + gained[j, LEANT] > 0.0:
+        push = max(-mass * before, 0.0) + back
+        kick_both(i, j, push, at_a, at_b, line, motion, body)
+        way = (max(-mass * rate, 0.0) + back) * time_step
+        bend(i, j, now, way, at_a, at_b, line, pose, motion, body)
+    else:
+        push = bouncing_push(0.0, before, before, restitution, mass) if before < 0.0 else 0.0
+        strike(i, j, now, time_step, push, at_a, at_b, line, pose, motion, body)
+    rate = rate_along(i, j, time_step, at_a, at_b, line, motion)
+    if rate < 0.0:
+        bend(i, j, now, -mass * rate * time_step, at_a, at_b, line, pose, motion, body)
+        after = speed_along(i, j, 0.0, at_a, at_b, line, motion, gained)
+        held = max(-mass * after, 0.0)
+        kick_both(i, j, held, at_a, at_b, line, motion, body)
+        push += held
     if friction > 0.0:
         line = (-row[NY], row[NX])
-        speed = speed_along(i, j, now, (x, y), at_b, line, motion, gained)
-        mass = mass_along(i, j, (x, y), at_b, line, body)
+        speed = speed_along(i, j, 1.0 - now, at_a, at_b, line, motion, gained)
+        mass = mass_along(i, j, at_a, at_b, line, body)
         rub = limited_rub(0.0, speed, mass, friction, push)
-        strike(i, j, now, time_step, rub, (x, y), at_b, line, pose, motion, body)
+        strike(i, j, now, time_step, rub, at_a, at_b, line, pose, motion, body)
     return push
 
 
@@ -418,15 +470,17 @@ def note_impact(
 def speed_along(
     i: int,
     j: int,
-    now: float,
+    left: float,
     at_a: Vector,
     at_b: Vector,
     line: Vector,
     motion: Array,
     gained: Array,
 ) -> float:
-    """Return the velocity of B's point against A's along a line at a fraction of the step, m/s."""
-    left = 1.0 - now
+    """Return the velocity of B's point against A's along a line, m/s.
+
+    `left` is the share of the step for which forces have not acted yet.
+    """
     return row_velocity(
         (motion[i, VX] - left * gained[i, 3], motion[i, VY] - left * gained[i, 4]),
         motion[i, SPIN] - left * gained[i, 5],
@@ -435,6 +489,24 @@ def speed_along(
         motion[j, SPIN] - left * gained[j, 5],
         turning_arm(at_b, line),
         line,
+    )
+
+
+def rate_along(
+    i: int, j: int, time_step: float, at_a: Vector, at_b: Vector, line: Vector, motion: Array
+) -> float:
+    """Return the same along the lines on which bodies go, m/s."""
+    return (
+        row_velocity(
+            (motion[i, DX], motion[i, DY]),
+            motion[i, DTURN],
+            turning_arm(at_a, line),
+            (motion[j, DX], motion[j, DY]),
+            motion[j, DTURN],
+            turning_arm(at_b, line),
+            line,
+        )
+        / time_step
     )
 
 
@@ -464,31 +536,68 @@ def strike(
     body: Array,
 ) -> None:
     """Let an impulse act on both bodies, on their velocities and on their lines from now on."""
+    kick_both(i, j, amount, at_a, at_b, line, motion, body)
+    bend(i, j, now, amount * time_step, at_a, at_b, line, pose, motion, body)
+
+
+def kick_both(
+    i: int,
+    j: int,
+    amount: float,
+    at_a: Vector,
+    at_b: Vector,
+    line: Vector,
+    motion: Array,
+    body: Array,
+) -> None:
+    """Let an impulse change the velocities of both bodies."""
+    motion[i, VX], motion[i, VY] = velocity_a_kicked(
+        (motion[i, VX], motion[i, VY]), amount, line, body[i, INVERSE_MASS]
+    )
+    motion[i, SPIN] = angular_velocity_a_kicked(
+        motion[i, SPIN], amount, turning_arm(at_a, line), body[i, INVERSE_INERTIA]
+    )
+    motion[j, VX], motion[j, VY] = velocity_b_kicked(
+        (motion[j, VX], motion[j, VY]), amount, line, body[j, INVERSE_MASS]
+    )
+    motion[j, SPIN] = angular_velocity_b_kicked(
+        motion[j, SPIN], amount, turning_arm(at_b, line), body[j, INVERSE_INERTIA]
+    )
+
+
+def bend(
+    i: int,
+    j: int,
+    now: float,
+    amount: float,
+    at_a: Vector,
+    at_b: Vector,
+    line: Vector,
+    pose: Array,
+    motion: Array,
+    body: Array,
+) -> None:
+    """Bend the lines of both bodies as an impulse does, in N s times the time step, s."""
     none = (0.0, 0.0)
     by = velocity_a_kicked(none, amount, line, body[i, INVERSE_MASS])
     turn = angular_velocity_a_kicked(0.0, amount, turning_arm(at_a, line), body[i, INVERSE_INERTIA])
-    bend_line(i, now, time_step, by, turn, pose, motion)
+    bend_line(i, now, by, turn, pose, motion)
     by = velocity_b_kicked(none, amount, line, body[j, INVERSE_MASS])
     turn = angular_velocity_b_kicked(0.0, amount, turning_arm(at_b, line), body[j, INVERSE_INERTIA])
-    bend_line(j, now, time_step, by, turn, pose, motion)
+    bend_line(j, now, by, turn, pose, motion)
 
 
-def bend_line(
-    i: int, now: float, time_step: float, by: Vector, turn: float, pose: Array, motion: Array
-) -> None:
-    """Change a velocity, and the line so that it goes on from where it is now.
+def bend_line(i: int, now: float, by: Vector, turn: float, pose: Array, motion: Array) -> None:
+    """Let a line go on from where it is now with another way over a whole step, m and rad.
 
-    The line is kept as where it would have begun, and how far it goes in all.
+    It is kept as where it would have begun, and how far it goes in all.
     """
-    motion[i, VX] += by[0]
-    motion[i, VY] += by[1]
-    motion[i, SPIN] += turn
-    pose[i, X] -= now * (by[0] * time_step)
-    pose[i, Y] -= now * (by[1] * time_step)
-    pose[i, TURN] -= now * (turn * time_step)
-    motion[i, DX] += by[0] * time_step
-    motion[i, DY] += by[1] * time_step
-    motion[i, DTURN] += turn * time_step
+    pose[i, X] -= now * by[0]
+    pose[i, Y] -= now * by[1]
+    pose[i, TURN] -= now * turn
+    motion[i, DX] += by[0]
+    motion[i, DY] += by[1]
+    motion[i, DTURN] += turn
 
 
 def wait_at_border(

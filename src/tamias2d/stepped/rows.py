@@ -187,6 +187,9 @@ def fill_rows(
             arm_a, side_a = x * normal_y - y * normal_x, x * normal_x + y * normal_y
             x, y = x - delta_x, y - delta_y
             arm_b, side_b = x * normal_y - y * normal_x, x * normal_x + y * normal_y
+            if mass_a == 0.0 or mass_b == 0.0:  # to the surfaces, which meet if they do
+                half = 0.5 * max(touch[p, GAP + POINT * n], 0.0)
+                side_a, side_b = side_a - half, side_b + half
             row[at + P_ARM_A], row[at + P_SIDE_A] = arm_a, side_a
             row[at + P_ARM_B], row[at + P_SIDE_B] = arm_b, side_b
             row[at + P_GAP] = touch[p, GAP + POINT * n]

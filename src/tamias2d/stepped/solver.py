@@ -58,6 +58,8 @@ B_VX_A, B_VY_A, B_SPIN_A, B_VX_B, B_VY_B, B_SPIN_B = 0, 16, 32, 48, 64, 80
 B_DX_A, B_DY_A, B_TURN_A, B_DX_B, B_DY_B, B_TURN_B = 96, 112, 128, 144, 160, 176
 BENCH = 192
 
+OPEN = -1e-300  # m: a gap that is more is one that closes, or has just closed
+
 
 def load(lane: Whole, motion: Array, bench: Array) -> None:
     """Bring the velocities of a block's bodies to the bench."""
@@ -126,6 +128,19 @@ def approach(m: int, at: int, row: Array, bench: Array) -> float:
     )
 
 
+def slip(m: int, at: int, row: Array, bench: Array) -> float:
+    """Return the velocity of a lane along its tangent, m/s."""
+    return row_velocity(
+        (bench[B_VX_A + m], bench[B_VY_A + m]),
+        bench[B_SPIN_A + m],
+        row[at + P_SIDE_A + m],
+        (bench[B_VX_B + m], bench[B_VY_B + m]),
+        bench[B_SPIN_B + m],
+        row[at + P_SIDE_B + m],
+        (-row[R_NY + m], row[R_NX + m]),
+    )
+
+
 def warm_lanes(at: int, row: Array, bench: Array) -> None:
     """Apply again what was found before."""
     for m in range(LANES):
@@ -136,15 +151,7 @@ def warm_lanes(at: int, row: Array, bench: Array) -> None:
 def rub_lanes(at: int, row: Array, bench: Array) -> None:
     """Correct the impulses along the tangents."""
     for m in range(LANES):
-        speed = row_velocity(
-            (bench[B_VX_A + m], bench[B_VY_A + m]),
-            bench[B_SPIN_A + m],
-            row[at + P_SIDE_A + m],
-            (bench[B_VX_B + m], bench[B_VY_B + m]),
-            bench[B_SPIN_B + m],
-            row[at + P_SIDE_B + m],
-            (-row[R_NY + m], row[R_NX + m]),
-        )
+        speed = slip(m, at, row, bench)
         before = row[at + P_RUB + m]
         after = limited_rub(
             before, speed, row[at + P_SIDE_MASS + m], row[R_FRICTION + m], row[at + P_PUSH + m]
@@ -216,6 +223,37 @@ def bounce_lanes(at: int, row: Array, bench: Array, slowest: float) -> None:
         push(m, at, after - before, row, bench)
 
 
+def some_met(at: int, least: float, row: Array) -> bool:
+    """Return whether some lane is pushed whose gap, or bounce, is more than the least."""
+    met = 0
+    for m in range(LANES):
+        met += 1 if (row[at + P_NOW + m] > least) & (row[at + P_PUSH + m] > 0.0) else 0
+    return met > 0
+
+
+def rub_met_lanes(at: int, least: float, row: Array, bench: Array) -> None:
+    """Let friction act on what has met or bounced, up to its share of all of the push."""
+    for m in range(LANES):
+        speed = slip(m, at, row, bench)
+        before = row[at + P_RUB + m]
+        rubbed = limited_rub(
+            before, speed, row[at + P_SIDE_MASS + m], row[R_FRICTION + m], row[at + P_PUSH + m]
+        )
+        met = (row[at + P_NOW + m] > least) & (row[at + P_PUSH + m] > 0.0)
+        after = rubbed if met else before
+        row[at + P_RUB + m] = after
+        rub(m, at, after - before, row, bench)
+
+
+def rub_met(lane: Whole, least: float, row: Array, bench: Array) -> None:
+    """Let friction act on what has met or bounced in a block, if something has."""
+    two = lane[POINTS] == 2
+    if some_met(FIRST, least, row) or (two and some_met(SECOND, least, row)):
+        rub_met_lanes(FIRST, least, row, bench)
+        if two:
+            rub_met_lanes(SECOND, least, row, bench)
+
+
 def warm(blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array) -> None:
     """Apply the impulses of before."""
     for b in range(blocks):
@@ -247,7 +285,10 @@ def sweep(
 def relax(
     blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array, substep: float
 ) -> None:
-    """Correct all impulses once so that no softness is left in the velocities."""
+    """Correct all impulses once so that no softness is left in the velocities.
+
+    What meets in this substep gets its push here, and so its friction after it.
+    """
     for b in range(blocks):
         row, lane = rows[b], lanes[b]
         load(lane, motion, bench)
@@ -257,6 +298,7 @@ def relax(
         relax_lanes(FIRST, row, bench, substep)
         if lane[POINTS] == 2:
             relax_lanes(SECOND, row, bench, substep)
+        rub_met(lane, OPEN, row, bench)
         store(lane, motion, bench)
 
 
@@ -270,4 +312,5 @@ def bounce(
         bounce_lanes(FIRST, row, bench, slowest)
         if lane[POINTS] == 2:
             bounce_lanes(SECOND, row, bench, slowest)
+        rub_met(lane, 0.0, row, bench)
         store(lane, motion, bench)

@@ -26,7 +26,7 @@ from tamias2d.state import Array
 from tamias2d.stepped.coast import coast
 from tamias2d.stepped.direct import ready, settle_islands
 from tamias2d.stepped.energy import bound_energy, makes_energy, note_velocities
-from tamias2d.stepped.flight import fly, goes_far, outruns
+from tamias2d.stepped.flight import LOOKS_AROUND, fly, goes_far, outruns
 from tamias2d.stepped.islands import find_islands
 from tamias2d.stepped.layout import (
     ACTIVE,
@@ -124,6 +124,10 @@ SENSED = 4  # the bit of `TOUCHED`, within a step, for a pair with a sensor that
 
 CLOSE = 0.02  # of the smaller reach: what is nearer is a contact already
 AHEAD = 0.1  # of the smaller reach: how far the motion of a step can make it one
+BULLET = 2.0  # of the smaller reach: what moves farther in a step is met in flight
+
+# on the bench, once its work is done: the fraction of the step that is flown; looks that are left
+FLOWN, LOOKS_LEFT = 0, 1
 
 
 def step(
@@ -318,22 +322,24 @@ def step_once(
             if outruns(settings, kind, pose, motion, body, home)
             else SWEPT
         )
-    if counts[PHASE] == OUTRUN:
-        status = look_around(
-            settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
-            shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned, box,
-            curve, node, found, pairs, touches, traces,
-        )  # fmt: skip
-        if status != DONE:
-            return status
-        counts[PHASE] = SWEPT
-    if counts[PHASE] == SWEPT:
+        bench[FLOWN], bench[LOOKS_LEFT] = 0.0, LOOKS_AROUND
+    while counts[PHASE] != ARRIVING:
+        if counts[PHASE] == OUTRUN:
+            status = look_around(
+                settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
+                shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned,
+                box, curve, node, found, pairs, touches, traces,
+            )  # fmt: skip
+            if status != DONE:
+                return status
+            bench[LOOKS_LEFT] -= 1.0
         pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
-        fly(
+        bench[FLOWN] = fly(
             settings, counts, pose, motion, body, home, kind, carried, shape_body, shape_kind,
             shape_first, shape_count, shape_radius, surface, filters, corner, turned, pair, touch,
-            trace, times, scratch,
+            trace, times, scratch, int(bench[LOOKS_LEFT]), bench[FLOWN],
         )  # fmt: skip
+        counts[PHASE] = OUTRUN if bench[FLOWN] <= 1.0 else ARRIVING
     if counts[PATIENCE] > 0:
         fall_asleep(settings, counts, pose, motion, load, body, kind, island, rest)
     arrive(pose, motion)
@@ -467,6 +473,7 @@ def meet(
         by_y = motion[j, VY] - motion[i, VY]
         speed = (abs(by_x) + abs(by_y)) * settings[TIME_STEP]
         margin = CLOSE * reach + min(speed, AHEAD * reach)
+        margin = 0.0 if speed > BULLET * reach else margin
         count = collide(
             p,
             s,

@@ -25,7 +25,7 @@ from tamias2d.stepped.manifold import touch_pair
 
 NEAR = 2.0**-13  # of the smaller shape's size: a gap that counts as met
 LOOKS = 4096  # poses looked at, at most: a bar that spins 50 times within a hair of a wall
-FIRST_LOOK = 2.0**-6  # of the step: whether a pair that touches at the start has come apart
+CLOSE_LOOKS = 64  # of these, while a pair is as close as at the start
 MISSED = 2.0
 WIDE = 1e100  # m, farther than anything
 WIDER = 1.0 + 2.0**-20  # of a circle, against rounding
@@ -56,7 +56,7 @@ def time_of_impact(
 
     At the fraction the gap is positive, and at most `NEAR` of the smaller shape's size: their
     manifold at that pose has the normal and the points. A pair that is as close already at the
-    start is the solver's, and met again only after it has been seen apart.
+    start is met when it has come as much closer, or close again after it was apart.
     """
     if shape_kind[b] == HALF_PLANE:
         a, b = b, a
@@ -84,8 +84,8 @@ def time_of_impact(
         at, last = below(height, nx * move_x + ny * move_y)
     row = scratch[0]
     rows = scratch[1:]
-    leaving = at == 0.0
-    for _ in range(LOOKS):
+    least = near
+    for look in range(LOOKS):
         if at >= last:
             return MISSED
         x, y = delta_x + at * move_x, delta_y + at * move_y
@@ -109,12 +109,15 @@ def time_of_impact(
         gap = row[GAP]
         if second > 0:
             gap = min(gap, row[GAP + POINT])
-        if gap > near:
-            leaving = False
+        if at == 0.0 and gap <= near:
+            least = gap - near
+        elif gap > near:
+            least = near
+        if gap > least and (least == near or look < CLOSE_LOOKS):
             free = stride(
                 row[NX],
                 row[NY],
-                radius_a + radius_b + 0.5 * near,
+                radius_a + radius_b + least - 0.5 * near,
                 x,
                 y,
                 move_x,
@@ -132,8 +135,6 @@ def time_of_impact(
             if at + free == at:
                 return at
             at += free
-        elif leaving:
-            at = max(2.0 * at, FIRST_LOOK)
         else:
             return at
     return at
