@@ -300,7 +300,8 @@ def stack(scale: float, at: tuple[float, float], count: int, time: float) -> Arr
     start = np.array([body.position for body in scene.bodies])
     sim = Simulator(scene, time_step=time / 120)
     sim.step(240)
-    return (sim.position - start) / scale
+    moved: Array = (sim.position - start) / scale
+    return moved
 
 
 @pytest.mark.parametrize("power", [-20, 20])
