@@ -38,6 +38,7 @@ def backwards(scene: Scene) -> Scene:
     for body in reversed(scene.bodies):
         place: Any = {"position": body.position, "orientation": body.orientation}
         surface: Any = {"friction": body.friction, "restitution": body.restitution}
+        assert body.shape is not None
         if not body.dynamic:
             other.add_static(body.shape, **place, **surface)
             continue
