@@ -18,7 +18,7 @@ from tamias2d.scene import Scene
 Kind = Literal["exact", "step doubling", "embedded", "reference", "invariants", "none"]
 
 _NOT_CLAIMED = (
-    "that the models fit the world: rigid bodies without friction, by the assumptions of the SRS",
+    "that the models fit the world: rigid bodies, by the assumptions of the SRS",
     "anything about the program of 2018, whose scheme was inconsistent",
 )
 
