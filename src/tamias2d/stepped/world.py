@@ -34,7 +34,8 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.menu import CONTACT
 from tamias2d.stepped.rows import WIDTH
 from tamias2d.stepped.solver import BENCH
-from tamias2d.stepped.step import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, MORE_WEB, step
+from tamias2d.stepped.step import step
+from tamias2d.stepped.surroundings import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, MORE_WEB
 from tamias2d.stepped.thin import ISLE, WEB
 from tamias2d.stepped.tree import lowest
 

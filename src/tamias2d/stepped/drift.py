@@ -1,0 +1,91 @@
+"""Where bodies get to in a step: those without contacts along their closed forms (IM1, IM6).
+
+Serves: a step. Hides: that a body is moved at its end only, once it is known what it meets.
+"""
+
+from tamias2d.state import (
+    Array,
+)
+from tamias2d.stepped.layout import (
+    ANGULAR,
+    DECAY,
+    DX,
+    DY,
+    DYNAMIC,
+    FRAME_VX,
+    FRAME_VY,
+    FRAME_X,
+    FRAME_Y,
+    FULL,
+    GAIN,
+    GRAVITY_X,
+    GRAVITY_Y,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    KINEMATIC,
+    LIFT,
+    Whole,
+)
+
+
+def drift(
+    settings: Array,
+    motion: Array,
+    load: Array,
+    body: Array,
+    kind: Whole,
+    used: Whole,
+    gained: Array,
+) -> None:
+    """Find how far bodies without contacts go in this step: they have a closed form (IM1, IM6).
+
+    What forces add to their velocities is noted; for bodies with contacts that is nothing.
+    """
+    for i in range(len(kind)):
+        for n in range(3):
+            gained[i, 3 + n] = 0.0
+        if kind[i] < KINEMATIC or used[i] == 1:
+            used[i] = 0
+            continue
+        by_x = by_y = turn = 0.0
+        if kind[i] == DYNAMIC:
+            mass = body[i, INVERSE_MASS]
+            by_x = settings[GRAVITY_X] + mass * load[i, 0]
+            by_y = settings[GRAVITY_Y] + mass * load[i, 1]
+            turn = body[i, INVERSE_INERTIA] * load[i, 2]
+        flow(i, 0, FULL, by_x, body, motion, gained)
+        flow(i, 1, FULL, by_y, body, motion, gained)
+        flow(i, 2, FULL + ANGULAR, turn, body, motion, gained)
+
+
+def flow(i: int, axis: int, at: int, by: float, body: Array, motion: Array, gained: Array) -> None:
+    """Take one coordinate of a body through the step, under an acceleration."""
+    before = motion[i, axis]
+    after = body[i, at + DECAY] * before + body[i, at + GAIN] * by
+    motion[i, DX + axis] = body[i, at + GAIN] * before + body[i, at + LIFT] * by
+    motion[i, axis] = after
+    gained[i, 3 + axis] = after - before
+
+
+def move_frame(settings: Array, kind: Whole, motion: Array) -> None:
+    """Move the frame of the list of pairs along with all bodies."""
+    if settings[FRAME_VX] == 0.0 and settings[FRAME_VY] == 0.0:
+        return
+    x = y = 0.0
+    number = 0
+    for i in range(len(kind)):
+        if kind[i] == DYNAMIC:
+            x += motion[i, DX]
+            y += motion[i, DY]
+            number += 1
+    if number > 0:
+        settings[FRAME_X] += x / number
+        settings[FRAME_Y] += y / number
+
+
+def arrive(pose: Array, motion: Array) -> None:
+    """Put all bodies at the ends of their lines."""
+    for i in range(len(pose)):
+        for n in range(3):
+            pose[i, n] += motion[i, DX + n]
+            motion[i, DX + n] = 0.0

@@ -1,0 +1,99 @@
+"""Which pairs touch, or may in this step, and where.
+
+Serves: a step. Hides: how near is near, which follows from sizes and from the motion at hand.
+"""
+
+from tamias2d.state import (
+    Array,
+)
+from tamias2d.stepped.layout import (
+    DORMANT,
+    GAP,
+    HITS,
+    LIVE,
+    PAIRS,
+    POINT,
+    SENSOR,
+    SHAPE_REACH,
+    TIME_STEP,
+    TOUCHED,
+    VX,
+    VY,
+    Whole,
+    X,
+    Y,
+)
+from tamias2d.stepped.manifold import (
+    collide,
+)
+
+SENSED = 4  # the bit of `TOUCHED`, within a step, for a pair with a sensor that overlaps
+
+CLOSE = 0.02  # of the smaller reach: what is nearer is a contact already
+AHEAD = 0.1  # of the smaller reach: how far the motion of a step can make it one
+BULLET = 2.0  # of the smaller reach: what moves farther in a step is met in flight
+
+
+def meet(
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    surface: Array,
+    filters: Whole,
+    turned: Array,
+    pair: Whole,
+    touch: Array,
+    trace: Whole,
+    hits: Whole,
+    island: Whole,
+) -> None:
+    """Find the contacts of all pairs, and list the pairs that have some."""
+    total = 0
+    for p in range(counts[PAIRS]):
+        s, t = pair[p, 0], pair[p, 1]
+        i, j = shape_body[s], shape_body[t]
+        if counts[DORMANT] > 0 and island[i, LIVE] + island[j, LIVE] == 0:
+            continue
+        x, y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
+        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        by_x = motion[j, VX] - motion[i, VX]
+        by_y = motion[j, VY] - motion[i, VY]
+        speed = (abs(by_x) + abs(by_y)) * settings[TIME_STEP]
+        margin = CLOSE * reach + min(speed, AHEAD * reach)
+        margin = 0.0 if speed > BULLET * reach else margin
+        count = collide(
+            p,
+            s,
+            t,
+            x,
+            y,
+            margin,
+            shape_kind,
+            shape_first,
+            shape_count,
+            shape_radius,
+            turned,
+            touch,
+            trace,
+        )
+        if count == 0:
+            continue
+        if filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
+            hits[0, total] = p
+            total += 1
+        elif touch[p, GAP] <= 0.0 or (count == 2 and touch[p, GAP + POINT] <= 0.0):
+            trace[p, TOUCHED] |= SENSED
+    counts[HITS] = total
+
+
+def age_touches(counts: Whole, trace: Whole) -> None:
+    """Move what was noted of the last step; a pair with a sensor was seen as this one began."""
+    for p in range(counts[PAIRS]):
+        noted = trace[p, TOUCHED]
+        trace[p, TOUCHED] = ((noted & 1) << 1) | ((noted & SENSED) // SENSED)
