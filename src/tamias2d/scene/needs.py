@@ -90,6 +90,7 @@ class _Inquiry:
         yield from self.acting()
 
     def acting(self) -> Iterator[Need]:
+        """Yield what acts on bodies by a law: attraction, drag, springs and fields."""
         yield Need("attraction between bodies (IM5)", "term", *self.attracts())
         for key in ("linear_drag", "quadratic_drag", "angular_drag"):
             words = key.replace("_", " ")

@@ -170,6 +170,7 @@ class _Printer:
         return rf"{factor}10^{{{int(power)}}}" if power else text
 
     def binary(self, node: Binary) -> str:
+        """Return a quotient, product, sum or difference, with brackets where they are needed."""
         if node.operator == "/":
             return rf"\frac{{{self.print(node.left)}}}{{{self.print(node.right)}}}"
         if node.operator == "*":
