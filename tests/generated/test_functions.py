@@ -905,9 +905,25 @@ def test_separation_rest_is_dd28(**given: Value) -> None:
     agrees(soft_contact.separation_rest, "-push/(time_step*row_mass*angular_frequency**2)", given)
 
 
+@given(
+    preload=values("preload"),
+    separation=values("separation"),
+    preload_share=values("preload_share"),
+    overlap_allowed=values("overlap_allowed"),
+    preload_largest=values("preload_largest"),
+)
+def test_preload_later_is_dd30(**given: Value) -> None:
+    """DD30, srs/models/soft_contact.md:330."""
+    agrees(
+        soft_contact.preload_later,
+        "min(max(preload - preload_share*(max(separation, 0) + min(separation + overlap_allowed, 0)), 0), preload_largest)",
+        given,
+    )
+
+
 @given(arm=values("arm"), line=values("line"))
 def test_bend_is_dd29(**given: Value) -> None:
-    """DD29, srs/models/soft_contact.md:329."""
+    """DD29, srs/models/soft_contact.md:387."""
     agrees(soft_contact.bend, "dot(arm, line)", given)
 
 
@@ -924,7 +940,7 @@ def test_bend_is_dd29(**given: Value) -> None:
     line=values("line"),
 )
 def test_separation_later_is_dd29(**given: Value) -> None:
-    """DD29, srs/models/soft_contact.md:329."""
+    """DD29, srs/models/soft_contact.md:387."""
     agrees(
         soft_contact.separation_later,
         "separation + dot(shift_b - shift_a, line) + turn_b*turning_arm_b - turn_a*turning_arm_a - (turn_b**2*bend_b - turn_a**2*bend_a)/2",
@@ -936,7 +952,7 @@ def test_separation_later_is_dd29(**given: Value) -> None:
     separation=values("separation"), bias_rate=values("bias_rate"), time_step=values("time_step")
 )
 def test_bias_velocity_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:401."""
+    """IM10, srs/models/soft_contact.md:459."""
     agrees(
         soft_contact.bias_velocity,
         "max(separation, 0)/time_step + bias_rate*min(separation, 0)",
@@ -953,7 +969,7 @@ def test_bias_velocity_is_im10(**given: Value) -> None:
     impulse_share=values("impulse_share"),
 )
 def test_soft_push_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:401."""
+    """IM10, srs/models/soft_contact.md:459."""
     agrees(
         soft_contact.soft_push,
         "max(push - row_mass*mass_share*(row_velocity + bias_velocity) - impulse_share*push, 0)",
@@ -969,7 +985,7 @@ def test_soft_push_is_im10(**given: Value) -> None:
     push=values("push"),
 )
 def test_limited_rub_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:401."""
+    """IM10, srs/models/soft_contact.md:459."""
     agrees(
         soft_contact.limited_rub,
         "max(min(rub - row_mass*row_velocity, friction*push), -friction*push)",
@@ -985,7 +1001,7 @@ def test_limited_rub_is_im10(**given: Value) -> None:
     row_mass=values("row_mass"),
 )
 def test_bouncing_push_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:401."""
+    """IM10, srs/models/soft_contact.md:459."""
     agrees(
         soft_contact.bouncing_push,
         "max(push - row_mass*(row_velocity + restitution*row_velocity_before), 0)",

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.simulator.saving import VERSION
 from tests.simulator.crowd import SHAPES, crowd
 
 
@@ -107,7 +108,7 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     np.savez(path, mark=np.array("tamias2d simulator"), version=0)
     with pytest.raises(t2.RecordingError, match="of version 0: must be"):
         t2.Simulator.restore(path)
-    np.savez(path, mark=np.array("tamias2d simulator"), version=1, about=np.array("{}"))
+    np.savez(path, mark=np.array("tamias2d simulator"), version=VERSION, about=np.array("{}"))
     with pytest.raises(t2.RecordingError, match="saved by another version"):
         t2.Simulator.restore(path)
     assert list(tmp_path.iterdir()) == [path]

@@ -5,7 +5,17 @@ from typing import Any
 
 import numpy as np
 
-from tamias2d.stepped.layout import CAPSULE, COUNT, DISC, FEATURE, GAP, HALF_PLANE, POINT, POLYGON
+from tamias2d.stepped.layout import (
+    CAPSULE,
+    COUNT,
+    DISC,
+    FEATURE,
+    GAP,
+    HALF_PLANE,
+    POINT,
+    POLYGON,
+    TOUCH,
+)
 from tamias2d.stepped.manifold import collide
 
 Array = Any
@@ -78,7 +88,7 @@ class Pairing:
     """Two shapes with a row for their manifold."""
 
     def __init__(self, collide: Any = collide) -> None:
-        self.touch = np.zeros((1, 18))
+        self.touch = np.zeros((1, TOUCH))
         self.trace = np.zeros((1, 6), np.int32)
         self.collide = collide
 

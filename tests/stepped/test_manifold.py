@@ -10,7 +10,7 @@ from tamias2d.kernels import Engine
 from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, IndexRows, Indices
 from tamias2d.stepped import polygons
 from tamias2d.stepped.clip import PARALLEL
-from tamias2d.stepped.layout import PUSH
+from tamias2d.stepped.layout import PUSH, TOUCH
 from tamias2d.stepped.manifold import collide
 from tests.stepped.outlines import (
     Outline,
@@ -377,7 +377,7 @@ def test_compiled_and_plain_manifolds_have_the_same_bits() -> None:
     first = (np.cumsum(counts) - counts).astype(np.int32)
     start = rng.uniform(-1.5, 1.5, (len(pairs), 2))
     for result, made in zip(results, (engine.plain(), engine.compiled()), strict=True):
-        touch = np.zeros((len(pairs), 18))
+        touch = np.zeros((len(pairs), TOUCH))
         trace = np.zeros((len(pairs), 6), np.int32)
         for step in range(6):
             turned = np.vstack(rows)

@@ -1,5 +1,5 @@
-"""Soft contact: Row of a contact; Kick along a row; Soft contact; Overlap at rest; Separation of a
-contact that moves; Soft step of a contact.
+"""Soft contact: Row of a contact; Kick along a row; Soft contact; Overlap at rest; Preload of a
+contact; Separation of a contact that moves; Soft step of a contact.
 
 Generated from srs/models/soft_contact.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -256,6 +256,37 @@ def separation_rest(
     return (-push) / (time_step * row_mass * angular_frequency * angular_frequency)
 
 
+def preload_later(
+    preload: Scalar,
+    separation: Scalar,
+    preload_share: Scalar,
+    overlap_allowed: Scalar,
+    preload_largest: Scalar,
+) -> Scalar:
+    """Preload after a step (m).
+
+    preload_later = min(max(preload - preload_share*(max(separation, 0) + min(separation +
+    overlap_allowed, 0)), 0), preload_largest)
+
+    Args:
+        preload: Overlap at which a spring without preload would push as much, m
+        separation: Distance between two bodies, negative where they overlap, m
+        preload_share: Part of a step's overlap by which the preload grows, 1
+        overlap_allowed: Overlap that no preload is learned for, m
+        preload_largest: What a preload may grow to, m
+
+    Source: DD30, srs/models/soft_contact.md:339.
+    """
+    return least(
+        largest(
+            preload
+            - preload_share * (largest(separation, 0) + least(separation + overlap_allowed, 0)),
+            0,
+        ),
+        preload_largest,
+    )
+
+
 def bend(arm: Vector, line: Vector) -> Scalar:
     """Part of an arm along the line, as far as it turns with its body (m).
 
@@ -265,7 +296,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the contact point, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:339.
+    Source: DD29, srs/models/soft_contact.md:397.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -303,7 +334,7 @@ def separation_later(
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:340.
+    Source: DD29, srs/models/soft_contact.md:398.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -328,7 +359,7 @@ def bias_velocity(separation: Scalar, bias_rate: Scalar, time_step: Scalar) -> S
         bias_rate: Share of an overlap that a soft contact removes per unit of time, 1/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:425.
+    Source: IM10, srs/models/soft_contact.md:483.
     """
     return largest(separation, 0) / time_step + bias_rate * least(separation, 0)
 
@@ -354,7 +385,7 @@ def soft_push(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its push that a soft contact gives back in a visit, 1
 
-    Source: IM10, srs/models/soft_contact.md:427.
+    Source: IM10, srs/models/soft_contact.md:485.
     """
     return largest(
         push - row_mass * mass_share * (row_velocity + bias_velocity) - impulse_share * push, 0
@@ -376,7 +407,7 @@ def limited_rub(
             along itself, 1
         push: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:430.
+    Source: IM10, srs/models/soft_contact.md:488.
     """
     return largest(least(rub - row_mass * row_velocity, friction * push), (-friction) * push)
 
@@ -401,6 +432,6 @@ def bouncing_push(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:432.
+    Source: IM10, srs/models/soft_contact.md:490.
     """
     return largest(push - row_mass * (row_velocity + restitution * row_velocity_before), 0)

@@ -849,6 +849,51 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=558,
     ),
+    "preload": Symbol(
+        "preload",
+        "m",
+        "overlap at which a spring without preload would push as much",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\delta_0",
+        file="srs/symbols.md",
+        line=563,
+    ),
+    "preload_later": Symbol(
+        "preload_later",
+        "m",
+        "preload after a step",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\delta_0'",
+        file="srs/symbols.md",
+        line=568,
+    ),
+    "preload_share": Symbol(
+        "preload_share",
+        "1",
+        "part of a step's overlap by which the preload grows",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\sigma_\\delta",
+        file="srs/symbols.md",
+        line=573,
+    ),
+    "overlap_allowed": Symbol(
+        "overlap_allowed",
+        "m",
+        "overlap that no preload is learned for",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\delta_a",
+        file="srs/symbols.md",
+        line=578,
+    ),
+    "preload_largest": Symbol(
+        "preload_largest",
+        "m",
+        "what a preload may grow to",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\delta_{\\max}",
+        file="srs/symbols.md",
+        line=583,
+    ),
     "shift": Symbol(
         "shift",
         "m",
@@ -856,7 +901,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=563,
+        line=588,
     ),
     "turn": Symbol(
         "turn",
@@ -864,7 +909,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since a contact was found",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=568,
+        line=593,
     ),
     "momentum": Symbol(
         "momentum",
@@ -873,7 +918,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=577,
+        line=602,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -881,7 +926,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=582,
+        line=607,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -890,7 +935,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=586,
+        line=611,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -898,7 +943,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=591,
+        line=616,
     ),
     "energy": Symbol(
         "energy",
@@ -906,7 +951,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=595,
+        line=620,
     ),
     "radius": Symbol(
         "radius",
@@ -915,7 +960,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=604,
+        line=629,
     ),
     "length": Symbol(
         "length",
@@ -924,7 +969,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=609,
+        line=634,
     ),
     "width": Symbol(
         "width",
@@ -933,7 +978,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=616,
+        line=641,
     ),
     "height": Symbol(
         "height",
@@ -942,7 +987,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=621,
+        line=646,
     ),
     "vertex": Symbol(
         "vertex",
@@ -951,7 +996,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=626,
+        line=651,
     ),
     "center": Symbol(
         "center",
@@ -960,7 +1005,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=631,
+        line=656,
     ),
     "offset": Symbol(
         "offset",
@@ -968,7 +1013,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=636,
+        line=661,
     ),
     "area": Symbol(
         "area",
@@ -977,7 +1022,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=640,
+        line=665,
     ),
     "centroid": Symbol(
         "centroid",
@@ -986,6 +1031,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=645,
+        line=670,
     ),
 }

@@ -75,11 +75,12 @@ CATEGORY, MASK, GROUP, SENSOR = 0, 1, 2, 3
 # with the room that its body has
 FAT = 4
 
-# touch (p, 24): normal from a to b; two points from the centre of body A, m, with their
+# touch (p, 26): normal from a to b; two points from the centre of body A, m, with their
 # separations, m, and accumulated impulses, N s; the cache of the narrow phase; the pair's surfaces;
 # then what is told of the last step: the impulses of both points over all of it, N s, and where
-# they were in the world, m. Of what met in flight it is one impulse, one place, and the normal.
-TOUCH = 24
+# they were in the world, m (of what met in flight one impulse, one place, and the normal); then the
+# preloads of both points, m
+TOUCH = 26
 NX, NY = 0, 1
 PX, PY, GAP = 2, 3, 4
 POINT = 3  # columns from a point to the next
@@ -87,7 +88,7 @@ PUSH, RUB = 8, 9
 IMPULSE = 2  # columns from a point's impulses to the next one's
 CACHE = 12
 PAIR_FRICTION, PAIR_RESTITUTION = 16, 17
-TOTAL, WHERE, FLOWN_NORMAL = 18, 20, 22
+TOTAL, WHERE, FLOWN_NORMAL, PRELOAD = 18, 20, 22, 24
 
 # trace (p, 6)
 COUNT, FEATURE, TOUCHED, HINT = 0, 1, 3, 4

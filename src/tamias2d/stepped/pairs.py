@@ -42,6 +42,7 @@ from tamias2d.stepped.layout import (
     PAIR_RESTITUTION,
     PAIRS,
     PHASE,
+    PRELOAD,
     PUSH,
     REACH,
     RESTITUTION,
@@ -454,6 +455,7 @@ def blank(p: int, touch: Array, trace: Whole) -> None:
     """Let nothing be known of how a pair touches."""
     for k in range(PUSH, CACHE):
         touch[p, k] = 0.0
+    touch[p, PRELOAD] = touch[p, PRELOAD + 1] = 0.0
     for k in range(6):
         trace[p, k] = 0
 

@@ -13,6 +13,7 @@ from tamias2d.generated.soft_contact import (
     bias_rate,
     impulse_share,
     mass_share,
+    preload_later,
     row_mass,
     row_velocity,
 )
@@ -31,6 +32,7 @@ from tamias2d.stepped.layout import (
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     POINT,
+    PRELOAD,
     PUSH,
     PX,
     PY,
@@ -61,6 +63,9 @@ FIRMER = 2.0  # the spring against what does not move, to the others
 FIRMEST = 3.0  # a spring under load, to one without
 DAMPING = 10.0  # of the spring, where 1 is critical
 REST = 0.015  # of the smaller reach: how far a load should press bodies into each other
+LEARNT = 0.02  # of a step's overlap, by the preload
+ALLOWED = 0.005  # of the smaller reach: an overlap for which no preload is learnt
+PRELOADED = 0.2  # of the smaller reach: a preload, at most
 FASTEST = 0.02  # of the smaller reach: how far an overlap is pushed apart in a substep, at most
 
 # a block: what its points share, then each point
@@ -192,7 +197,13 @@ def fill_rows(
                 side_a, side_b = side_a - half, side_b + half
             row[at + P_ARM_A], row[at + P_SIDE_A] = arm_a, side_a
             row[at + P_ARM_B], row[at + P_SIDE_B] = arm_b, side_b
-            row[at + P_GAP] = touch[p, GAP + POINT * n]
+            gap, preload = touch[p, GAP + POINT * n], 0.0
+            if touch[p, PUSH + IMPULSE * n] > 0.0:
+                preload = preload_later(
+                    touch[p, PRELOAD + n], gap, LEARNT, ALLOWED * reach, PRELOADED * reach
+                )
+            touch[p, PRELOAD + n] = preload
+            row[at + P_GAP] = gap - preload
             row[at + P_PUSH] = touch[p, PUSH + IMPULSE * n]
             row[at + P_RUB] = touch[p, RUB + IMPULSE * n]
             row[at + P_TOTAL] = 0.0
