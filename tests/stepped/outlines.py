@@ -107,6 +107,7 @@ class Pairing:
                 np.array([0, count], np.int32),
                 np.array([count, len(rows) - count], np.int32),
                 np.array([a.radius, b.radius]),
+                np.array([a.surface(), b.surface()]),
                 rows,
                 self.touch,
                 self.trace,

@@ -355,6 +355,7 @@ def each(
             shape_first,
             shape_count,
             shape_radius,
+            surface,
             turned,
             touch,
             trace,

@@ -32,6 +32,8 @@ class Piece(NamedTuple):
     """how far all of it is from the centre of mass at most, m; infinite for a half-plane"""
     half: float
     """half of its least width, m; infinite for a half-plane"""
+    inner: float
+    """how near its sides are to the centre of mass, m; minus infinity where that is outside"""
 
 
 def pieces(shape: Shape | None) -> tuple[Piece, ...]:
@@ -41,7 +43,15 @@ def pieces(shape: Shape | None) -> tuple[Piece, ...]:
     if isinstance(shape, HalfPlane):
         x, y = shape.normal
         return (
-            Piece(HALF_PLANE, 0.0, np.array([[shape.offset, 0.0, x, y]]), 0.0, math.inf, math.inf),
+            Piece(
+                kind=HALF_PLANE,
+                radius=0.0,
+                corner=np.array([[shape.offset, 0.0, x, y]]),
+                arm=0.0,
+                reach=math.inf,
+                half=math.inf,
+                inner=-math.inf,
+            ),
         )
     return tuple(_bounded(part.core, part.shape.rounding) for part in pieces_of(shape))
 
@@ -51,7 +61,16 @@ def _bounded(core: Sequence[Vector], radius: float) -> Piece:
     corner = _corners(core)
     across = corner[:, 2:] @ corner[:, :2].T
     half = radius + float(np.ptp(across, axis=1).min()) / 2
-    return Piece(_kind(len(core)), radius, corner, arm, arm + radius, half)
+    inner = float((corner[:, :2] * corner[:, 2:]).sum(axis=1).min())
+    return Piece(
+        kind=_kind(len(core)),
+        radius=radius,
+        corner=corner,
+        arm=arm,
+        reach=arm + radius,
+        half=half,
+        inner=inner if inner >= 0.0 else -math.inf,
+    )
 
 
 def _kind(corners: int) -> int:

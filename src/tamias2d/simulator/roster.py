@@ -29,6 +29,7 @@ from tamias2d.stepped.layout import (
     PAIRS,
     REACH,
     SIDE,
+    SORTED,
 )
 from tamias2d.stepped.world import World
 
@@ -142,7 +143,7 @@ class Roster:
         table = np.concatenate(
             (world.pose[rows], world.motion[rows, :3], world.load[rows], world.body[rows]), axis=1
         )
-        touching = np.concatenate((world.surface, np.zeros((1, 3))))[first[rows]]
+        touching = np.concatenate((world.surface, np.zeros((1, 4))))[first[rows]]
         meeting = np.concatenate((world.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]]
         keys = [world.kind[rows], self._forms(), *table.T, *touching.T, *meeting.T]
         sequence = rows[np.lexsort(keys[::-1])]
@@ -213,7 +214,8 @@ class Roster:
         world.corner[places] = np.concatenate([piece.corner for piece in found])
         world.turned[places] = world.corner[places]
         reach = np.array([piece.reach for piece in found])
-        surfaces = (batch.friction[owner], batch.restitution[owner], reach)
+        inner = np.array([piece.inner for piece in found])
+        surfaces = (batch.friction[owner], batch.restitution[owner], reach, inner)
         world.surface[slots] = np.stack(surfaces, axis=1)
         world.filters[slots] = batch.filters[owner]
         bounded = np.isfinite(reach)
@@ -245,6 +247,7 @@ class Roster:
         kept = np.flatnonzero(~left)
         for values in (world.pairs, world.touches, world.traces):
             values[side, : len(kept)] = values[side, kept]
+        world.counts[SORTED] = np.count_nonzero(kept < world.counts[SORTED])
         world.counts[PAIRS] = len(kept)
         owner = world.shape_body[world.mixed[:, :2].astype(np.int64)]
         world.mixed = world.mixed[~np.isin(owner, rows).any(axis=1)]

@@ -57,6 +57,7 @@ from tamias2d.stepped.rows import (
     SIZE,
 )
 
+STILLNESS = 1e-6  # of the energy of a fall through one step: motion in which a pile just settles
 GRACE = 1e-12  # of the energy: what rounding may add; one impact alone never takes more
 ALIKE = 1e-9  # of their sizes: differences of velocities that are none
 
@@ -94,7 +95,7 @@ def makes_energy(
 
     This is cheap, and nearly always all that has to be asked where nothing bounces.
     """
-    first = last = work = 0.0
+    first = last = work = whole = 0.0
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
         if kind[i] != DYNAMIC:
@@ -110,7 +111,10 @@ def makes_energy(
             + (mass * settings[GRAVITY_Y] + load[i, 1]) * motion[i, DY]
             + load[i, 2] * motion[i, DTURN]
         )
-    return bool(last > (first + max(work, 0.0)) * (1.0 + GRACE))
+        whole += mass
+    fall = (settings[TIME_STEP] * settings[GRAVITY_X], settings[TIME_STEP] * settings[GRAVITY_Y])
+    still = STILLNESS * kinetic_energy(whole, fall, 0.0, 0.0)
+    return bool(last > (first + max(work, 0.0)) * (1.0 + GRACE) + still)
 
 
 def bound_energy(

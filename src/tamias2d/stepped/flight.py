@@ -87,17 +87,24 @@ def goes_far(kind: Whole, motion: Array, body: Array) -> bool:
     return far
 
 
-def outruns(
-    settings: Array, kind: Whole, pose: Array, motion: Array, body: Array, home: Array
-) -> bool:
-    """Return whether a body that goes far leaves the room in which its neighbours are known.
+def mark_outrun(
+    settings: Array,
+    kind: Whole,
+    pose: Array,
+    motion: Array,
+    body: Array,
+    home: Array,
+    used: Whole,
+) -> int:
+    """Mark bodies that go far and leave the room in which neighbours are known; return how many.
 
     They are known a little farther than the room, too.
     """
-    out = False
+    left = 0
     for i in range(len(kind)):
-        out = out | leaves(i, settings, kind, pose, motion, body, home)
-    return out
+        used[i] = 1 if leaves(i, settings, kind, pose, motion, body, home) else 0
+        left += used[i]
+    return left
 
 
 def leaves(
@@ -341,11 +348,13 @@ def next_meeting(
     if shape_kind[t] == HALF_PLANE:
         s, t = t, s
     i, j = shape_body[s], shape_body[t]
+    near = NEAR * min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+    if pass_by(i, j, now, surface[s, SHAPE_REACH] + surface[t, SHAPE_REACH] + near, pose, motion):
+        return MISSED
     gap = meet_at(
         s, t, now, pose, motion, shape_body, shape_kind, shape_first, shape_count, shape_radius,
         corner, turned, scratch,
     )  # fmt: skip
-    near = NEAR * min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
     rest = 1.0 - now
     if gap <= near:
         at_a = contact_of(scratch[0])
@@ -371,6 +380,18 @@ def next_meeting(
         scratch,
     )
     return now + ahead * rest if ahead <= 1.0 else MISSED
+
+
+def pass_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Array) -> bool:
+    """Return whether the centres of two bodies come no nearer to each other than a reach, m."""
+    by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    x, y = pose[j, X] - pose[i, X] + now * by_x, pose[j, Y] - pose[i, Y] + now * by_y
+    ahead = -(x * by_x + y * by_y)
+    square = by_x * by_x + by_y * by_y
+    if ahead > 0.0:  # to where they are nearest, but not beyond the step
+        until = min(ahead / square, 1.0 - now)
+        x, y = x + until * by_x, y + until * by_y
+    return bool(x * x + y * y > reach * reach)
 
 
 def seen_from_b(i: int, j: int, now: float, at_a: Vector, pose: Array, motion: Array) -> Vector:

@@ -22,6 +22,7 @@ STATES, TURNS, SIDES = 8, 4, 1 << 12  # states, codes of a turn and sides that a
 FINE = 2.0**30  # units of a turn's room
 STRAIGHT = 0.6  # of the cosine of the kept angle: bounds how fast its sine changes
 ROUNDING = 2.0**-40  # of the lever: more than rounding does to a room
+ROVING = 0.02  # of their distance, or as a sine: a motion after which no hint is kept
 NOTHING = 1e308
 
 
@@ -60,6 +61,13 @@ def recalled(
         & (moved <= row[CACHE + 3])
     )
     return state if holds else NONE, sides % SIDES, sides // SIDES
+
+
+def roves(row: Array, ids: Whole, along: float, across: float, sine: float) -> bool:
+    """Return whether a pair has moved so far since its last search that a hint is not worth it."""
+    moved = abs(along - row[CACHE]) + abs(across - row[CACHE + 1])
+    turned = abs(sine - row[CACHE + 2]) if int(ids[HINT]) // STATES % TURNS % 2 == 0 else 0.0
+    return bool(moved > ROVING * (abs(along) + abs(across)) or turned > ROVING)
 
 
 def keep_apart(

@@ -19,14 +19,15 @@ Whole: TypeAlias = NDArray[Any]
 GRAVITY_X, GRAVITY_Y, TIME_STEP = 0, 1, 2
 FRAME_VX, FRAME_VY, FRAME_X, FRAME_Y = 3, 4, 5, 6
 
-# counts (20,), as whole numbers
+# counts (22,), as whole numbers
 SUBSTEPS, SHAPES, PAIRS, SIDE, HORIZON, SINCE, BUILT, NEEDED, BLOCKS, STILL = range(10)
 LEAVES, HITS, ACTIVE, PHASE, STATIC_BLOCK, THIN = 10, 11, 12, 13, 14, 15
 WANTED, SOUND = 16, 17  # steps that are left of a call, and whether its values have been checked
 PATIENCE, DORMANT = 18, 19  # steps of quiet until sleep, 0 for never; how many bodies sleep
+SORTED, MENDED = 20, 21  # pairs of the first run of the list; bodies that left since it was made
 
 # what is known of a step that has begun (PHASE)
-BEGUN, FRESH, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5, 6
+BEGUN, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5
 
 # pose (n+1, 3): m, m, rad
 X, Y, TURN = 0, 1, 2
@@ -65,11 +66,15 @@ ABSENT, STATIC, KINEMATIC, DYNAMIC = 0, 1, 2, 3
 # shape_kind (m,)
 DISC, CAPSULE, POLYGON, HALF_PLANE = 0, 1, 2, 3
 
-# surface (m, 3): friction, restitution (-1 where not stated), reach, m
-FRICTION, RESTITUTION, SHAPE_REACH = 0, 1, 2
+# surface (m, 4): friction, restitution (-1 where not stated), reach, m, and how near its sides are
+# to the centre of its body, m, which says nothing where that is outside, as minus infinity
+FRICTION, RESTITUTION, SHAPE_REACH, SHAPE_INNER = 0, 1, 2, 3
 
 # filter (m, 4): which shapes meet at all
 CATEGORY, MASK, GROUP, SENSOR = 0, 1, 2, 3
+
+# curve (4, m + 256): the shapes along the tree's curve; where on it each shape is; and for sorting
+PLACE = 1
 
 # box (m, 8): low and high corner of what is k-th along the tree's curve; then those of the shape,
 # with the room that its body has

@@ -30,6 +30,7 @@ from tamias2d.stepped.layout import (
     PX,
     PY,
     RUB,
+    SHAPE_INNER,
     Whole,
 )
 from tamias2d.stepped.polygons import touch_again, touch_polygons
@@ -48,6 +49,7 @@ def collide(
     shape_first: Whole,
     shape_count: Whole,
     shape_radius: Array,
+    surface: Array,
     turned: Array,
     touch: Array,
     trace: Whole,
@@ -76,6 +78,8 @@ def collide(
             y,
             radius_a,
             radius_b,
+            float(surface[a, SHAPE_INNER]),
+            float(surface[b, SHAPE_INNER]),
             margin,
             turned,
         )

@@ -7,6 +7,7 @@ from tamias2d.state import (
     Array,
 )
 from tamias2d.stepped.layout import (
+    COUNT,
     DORMANT,
     GAP,
     HITS,
@@ -61,7 +62,12 @@ def meet(
         if counts[DORMANT] > 0 and island[i, LIVE] + island[j, LIVE] == 0:
             continue
         x, y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
-        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        reach, other = surface[s, SHAPE_REACH], surface[t, SHAPE_REACH]
+        radii = reach + other
+        reach = min(reach, other)
+        radii += (CLOSE + AHEAD) * reach
+        if x * x + y * y > radii * radii and trace[p, COUNT] == 0:
+            continue
         by_x = motion[j, VX] - motion[i, VX]
         by_y = motion[j, VY] - motion[i, VY]
         speed = (abs(by_x) + abs(by_y)) * settings[TIME_STEP]
@@ -78,6 +84,7 @@ def meet(
             shape_first,
             shape_count,
             shape_radius,
+            surface,
             turned,
             touch,
             trace,

@@ -16,9 +16,10 @@ from tamias2d.stepped.hint import (
     lever_of,
     pose_seen,
     recalled,
+    roves,
 )
-from tamias2d.stepped.layout import Whole
-from tamias2d.stepped.separation import find_sides, slack_of
+from tamias2d.stepped.layout import CACHE, HINT, Whole
+from tamias2d.stepped.separation import find_sides, inner_radius, slack_of
 
 
 def touch_again(
@@ -32,6 +33,8 @@ def touch_again(
     y: float,
     radius_a: float,
     radius_b: float,
+    inner_a: float,
+    inner_b: float,
     margin: float,
     turned: Array,
 ) -> tuple[int, int]:
@@ -42,7 +45,7 @@ def touch_again(
     if state == NONE:
         state, side_a, side_b = search(
             row, ids, first_a, count_a, first_b, count_b,
-            x, y, along, across, cosine, sine, enough, turned,
+            inner_a, inner_b, x, y, along, across, cosine, sine, enough, turned,
         )  # fmt: skip
     if state == APART:
         return 0, 0
@@ -59,6 +62,8 @@ def search(
     count_a: int,
     first_b: int,
     count_b: int,
+    inner_a: float,
+    inner_b: float,
     x: float,
     y: float,
     along: float,
@@ -70,8 +75,12 @@ def search(
 ) -> tuple[int, int, int]:
     """Return who leads, and the sides of A and B, and keep them as a hint for the pose seen."""
     state, side_a, side_b, room, other = find_sides(
-        first_a, count_a, first_b, count_b, x, y, enough, turned
+        first_a, count_a, first_b, count_b, inner_a, inner_b, x, y, enough, turned
     )
+    if roves(row, ids, along, across, sine):
+        row[CACHE], row[CACHE + 1], row[CACHE + 2] = along, across, sine
+        ids[HINT] = 0
+        return state, side_a, side_b
     lever = lever_of(first_a, count_a, first_b, count_b, x, y, turned)
     if state == APART:
         keep_apart(row, ids, along, across, cosine, sine, lever, room, enough)
@@ -106,9 +115,14 @@ def touch_polygons(
     turned: Array,
 ) -> tuple[int, int]:
     """Write the points between two shapes with sides; return their names, or 0."""
-    state, side_a, side_b, _, _ = find_sides(
-        first_a, count_a, first_b, count_b, x, y, margin + radius_a + radius_b, turned
+    inner_a, inner_b = (
+        inner_radius(first_a, count_a, turned),
+        inner_radius(first_b, count_b, turned),
     )
+    state, side_a, side_b, _, _ = find_sides(
+        first_a, count_a, first_b, count_b, inner_a, inner_b, x, y, margin + radius_a + radius_b,
+        turned,
+    )  # fmt: skip
     if state == APART:
         return 0, 0
     return touch_led(

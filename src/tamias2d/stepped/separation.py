@@ -14,11 +14,33 @@ from tamias2d.state import Array
 from tamias2d.stepped.hint import APART, LED_BY_A, LED_BY_B, NOTHING
 
 
+def most_facing(first: int, count: int, x: float, y: float, turned: Array) -> int:
+    """Return the side that is farthest behind a point, m from the body's centre."""
+    side = 0
+    most = -NOTHING
+    for k in range(count):
+        room = room_before(first + k, x, y, turned)
+        side = k if room > most else side
+        most = max(most, room)
+    return side
+
+
+def room_before(side: int, x: float, y: float, turned: Array) -> float:
+    """Return how far a point is before a side, m."""
+    room: float = turned[side, 2] * (x - turned[side, 0]) + turned[side, 3] * (y - turned[side, 1])
+    return room
+
+
 def roomiest(
     first_p: int,
     count_p: int,
+    known: int,
+    side: int,
+    corner: int,
+    best: float,
     first_q: int,
     count_q: int,
+    inner_q: float,
     x: float,
     y: float,
     enough: float,
@@ -26,30 +48,53 @@ def roomiest(
 ) -> tuple[float, int, int, float]:
     """Return the room of P's roomiest side, m, its index, Q's nearest corner, the next room.
 
-    Q's centre is at (x, y) from P's. The search ends at the first side that leaves enough room, m.
+    Q's centre is at (x, y) from P's, and no side of Q is nearer to it than `inner_q`, m. The best
+    so far is a room, m, with its side of P, -1 if it is not P's, and its corner; the known side
+    has been measured. Sides that cannot leave more are not, and what they might leave counts as
+    theirs. The search ends where there is room enough, m.
     """
-    best = second = -NOTHING
-    side = corner = 0
+    second = -NOTHING
     for i in range(count_p):
-        nx, ny = turned[first_p + i, 2], turned[first_p + i, 3]
-        low = NOTHING
-        at = 0
-        for j in range(count_q):
-            height = nx * turned[first_q + j, 0] + ny * turned[first_q + j, 1]
-            if height < low:
-                low = height
-                at = j
-        room = nx * (x - turned[first_p + i, 0]) + ny * (y - turned[first_p + i, 1]) + low
+        if i == known:
+            continue
+        most = room_before(first_p + i, x, y, turned) - inner_q
+        if most <= best:
+            second = max(second, most)
+            continue
+        room, at = room_beside(first_p + i, first_q, count_q, x, y, turned)
         if room > best:
-            second = best
-            best = room
-            side = i
-            corner = at
+            second = best if side >= 0 else second
+            best, side, corner = room, i, at
             if best >= enough:
                 break
-        elif room > second:
-            second = room
+        else:
+            second = max(second, room)
     return best, side, corner, second
+
+
+def room_beside(
+    side: int, first_q: int, count_q: int, x: float, y: float, turned: Array
+) -> tuple[float, int]:
+    """Return the room that a side of P leaves to Q, m, and the corner of Q that is nearest."""
+    nx, ny = turned[side, 2], turned[side, 3]
+    low = NOTHING
+    at = 0
+    for j in range(count_q):
+        height = nx * turned[first_q + j, 0] + ny * turned[first_q + j, 1]
+        at = j if height < low else at
+        low = min(low, height)
+    return nx * (x - turned[side, 0]) + ny * (y - turned[side, 1]) + low, at
+
+
+def inner_radius(first: int, count: int, turned: Array) -> float:
+    """Return how near the sides of a shape are to the centre of its body, m.
+
+    Where the centre is not within the shape this says nothing.
+    """
+    near = NOTHING
+    for k in range(first, first + count):
+        near = min(near, turned[k, 0] * turned[k, 2] + turned[k, 1] * turned[k, 3])
+    return near if near >= 0.0 else -NOTHING
 
 
 def facing_side(first: int, count: int, corner: int, nx: float, ny: float, turned: Array) -> int:
@@ -65,6 +110,8 @@ def find_sides(
     count_a: int,
     first_b: int,
     count_b: int,
+    inner_a: float,
+    inner_b: float,
     x: float,
     y: float,
     enough: float,
@@ -74,25 +121,32 @@ def find_sides(
 
     `APART` where a side leaves enough room.
     """
-    room_a, side_a, corner_b, next_a = roomiest(
-        first_a, count_a, first_b, count_b, x, y, enough, turned
-    )
+    side_a = most_facing(first_a, count_a, x, y, turned)
+    room_a, corner_b = room_beside(first_a + side_a, first_b, count_b, x, y, turned)
     if room_a >= enough:
         return APART, side_a, 0, room_a, 0.0
+    room_a, side_a, corner_b, next_a = roomiest(
+        first_a, count_a, side_a, side_a, corner_b, room_a, first_b, count_b, inner_b, x, y,
+        enough, turned,
+    )  # fmt: skip
+    if room_a >= enough:
+        return APART, side_a, 0, room_a, 0.0
+    nx, ny = turned[first_a + side_a, 2], turned[first_a + side_a, 3]
+    faced = facing_side(first_b, count_b, corner_b, nx, ny, turned)
+    room, corner_a = room_beside(first_b + faced, first_a, count_a, -x, -y, turned)
+    best, side_b = (room, faced) if room > room_a else (room_a, -1)
     room_b, side_b, corner_a, next_b = roomiest(
-        first_b, count_b, first_a, count_a, -x, -y, enough, turned
-    )
+        first_b, count_b, faced, side_b, corner_a, best, first_a, count_a, inner_a, -x, -y,
+        enough, turned,
+    )  # fmt: skip
+    if side_b < 0:
+        return LED_BY_A, side_a, faced, room_a, max(next_a, next_b)
     if room_b >= enough:
         return APART, 0, side_b, room_b, 0.0
-    if room_b > room_a:
-        nx, ny = turned[first_b + side_b, 2], turned[first_b + side_b, 3]
-        facing = facing_side(first_a, count_a, corner_a, nx, ny, turned)
-        other = next_a if facing == side_a else room_a
-        return LED_BY_B, facing, side_b, room_b, max(other, next_b)
-    nx, ny = turned[first_a + side_a, 2], turned[first_a + side_a, 3]
-    facing = facing_side(first_b, count_b, corner_b, nx, ny, turned)
-    other = next_b if facing == side_b else room_b
-    return LED_BY_A, side_a, facing, room_a, max(other, next_a)
+    nx, ny = turned[first_b + side_b, 2], turned[first_b + side_b, 3]
+    facing = facing_side(first_a, count_a, corner_a, nx, ny, turned)
+    other = next_a if facing == side_a else room_a
+    return LED_BY_B, facing, side_b, room_b, max(other, next_b)
 
 
 def slack_of(

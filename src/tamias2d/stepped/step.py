@@ -37,7 +37,10 @@ from tamias2d.stepped.flight import (
     LOOKS_AROUND,
     fly,
     goes_far,
-    outruns,
+    mark_outrun,
+)
+from tamias2d.stepped.homes import (
+    mark_left,
 )
 from tamias2d.stepped.islands import (
     find_islands,
@@ -46,10 +49,8 @@ from tamias2d.stepped.layout import (
     ARRIVING,
     BEGUN,
     DORMANT,
-    FRESH,
     GRAVITY_X,
     GRAVITY_Y,
-    KINEMATIC,
     KNOWN,
     NEEDED,
     OUTRUN,
@@ -70,10 +71,6 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.meeting import (
     age_touches,
     meet,
-)
-from tamias2d.stepped.pairs import (
-    left_home,
-    turn_corners,
 )
 from tamias2d.stepped.rows import (
     clear_lanes,
@@ -98,6 +95,7 @@ from tamias2d.stepped.surroundings import (
     MORE_BLOCKS,
     MORE_WEB,
     UNSOUND,
+    look_again,
     look_around,
 )
 from tamias2d.stepped.thin import (
@@ -235,9 +233,13 @@ def step_once(
                 settings, counts, pose, motion, load, kind, shape_body, pairs[counts[SIDE]],
                 traces[counts[SIDE]], island, rest,
             )  # fmt: skip
-        counts[PHASE] = (
-            STALE if counts[STILL] == 0 or left_home(settings, kind, pose, home) else FRESH
-        )
+        marked = mark_left(settings, kind, pose, home, used)
+        holds = look_again(
+            marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
+            shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, corner,
+            turned, box, curve, node, found, pairs, touches, traces,
+        )  # fmt: skip
+        counts[PHASE] = KNOWN if holds else STALE
     if counts[PHASE] == STALE:
         status = look_around(
             settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
@@ -246,11 +248,6 @@ def step_once(
         )  # fmt: skip
         if status != DONE:
             return status
-        counts[PHASE] = KNOWN
-    elif counts[PHASE] == FRESH:
-        turn_corners(
-            shape_body, shape_kind, shape_first, shape_count, kind, KINEMATIC, pose, corner, turned
-        )
         counts[PHASE] = KNOWN
     if counts[PHASE] == KNOWN:
         pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
@@ -294,17 +291,21 @@ def step_once(
         drift(settings, motion, load, body, kind, used, carried)
         move_frame(settings, kind, motion)
         far = goes_far(kind, motion, body)
-        counts[PHASE] = (
-            ARRIVING
-            if not far
-            else OUTRUN
-            if outruns(settings, kind, pose, motion, body, home)
-            else SWEPT
-        )
+        if not far:
+            counts[PHASE] = ARRIVING
+        else:
+            marked = mark_outrun(settings, kind, pose, motion, body, home, used)
+            counts[PHASE] = OUTRUN if marked > 0 else SWEPT
         bench[FLOWN], bench[LOOKS_LEFT] = 0.0, LOOKS_AROUND
     while counts[PHASE] != ARRIVING:
         if counts[PHASE] == OUTRUN:
-            status = look_around(
+            marked = mark_outrun(settings, kind, pose, motion, body, home, used)
+            holds = look_again(
+                marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
+                shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
+                corner, turned, box, curve, node, found, pairs, touches, traces,
+            )  # fmt: skip
+            status = DONE if holds else look_around(
                 settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
                 shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned,
                 box, curve, node, found, pairs, touches, traces,

@@ -1,33 +1,91 @@
 """The look around: who may be near whom, for as many steps ahead as has been worth while.
 
-Serves: a step. Hides: when the list of pairs is made for longer, and when for less long.
+Serves: a step. Hides: whether all look around, or only those who left their rooms; and when the
+list of pairs is made for longer, and when for less long.
 """
 
 from tamias2d.state import (
     Array,
 )
+from tamias2d.stepped.homes import choose_frame, settle
 from tamias2d.stepped.layout import (
+    FRAME_VX,
+    FRAME_VY,
     HORIZON,
+    KINEMATIC,
+    MENDED,
     NEEDED,
+    OUTRUN,
     PAIRS,
+    PHASE,
     SINCE,
     STATIC,
     STILL,
     TIME_STEP,
     Whole,
 )
-from tamias2d.stepped.pairs import (
-    LONGEST,
-    choose_frame,
-    fatten,
-    find_pairs,
-    settle,
-    sort_pairs,
-    take_over,
-    turn_corners,
-)
+from tamias2d.stepped.mending import mend
+from tamias2d.stepped.pair_list import take_over
+from tamias2d.stepped.pairs import fatten, find_pairs, sort_pairs
+from tamias2d.stepped.turning import turn_corners
+
+LONGEST = 64  # steps ahead that a list is made for, at most
+CROWD = 4  # pairs to a shape: where there are more, a list is made for less long
+MENDABLE = 0.125  # of all bodies: so many may leave their rooms until all look around again
 
 DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND, MORE_WEB = 0, 1, 2, 3, 4, 5  # of a step
+
+
+def look_again(
+    marked: int,
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    body: Array,
+    home: Array,
+    kind: Whole,
+    used: Whole,
+    ranked: Whole,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    surface: Array,
+    filters: Whole,
+    mixed: Array,
+    corner: Array,
+    turned: Array,
+    box: Array,
+    curve: Whole,
+    node: Array,
+    found: Whole,
+    pairs: Whole,
+    touches: Array,
+    traces: Whole,
+) -> bool:
+    """Return whether the list of pairs holds, when those who are marked have looked around.
+
+    If it does not, it is known to be of no use: the next call says so, too.
+    """
+    moves = settings[FRAME_VX] != 0.0 or settings[FRAME_VY] != 0.0
+    many = marked + counts[MENDED] > MENDABLE * len(kind)
+    if counts[STILL] == 0 or many or (moves and counts[PHASE] == OUTRUN):
+        counts[STILL] = 0
+        for i in range(len(used) if marked > 0 else 0):
+            used[i] = 0
+        return False
+    turn_corners(
+        shape_body, shape_kind, shape_first, shape_count, kind, KINEMATIC, pose, corner, turned
+    )
+    if marked > 0:
+        counts[STILL] = 1 if mend(
+            settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
+            shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, turned,
+            box, curve, node, found, pairs, touches, traces,
+        ) else 0  # fmt: skip
+    return bool(counts[STILL] == 1)
 
 
 def look_around(
@@ -59,7 +117,7 @@ def look_around(
 ) -> int:
     """Make the list of pairs anew, for as many steps ahead as has been worth while."""
     if counts[SINCE] > 0:
-        if counts[PAIRS] > 2 * len(shape_body):
+        if counts[PAIRS] > CROWD * len(shape_body):
             counts[HORIZON] = max(counts[HORIZON] // 2, 2)
         elif 2 * counts[SINCE] >= counts[HORIZON]:
             counts[HORIZON] = min(2 * counts[HORIZON], LONGEST)
@@ -69,34 +127,15 @@ def look_around(
     )
     choose_frame(settings, counts, kind, motion)
     settle(settings, counts[HORIZON] * settings[TIME_STEP], kind, pose, motion, body, home)
-    fatten(
-        shape_body,
-        shape_kind,
-        shape_first,
-        shape_count,
-        shape_radius,
-        kind,
-        body,
-        home,
-        turned,
-        box,
-    )
+    for k in range(len(shape_body)):
+        fatten(
+            k, shape_body, shape_kind, shape_first, shape_count, shape_radius, kind, body, home,
+            turned, box,
+        )  # fmt: skip
     total = find_pairs(
-        counts,
-        shape_kind,
-        shape_body,
-        filters,
-        kind,
-        ranked,
-        box,
-        curve,
-        node,
-        turned,
-        shape_first,
-        found,
-        pose,
-        home,
-    )
+        counts, shape_kind, shape_body, shape_first, shape_count, shape_radius, surface, filters,
+        kind, ranked, turned, box, curve, node, found, pose, body, home,
+    )  # fmt: skip
     if total > len(found):
         counts[NEEDED] = total
         return MORE_FOUND
@@ -105,5 +144,5 @@ def look_around(
     if size > pairs.shape[1]:
         counts[NEEDED] = size
         return MORE_PAIRS
-    counts[STILL] = 1
+    counts[STILL], counts[MENDED] = 1, 0
     return DONE

@@ -78,7 +78,7 @@ class World:
         self.shape_first = np.zeros(0, dtype=np.int32)
         self.shape_count = np.zeros(0, dtype=np.int32)
         self.shape_radius = np.zeros(0)
-        self.surface = np.zeros((0, 3))
+        self.surface = np.zeros((0, 4))
         self.filters = np.zeros((0, 4), dtype=np.int64)
         self.mixed = np.zeros((0, 4))
         self.corner = np.zeros((0, 4))
@@ -98,7 +98,7 @@ class World:
         self.times = np.zeros(16)
         self.scratch = np.zeros((8, 8))
         self.settings = np.array([*gravity, time_step, 0.0, 0.0, 0.0, 0.0])
-        self.counts = np.zeros(20, dtype=np.int64)
+        self.counts = np.zeros(22, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
