@@ -391,6 +391,11 @@ def test_og2_visits_of_a_soft_contact() -> None:
     passes("OG2")
 
 
+def test_og3_acceleration_by_inverse_mass() -> None:
+    """OG3, srs/verification/soft_contact.md:128; verifies R12."""
+    passes("OG3")
+
+
 def test_oa9h_unstable_steps() -> None:
     """OA9h, srs/verification/stability.md:9; verifies R5."""
     passes("OA9h")

@@ -117,9 +117,21 @@ def test_inertia_compound_is_dd25(**given: Value) -> None:
     agrees(definitions.inertia_compound, "sum(inertia_i + mass_i*dot(arm_i, arm_i))", given)
 
 
+@given(gravity=values("gravity"), force=values("force"), inverse_mass=values("inverse_mass"))
+def test_acceleration_is_dd30(**given: Value) -> None:
+    """DD30, srs/definitions.md:225."""
+    agrees(definitions.acceleration, "gravity + inverse_mass*force", given)
+
+
+@given(torque=values("torque"), inverse_inertia=values("inverse_inertia"))
+def test_angular_acceleration_is_dd30(**given: Value) -> None:
+    """DD30, srs/definitions.md:225."""
+    agrees(definitions.angular_acceleration, "inverse_inertia*torque", given)
+
+
 @given(mass=values("mass"), velocity=values("velocity"))
 def test_momentum_is_dd21(**given: Value) -> None:
-    """DD21, srs/definitions.md:262."""
+    """DD21, srs/definitions.md:289."""
     agrees(definitions.momentum, "mass*velocity", given)
 
 
@@ -131,7 +143,7 @@ def test_momentum_is_dd21(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_angular_momentum_is_dd21(**given: Value) -> None:
-    """DD21, srs/definitions.md:262."""
+    """DD21, srs/definitions.md:289."""
     agrees(
         definitions.angular_momentum,
         "mass*cross(position, velocity) + inertia*angular_velocity",
@@ -141,13 +153,13 @@ def test_angular_momentum_is_dd21(**given: Value) -> None:
 
 @given(restitution_a=values("restitution_a"), restitution_b=values("restitution_b"))
 def test_pair_restitution_is_dd17(**given: Value) -> None:
-    """DD17, srs/definitions.md:358."""
+    """DD17, srs/definitions.md:385."""
     agrees(definitions.pair_restitution, "min(restitution_a, restitution_b)", given)
 
 
 @given(point_velocity_a=values("point_velocity_a"), point_velocity_b=values("point_velocity_b"))
 def test_normal_is_gd11(**given: Value) -> None:
-    """GD11, srs/definitions.md:391."""
+    """GD11, srs/definitions.md:418."""
     agrees(
         definitions.normal,
         "(point_velocity_a - point_velocity_b)/norm(point_velocity_a - point_velocity_b)",
@@ -157,13 +169,13 @@ def test_normal_is_gd11(**given: Value) -> None:
 
 @given(normal=values("normal"))
 def test_tangent_is_dd22(**given: Value) -> None:
-    """DD22, srs/definitions.md:415."""
+    """DD22, srs/definitions.md:442."""
     agrees(definitions.tangent, "perp(normal)", given)
 
 
 @given(friction_a=values("friction_a"), friction_b=values("friction_b"))
 def test_pair_friction_is_dd23(**given: Value) -> None:
-    """DD23, srs/definitions.md:427."""
+    """DD23, srs/definitions.md:454."""
     agrees(definitions.pair_friction, "sqrt(friction_a*friction_b)", given)
 
 
@@ -174,7 +186,7 @@ def test_pair_friction_is_dd23(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_kinetic_energy_is_dd15(**given: Value) -> None:
-    """DD15, srs/definitions.md:447."""
+    """DD15, srs/definitions.md:474."""
     agrees(
         definitions.kinetic_energy,
         "mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2",
@@ -184,7 +196,7 @@ def test_kinetic_energy_is_dd15(**given: Value) -> None:
 
 @given(mass=values("mass"), gravity=values("gravity"), position=values("position"))
 def test_potential_energy_is_dd16(**given: Value) -> None:
-    """DD16, srs/definitions.md:461."""
+    """DD16, srs/definitions.md:488."""
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 
