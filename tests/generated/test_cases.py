@@ -396,6 +396,16 @@ def test_og3_acceleration_by_inverse_mass() -> None:
     passes("OG3")
 
 
+def test_og4_firm_contacts() -> None:
+    """OG4, srs/verification/soft_contact.md:159; verifies R12."""
+    passes("OG4")
+
+
+def test_og5_momenta_and_energies_of_a_thin_island() -> None:
+    """OG5, srs/verification/soft_contact.md:216; verifies R12."""
+    passes("OG5")
+
+
 def test_oa9h_unstable_steps() -> None:
     """OA9h, srs/verification/stability.md:9; verifies R5."""
     passes("OA9h")

@@ -9,6 +9,7 @@ from tamias2d.generated import (
     definitions,
     detection,
     drag,
+    firm_contact,
     friction,
     gravitation,
     impact,
@@ -312,6 +313,209 @@ def test_angular_velocity_is_im6(**given: Value) -> None:
         "angular_velocity_start*exp(-angular_drag_rate*time) + angular_acceleration*time*phi1(-angular_drag_rate*time)",
         given,
     )
+
+
+@given(
+    push=values("push"),
+    row_velocity_kicked=values("row_velocity_kicked"),
+    bias_velocity=values("bias_velocity"),
+    firmness=values("firmness"),
+)
+def test_push_wanted_is_gd12(**given: Value) -> None:
+    """GD12, srs/models/firm_contact.md:21."""
+    agrees(firm_contact.push_wanted, "push - firmness*(row_velocity_kicked + bias_velocity)", given)
+
+
+@given(
+    rub=values("rub"),
+    row_velocity_kicked=values("row_velocity_kicked"),
+    firmness=values("firmness"),
+)
+def test_rub_wanted_is_gd12(**given: Value) -> None:
+    """GD12, srs/models/firm_contact.md:21."""
+    agrees(firm_contact.rub_wanted, "rub - firmness*row_velocity_kicked", given)
+
+
+@given(
+    separation=values("separation"),
+    row_velocity=values("row_velocity"),
+    time_step=values("time_step"),
+)
+def test_bias_velocity_later_is_dd31(**given: Value) -> None:
+    """DD31, srs/models/firm_contact.md:70."""
+    agrees(firm_contact.bias_velocity_later, "max(separation/time_step + row_velocity, 0)", given)
+
+
+@given(
+    bias_velocity_later=values("bias_velocity_later"),
+    row_velocity=values("row_velocity"),
+    time_step=values("time_step"),
+)
+def test_separation_is_dd31(**given: Value) -> None:
+    """DD31, srs/models/firm_contact.md:70."""
+    agrees(firm_contact.separation, "time_step*(bias_velocity_later - row_velocity)", given)
+
+
+@given(push_first=values("push_first"), push_both=values("push_both"))
+def test_push_share_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(firm_contact.push_share, "push_first/push_both", given)
+
+
+@given(
+    turning_arm_first=values("turning_arm_first"),
+    turning_arm_second=values("turning_arm_second"),
+    push_share=values("push_share"),
+)
+def test_turning_arm_both_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(
+        firm_contact.turning_arm_both,
+        "push_share*turning_arm_first + (1 - push_share)*turning_arm_second",
+        given,
+    )
+
+
+@given(
+    row_velocity_first=values("row_velocity_first"),
+    row_velocity_second=values("row_velocity_second"),
+    push_share=values("push_share"),
+)
+def test_row_velocity_both_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(
+        firm_contact.row_velocity_both,
+        "push_share*row_velocity_first + (1 - push_share)*row_velocity_second",
+        given,
+    )
+
+
+@given(push=values("push"), friction=values("friction"))
+def test_rub_most_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(firm_contact.rub_most, "friction*push", given)
+
+
+@given(rub_wanted=values("rub_wanted"), rub_most=values("rub_most"))
+def test_limited_rub_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(firm_contact.limited_rub, "max(min(rub_wanted, rub_most), -rub_most)", given)
+
+
+@given(line=values("line"), firmness=values("firmness"))
+def test_firm_mass_x_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_mass_x, "firmness*x(line)*line", given)
+
+
+@given(line=values("line"), firmness=values("firmness"))
+def test_firm_mass_y_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_mass_y, "firmness*y(line)*line", given)
+
+
+@given(line=values("line"), turning_arm_a=values("turning_arm_a"), firmness=values("firmness"))
+def test_firm_moment_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_moment, "firmness*line*turning_arm_a", given)
+
+
+@given(line=values("line"), turning_arm_b=values("turning_arm_b"), firmness=values("firmness"))
+def test_firm_lever_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_lever, "firmness*turning_arm_b*line", given)
+
+
+@given(
+    turning_arm_a=values("turning_arm_a"),
+    turning_arm_b=values("turning_arm_b"),
+    firmness=values("firmness"),
+)
+def test_firm_inertia_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_inertia, "firmness*turning_arm_b*turning_arm_a", given)
+
+
+@given(mass=values("mass"), velocity_start=values("velocity_start"), velocity=values("velocity"))
+def test_momentum_left_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.momentum_left, "mass*(velocity_start - velocity)", given)
+
+
+@given(
+    inertia=values("inertia"),
+    angular_velocity_start=values("angular_velocity_start"),
+    angular_velocity=values("angular_velocity"),
+)
+def test_angular_momentum_left_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(
+        firm_contact.angular_momentum_left,
+        "inertia*(angular_velocity_start - angular_velocity)",
+        given,
+    )
+
+
+@given(momentum_a=values("momentum_a"), kick=values("kick"), line=values("line"))
+def test_momentum_a_kicked_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.momentum_a_kicked, "momentum_a - kick*line", given)
+
+
+@given(
+    angular_momentum_a=values("angular_momentum_a"),
+    kick=values("kick"),
+    turning_arm_a=values("turning_arm_a"),
+)
+def test_angular_momentum_a_kicked_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.angular_momentum_a_kicked, "angular_momentum_a - kick*turning_arm_a", given)
+
+
+@given(momentum_b=values("momentum_b"), kick=values("kick"), line=values("line"))
+def test_momentum_b_kicked_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.momentum_b_kicked, "momentum_b + kick*line", given)
+
+
+@given(
+    angular_momentum_b=values("angular_momentum_b"),
+    kick=values("kick"),
+    turning_arm_b=values("turning_arm_b"),
+)
+def test_angular_momentum_b_kicked_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.angular_momentum_b_kicked, "angular_momentum_b + kick*turning_arm_b", given)
+
+
+@given(mass=values("mass"), velocity=values("velocity"))
+def test_linear_energy_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.linear_energy, "mass*dot(velocity, velocity)/2", given)
+
+
+@given(inertia=values("inertia"), angular_velocity=values("angular_velocity"))
+def test_turning_energy_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.turning_energy, "inertia*angular_velocity**2/2", given)
+
+
+@given(momentum=values("momentum"), mass=values("mass"))
+def test_linear_energy_start_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.linear_energy_start, "dot(momentum, momentum)/(2*mass)", given)
+
+
+@given(angular_momentum=values("angular_momentum"), inertia=values("inertia"))
+def test_turning_energy_start_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.turning_energy_start, "angular_momentum**2/(2*inertia)", given)
+
+
+@given(mass=values("mass"), bias_velocity=values("bias_velocity"))
+def test_bias_energy_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.bias_energy, "mass*bias_velocity**2/2", given)
 
 
 @given(

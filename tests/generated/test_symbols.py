@@ -483,8 +483,30 @@ def test_range_of_impulse_share() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
 
 
+def test_range_of_firmness() -> None:
+    """srs/symbols.md:572: > 0."""
+    symbol = SYMBOLS["firmness"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_push_share() -> None:
+    """srs/symbols.md:579: [0, 1]."""
+    symbol = SYMBOLS["push_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:586: >= 0."""
+    """srs/symbols.md:631: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -496,36 +518,75 @@ def test_range_of_kinetic_energy() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
 
 
+def test_range_of_linear_energy() -> None:
+    """srs/symbols.md:640: >= 0."""
+    symbol = SYMBOLS["linear_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_turning_energy() -> None:
+    """srs/symbols.md:645: >= 0."""
+    symbol = SYMBOLS["turning_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_bias_energy() -> None:
+    """srs/symbols.md:650: >= 0."""
+    symbol = SYMBOLS["bias_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
 def test_range_of_radius() -> None:
-    """srs/symbols.md:604: > 0."""
+    """srs/symbols.md:664: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_length() -> None:
-    """srs/symbols.md:609: > 0."""
+    """srs/symbols.md:669: > 0."""
     symbol = SYMBOLS["length"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:616: > 0."""
+    """srs/symbols.md:676: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:621: > 0."""
+    """srs/symbols.md:681: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:640: > 0."""
+    """srs/symbols.md:700: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
