@@ -406,6 +406,16 @@ def test_og5_momenta_and_energies_of_a_thin_island() -> None:
     passes("OG5")
 
 
+def test_og6_energy_of_an_island() -> None:
+    """OG6, srs/verification/soft_contact.md:266; verifies R12."""
+    passes("OG6")
+
+
+def test_og7_bound_on_the_energy_of_an_island() -> None:
+    """OG7, srs/verification/soft_contact.md:349; verifies R12."""
+    passes("OG7")
+
+
 def test_oa9h_unstable_steps() -> None:
     """OA9h, srs/verification/stability.md:9; verifies R5."""
     passes("OA9h")

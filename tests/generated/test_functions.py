@@ -13,6 +13,7 @@ from tamias2d.generated import (
     friction,
     gravitation,
     impact,
+    island_energy,
     rest,
     rotation,
     soft_contact,
@@ -910,6 +911,243 @@ def test_angular_velocity_b_after_is_im3(**given: Value) -> None:
     agrees(
         impact.angular_velocity_b_after,
         "angular_velocity_b + impulse*inverse_inertia_b*cross(arm_b, normal)",
+        given,
+    )
+
+
+@given(
+    mass=values("mass"),
+    gravity=values("gravity"),
+    force=values("force"),
+    torque=values("torque"),
+    shift=values("shift"),
+    turn=values("turn"),
+)
+def test_work_is_dd36(**given: Value) -> None:
+    """DD36, srs/models/island_energy.md:12."""
+    agrees(island_energy.work, "dot(mass*gravity + force, shift) + torque*turn", given)
+
+
+@given(velocity=values("velocity"), velocity_support=values("velocity_support"))
+def test_velocity_seen_is_dd37(**given: Value) -> None:
+    """DD37, srs/models/island_energy.md:37."""
+    agrees(island_energy.velocity_seen, "velocity - velocity_support", given)
+
+
+@given(
+    angular_velocity=values("angular_velocity"),
+    angular_velocity_support=values("angular_velocity_support"),
+)
+def test_angular_velocity_seen_is_dd37(**given: Value) -> None:
+    """DD37, srs/models/island_energy.md:37."""
+    agrees(
+        island_energy.angular_velocity_seen, "angular_velocity - angular_velocity_support", given
+    )
+
+
+@given(
+    shift=values("shift"),
+    velocity_support=values("velocity_support"),
+    time_step=values("time_step"),
+)
+def test_shift_seen_is_dd37(**given: Value) -> None:
+    """DD37, srs/models/island_energy.md:37."""
+    agrees(island_energy.shift_seen, "shift - time_step*velocity_support", given)
+
+
+@given(
+    turn=values("turn"),
+    angular_velocity_support=values("angular_velocity_support"),
+    time_step=values("time_step"),
+)
+def test_turn_seen_is_dd37(**given: Value) -> None:
+    """DD37, srs/models/island_energy.md:37."""
+    agrees(island_energy.turn_seen, "turn - time_step*angular_velocity_support", given)
+
+
+@given(mass=values("mass"), position=values("position"))
+def test_mass_moment_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(island_energy.mass_moment, "mass*position", given)
+
+
+@given(mass=values("mass"), position=values("position"), inertia=values("inertia"))
+def test_inertia_origin_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(island_energy.inertia_origin, "inertia + mass*dot(position, position)", given)
+
+
+@given(mass_moment=values("mass_moment"), mass=values("mass"))
+def test_position_island_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(island_energy.position_island, "mass_moment/mass", given)
+
+
+@given(momentum=values("momentum"), mass=values("mass"))
+def test_velocity_island_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(island_energy.velocity_island, "momentum/mass", given)
+
+
+@given(
+    inertia_origin=values("inertia_origin"),
+    mass=values("mass"),
+    position_island=values("position_island"),
+)
+def test_inertia_island_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(
+        island_energy.inertia_island,
+        "inertia_origin - mass*dot(position_island, position_island)",
+        given,
+    )
+
+
+@given(
+    angular_momentum=values("angular_momentum"),
+    mass=values("mass"),
+    position_island=values("position_island"),
+    velocity_island=values("velocity_island"),
+    inertia_island=values("inertia_island"),
+)
+def test_angular_velocity_island_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(
+        island_energy.angular_velocity_island,
+        "(angular_momentum - mass*cross(position_island, velocity_island))/inertia_island",
+        given,
+    )
+
+
+@given(
+    kinetic_energy_before=values("kinetic_energy_before"),
+    kinetic_energy_after=values("kinetic_energy_after"),
+    change_energy=values("change_energy"),
+    kept_share=values("kept_share"),
+)
+def test_kinetic_energy_kept_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.kinetic_energy_kept,
+        "(1 - kept_share)*kinetic_energy_before + kept_share*kinetic_energy_after - kept_share*(1 - kept_share)*change_energy",
+        given,
+    )
+
+
+@given(
+    velocity_before=values("velocity_before"),
+    velocity_after=values("velocity_after"),
+    kept_share=values("kept_share"),
+)
+def test_velocity_kept_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.velocity_kept,
+        "velocity_before + kept_share*(velocity_after - velocity_before)",
+        given,
+    )
+
+
+@given(
+    angular_velocity_before=values("angular_velocity_before"),
+    angular_velocity_after=values("angular_velocity_after"),
+    kept_share=values("kept_share"),
+)
+def test_angular_velocity_kept_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.angular_velocity_kept,
+        "angular_velocity_before + kept_share*(angular_velocity_after - angular_velocity_before)",
+        given,
+    )
+
+
+@given(push=values("push"), kick=values("kick"), kept_share=values("kept_share"))
+def test_push_kept_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(island_energy.push_kept, "push - (1 - kept_share)*kick", given)
+
+
+@given(
+    energy_room=values("energy_room"),
+    energy_rise=values("energy_rise"),
+    change_energy=values("change_energy"),
+)
+def test_kept_share_rising_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.kept_share_rising,
+        "min(2*energy_room/(energy_slope + energy_root), 1)",
+        given,
+        {
+            "energy_slope": "energy_rise - change_energy",
+            "energy_root": "sqrt(energy_slope**2 + 4*change_energy*energy_room)",
+        },
+    )
+
+
+@given(
+    energy_room=values("energy_room"),
+    energy_rise=values("energy_rise"),
+    change_energy=values("change_energy"),
+)
+def test_kept_share_falling_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.kept_share_falling,
+        "min((energy_root - energy_slope)/(2*change_energy), 1)",
+        given,
+        {
+            "energy_slope": "energy_rise - change_energy",
+            "energy_root": "sqrt(energy_slope**2 + 4*change_energy*energy_room)",
+        },
+    )
+
+
+@given(kinetic_energy_start=values("kinetic_energy_start"), work=values("work"))
+def test_kinetic_energy_most_is_im11(**given: Value) -> None:
+    """IM11, srs/models/island_energy.md:209."""
+    agrees(island_energy.kinetic_energy_most, "kinetic_energy_start + max(work, 0)", given)
+
+
+@given(
+    kinetic_energy=values("kinetic_energy"),
+    kinetic_energy_most=values("kinetic_energy_most"),
+    kinetic_energy_least=values("kinetic_energy_least"),
+)
+def test_calm_share_is_im11(**given: Value) -> None:
+    """IM11, srs/models/island_energy.md:209."""
+    agrees(
+        island_energy.calm_share,
+        "min(sqrt((kinetic_energy_most - kinetic_energy_least)/(kinetic_energy - kinetic_energy_least)), 1)",
+        given,
+    )
+
+
+@given(
+    velocity=values("velocity"),
+    velocity_island=values("velocity_island"),
+    calm_share=values("calm_share"),
+)
+def test_velocity_calmed_is_im11(**given: Value) -> None:
+    """IM11, srs/models/island_energy.md:209."""
+    agrees(
+        island_energy.velocity_calmed,
+        "velocity_island + calm_share*(velocity - velocity_island)",
+        given,
+    )
+
+
+@given(
+    angular_velocity=values("angular_velocity"),
+    angular_velocity_island=values("angular_velocity_island"),
+    calm_share=values("calm_share"),
+)
+def test_angular_velocity_calmed_is_im11(**given: Value) -> None:
+    """IM11, srs/models/island_energy.md:209."""
+    agrees(
+        island_energy.angular_velocity_calmed,
+        "angular_velocity_island + calm_share*(angular_velocity - angular_velocity_island)",
         given,
     )
 
