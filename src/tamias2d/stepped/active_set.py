@@ -13,6 +13,7 @@ from tamias2d.generated.firm_contact import (
     rub_most,
     rub_wanted,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 from tamias2d.stepped.elimination import (
     ASKED,
@@ -127,6 +128,7 @@ def balance(
     return changed, left_over(n, web, weave)
 
 
+@inlined
 def left_over(n: int, web: Whole, weave: Array) -> float:
     """Return the largest momentum that a body has left, as a part of the pushes, squared.
 
@@ -142,6 +144,7 @@ def left_over(n: int, web: Whole, weave: Array) -> float:
     return left / scale if scale > 0.0 else left
 
 
+@inlined
 def ask(
     joint: int,
     first: bool,
@@ -158,6 +161,7 @@ def ask(
     ask_rubs(joint, first, firm, slight, pushes, rows, lanes, motion, web, weave)
 
 
+@inlined
 def ask_pushes(
     joint: int,
     first: bool,
@@ -194,6 +198,7 @@ def ask_pushes(
     return pushes
 
 
+@inlined
 def ask_rubs(
     joint: int,
     first: bool,

@@ -21,6 +21,7 @@ from tamias2d.generated.firm_contact import (
     turning_energy,
     turning_energy_start,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 from tamias2d.stepped.active_set import (
     balance,
@@ -133,6 +134,7 @@ def settle_islands(
             settle_island(n, relaxing, substep, rows, lanes, motion, web, weave)
 
 
+@inlined
 def settle_island(
     n: int,
     relaxing: bool,
@@ -168,6 +170,7 @@ def settle_island(
             leave_room(joint, substep, rows, lanes, motion, web, weave)
 
 
+@inlined
 def can_be_given(
     n: int,
     before: float,

@@ -20,6 +20,7 @@ from tamias2d.generated.firm_contact import (
     firm_moment,
     turning_arm_both,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 from tamias2d.stepped.layout import Whole
 from tamias2d.stepped.rows import (
@@ -130,6 +131,7 @@ def add_square(knot: int, firm: float, line: Vector, arm: float, weave: Array) -
     weave[knot, DIAGONAL + 5] += firm_inertia(arm, arm, firm)
 
 
+@inlined
 def add_beside(
     link: int, firm: float, line: Vector, early: float, late: float, weave: Array
 ) -> None:
