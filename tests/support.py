@@ -63,7 +63,7 @@ def agrees(
             for name, expression in (where or {}).items():
                 known[name] = evaluate(parse(expression), known)
             wanted = evaluate(parse(text), known)
-        except ZeroDivisionError:
+        except (ZeroDivisionError, ValueError):  # a root of what is negative
             return
         if np.all(np.isfinite(np.array(wanted, float))):
             close(function(**given), wanted)

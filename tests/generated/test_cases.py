@@ -391,6 +391,31 @@ def test_og2_visits_of_a_soft_contact() -> None:
     passes("OG2")
 
 
+def test_og3_acceleration_by_inverse_mass() -> None:
+    """OG3, srs/verification/soft_contact.md:164; verifies R12."""
+    passes("OG3")
+
+
+def test_og4_firm_contacts() -> None:
+    """OG4, srs/verification/soft_contact.md:195; verifies R12."""
+    passes("OG4")
+
+
+def test_og5_momenta_and_energies_of_a_thin_island() -> None:
+    """OG5, srs/verification/soft_contact.md:252; verifies R12."""
+    passes("OG5")
+
+
+def test_og6_energy_of_an_island() -> None:
+    """OG6, srs/verification/soft_contact.md:302; verifies R12."""
+    passes("OG6")
+
+
+def test_og7_bound_on_the_energy_of_an_island() -> None:
+    """OG7, srs/verification/soft_contact.md:385; verifies R12."""
+    passes("OG7")
+
+
 def test_oa9h_unstable_steps() -> None:
     """OA9h, srs/verification/stability.md:9; verifies R5."""
     passes("OA9h")

@@ -9,9 +9,11 @@ from tamias2d.generated import (
     definitions,
     detection,
     drag,
+    firm_contact,
     friction,
     gravitation,
     impact,
+    island_energy,
     rest,
     rotation,
     soft_contact,
@@ -117,9 +119,21 @@ def test_inertia_compound_is_dd25(**given: Value) -> None:
     agrees(definitions.inertia_compound, "sum(inertia_i + mass_i*dot(arm_i, arm_i))", given)
 
 
+@given(gravity=values("gravity"), force=values("force"), inverse_mass=values("inverse_mass"))
+def test_acceleration_is_dd30(**given: Value) -> None:
+    """DD30, srs/definitions.md:225."""
+    agrees(definitions.acceleration, "gravity + inverse_mass*force", given)
+
+
+@given(torque=values("torque"), inverse_inertia=values("inverse_inertia"))
+def test_angular_acceleration_is_dd30(**given: Value) -> None:
+    """DD30, srs/definitions.md:225."""
+    agrees(definitions.angular_acceleration, "inverse_inertia*torque", given)
+
+
 @given(mass=values("mass"), velocity=values("velocity"))
 def test_momentum_is_dd21(**given: Value) -> None:
-    """DD21, srs/definitions.md:262."""
+    """DD21, srs/definitions.md:289."""
     agrees(definitions.momentum, "mass*velocity", given)
 
 
@@ -131,7 +145,7 @@ def test_momentum_is_dd21(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_angular_momentum_is_dd21(**given: Value) -> None:
-    """DD21, srs/definitions.md:262."""
+    """DD21, srs/definitions.md:289."""
     agrees(
         definitions.angular_momentum,
         "mass*cross(position, velocity) + inertia*angular_velocity",
@@ -141,13 +155,13 @@ def test_angular_momentum_is_dd21(**given: Value) -> None:
 
 @given(restitution_a=values("restitution_a"), restitution_b=values("restitution_b"))
 def test_pair_restitution_is_dd17(**given: Value) -> None:
-    """DD17, srs/definitions.md:358."""
+    """DD17, srs/definitions.md:385."""
     agrees(definitions.pair_restitution, "min(restitution_a, restitution_b)", given)
 
 
 @given(point_velocity_a=values("point_velocity_a"), point_velocity_b=values("point_velocity_b"))
 def test_normal_is_gd11(**given: Value) -> None:
-    """GD11, srs/definitions.md:391."""
+    """GD11, srs/definitions.md:418."""
     agrees(
         definitions.normal,
         "(point_velocity_a - point_velocity_b)/norm(point_velocity_a - point_velocity_b)",
@@ -157,13 +171,13 @@ def test_normal_is_gd11(**given: Value) -> None:
 
 @given(normal=values("normal"))
 def test_tangent_is_dd22(**given: Value) -> None:
-    """DD22, srs/definitions.md:415."""
+    """DD22, srs/definitions.md:442."""
     agrees(definitions.tangent, "perp(normal)", given)
 
 
 @given(friction_a=values("friction_a"), friction_b=values("friction_b"))
 def test_pair_friction_is_dd23(**given: Value) -> None:
-    """DD23, srs/definitions.md:427."""
+    """DD23, srs/definitions.md:454."""
     agrees(definitions.pair_friction, "sqrt(friction_a*friction_b)", given)
 
 
@@ -174,7 +188,7 @@ def test_pair_friction_is_dd23(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_kinetic_energy_is_dd15(**given: Value) -> None:
-    """DD15, srs/definitions.md:447."""
+    """DD15, srs/definitions.md:474."""
     agrees(
         definitions.kinetic_energy,
         "mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2",
@@ -184,7 +198,7 @@ def test_kinetic_energy_is_dd15(**given: Value) -> None:
 
 @given(mass=values("mass"), gravity=values("gravity"), position=values("position"))
 def test_potential_energy_is_dd16(**given: Value) -> None:
-    """DD16, srs/definitions.md:461."""
+    """DD16, srs/definitions.md:488."""
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 
@@ -300,6 +314,209 @@ def test_angular_velocity_is_im6(**given: Value) -> None:
         "angular_velocity_start*exp(-angular_drag_rate*time) + angular_acceleration*time*phi1(-angular_drag_rate*time)",
         given,
     )
+
+
+@given(
+    push=values("push"),
+    row_velocity_kicked=values("row_velocity_kicked"),
+    bias_velocity=values("bias_velocity"),
+    firmness=values("firmness"),
+)
+def test_push_wanted_is_gd12(**given: Value) -> None:
+    """GD12, srs/models/firm_contact.md:21."""
+    agrees(firm_contact.push_wanted, "push - firmness*(row_velocity_kicked + bias_velocity)", given)
+
+
+@given(
+    rub=values("rub"),
+    row_velocity_kicked=values("row_velocity_kicked"),
+    firmness=values("firmness"),
+)
+def test_rub_wanted_is_gd12(**given: Value) -> None:
+    """GD12, srs/models/firm_contact.md:21."""
+    agrees(firm_contact.rub_wanted, "rub - firmness*row_velocity_kicked", given)
+
+
+@given(
+    separation=values("separation"),
+    row_velocity=values("row_velocity"),
+    time_step=values("time_step"),
+)
+def test_bias_velocity_later_is_dd31(**given: Value) -> None:
+    """DD31, srs/models/firm_contact.md:70."""
+    agrees(firm_contact.bias_velocity_later, "max(separation/time_step + row_velocity, 0)", given)
+
+
+@given(
+    bias_velocity_later=values("bias_velocity_later"),
+    row_velocity=values("row_velocity"),
+    time_step=values("time_step"),
+)
+def test_separation_is_dd31(**given: Value) -> None:
+    """DD31, srs/models/firm_contact.md:70."""
+    agrees(firm_contact.separation, "time_step*(bias_velocity_later - row_velocity)", given)
+
+
+@given(push_first=values("push_first"), push_both=values("push_both"))
+def test_push_share_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(firm_contact.push_share, "push_first/push_both", given)
+
+
+@given(
+    turning_arm_first=values("turning_arm_first"),
+    turning_arm_second=values("turning_arm_second"),
+    push_share=values("push_share"),
+)
+def test_turning_arm_both_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(
+        firm_contact.turning_arm_both,
+        "push_share*turning_arm_first + (1 - push_share)*turning_arm_second",
+        given,
+    )
+
+
+@given(
+    row_velocity_first=values("row_velocity_first"),
+    row_velocity_second=values("row_velocity_second"),
+    push_share=values("push_share"),
+)
+def test_row_velocity_both_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(
+        firm_contact.row_velocity_both,
+        "push_share*row_velocity_first + (1 - push_share)*row_velocity_second",
+        given,
+    )
+
+
+@given(push=values("push"), friction=values("friction"))
+def test_rub_most_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(firm_contact.rub_most, "friction*push", given)
+
+
+@given(rub_wanted=values("rub_wanted"), rub_most=values("rub_most"))
+def test_limited_rub_is_dd32(**given: Value) -> None:
+    """DD32, srs/models/firm_contact.md:106."""
+    agrees(firm_contact.limited_rub, "max(min(rub_wanted, rub_most), -rub_most)", given)
+
+
+@given(line=values("line"), firmness=values("firmness"))
+def test_firm_mass_x_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_mass_x, "firmness*x(line)*line", given)
+
+
+@given(line=values("line"), firmness=values("firmness"))
+def test_firm_mass_y_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_mass_y, "firmness*y(line)*line", given)
+
+
+@given(line=values("line"), turning_arm_a=values("turning_arm_a"), firmness=values("firmness"))
+def test_firm_moment_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_moment, "firmness*line*turning_arm_a", given)
+
+
+@given(line=values("line"), turning_arm_b=values("turning_arm_b"), firmness=values("firmness"))
+def test_firm_lever_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_lever, "firmness*turning_arm_b*line", given)
+
+
+@given(
+    turning_arm_a=values("turning_arm_a"),
+    turning_arm_b=values("turning_arm_b"),
+    firmness=values("firmness"),
+)
+def test_firm_inertia_is_dd33(**given: Value) -> None:
+    """DD33, srs/models/firm_contact.md:179."""
+    agrees(firm_contact.firm_inertia, "firmness*turning_arm_b*turning_arm_a", given)
+
+
+@given(mass=values("mass"), velocity_start=values("velocity_start"), velocity=values("velocity"))
+def test_momentum_left_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.momentum_left, "mass*(velocity_start - velocity)", given)
+
+
+@given(
+    inertia=values("inertia"),
+    angular_velocity_start=values("angular_velocity_start"),
+    angular_velocity=values("angular_velocity"),
+)
+def test_angular_momentum_left_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(
+        firm_contact.angular_momentum_left,
+        "inertia*(angular_velocity_start - angular_velocity)",
+        given,
+    )
+
+
+@given(momentum_a=values("momentum_a"), kick=values("kick"), line=values("line"))
+def test_momentum_a_kicked_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.momentum_a_kicked, "momentum_a - kick*line", given)
+
+
+@given(
+    angular_momentum_a=values("angular_momentum_a"),
+    kick=values("kick"),
+    turning_arm_a=values("turning_arm_a"),
+)
+def test_angular_momentum_a_kicked_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.angular_momentum_a_kicked, "angular_momentum_a - kick*turning_arm_a", given)
+
+
+@given(momentum_b=values("momentum_b"), kick=values("kick"), line=values("line"))
+def test_momentum_b_kicked_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.momentum_b_kicked, "momentum_b + kick*line", given)
+
+
+@given(
+    angular_momentum_b=values("angular_momentum_b"),
+    kick=values("kick"),
+    turning_arm_b=values("turning_arm_b"),
+)
+def test_angular_momentum_b_kicked_is_dd34(**given: Value) -> None:
+    """DD34, srs/models/firm_contact.md:233."""
+    agrees(firm_contact.angular_momentum_b_kicked, "angular_momentum_b + kick*turning_arm_b", given)
+
+
+@given(mass=values("mass"), velocity=values("velocity"))
+def test_linear_energy_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.linear_energy, "mass*dot(velocity, velocity)/2", given)
+
+
+@given(inertia=values("inertia"), angular_velocity=values("angular_velocity"))
+def test_turning_energy_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.turning_energy, "inertia*angular_velocity**2/2", given)
+
+
+@given(momentum=values("momentum"), mass=values("mass"))
+def test_linear_energy_start_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.linear_energy_start, "dot(momentum, momentum)/(2*mass)", given)
+
+
+@given(angular_momentum=values("angular_momentum"), inertia=values("inertia"))
+def test_turning_energy_start_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.turning_energy_start, "angular_momentum**2/(2*inertia)", given)
+
+
+@given(mass=values("mass"), bias_velocity=values("bias_velocity"))
+def test_bias_energy_is_dd35(**given: Value) -> None:
+    """DD35, srs/models/firm_contact.md:261."""
+    agrees(firm_contact.bias_energy, "mass*bias_velocity**2/2", given)
 
 
 @given(
@@ -699,6 +916,243 @@ def test_angular_velocity_b_after_is_im3(**given: Value) -> None:
 
 
 @given(
+    mass=values("mass"),
+    gravity=values("gravity"),
+    force=values("force"),
+    torque=values("torque"),
+    shift=values("shift"),
+    turn=values("turn"),
+)
+def test_work_is_dd36(**given: Value) -> None:
+    """DD36, srs/models/island_energy.md:12."""
+    agrees(island_energy.work, "dot(mass*gravity + force, shift) + torque*turn", given)
+
+
+@given(velocity=values("velocity"), velocity_support=values("velocity_support"))
+def test_velocity_seen_is_dd37(**given: Value) -> None:
+    """DD37, srs/models/island_energy.md:37."""
+    agrees(island_energy.velocity_seen, "velocity - velocity_support", given)
+
+
+@given(
+    angular_velocity=values("angular_velocity"),
+    angular_velocity_support=values("angular_velocity_support"),
+)
+def test_angular_velocity_seen_is_dd37(**given: Value) -> None:
+    """DD37, srs/models/island_energy.md:37."""
+    agrees(
+        island_energy.angular_velocity_seen, "angular_velocity - angular_velocity_support", given
+    )
+
+
+@given(
+    shift=values("shift"),
+    velocity_support=values("velocity_support"),
+    time_step=values("time_step"),
+)
+def test_shift_seen_is_dd37(**given: Value) -> None:
+    """DD37, srs/models/island_energy.md:37."""
+    agrees(island_energy.shift_seen, "shift - time_step*velocity_support", given)
+
+
+@given(
+    turn=values("turn"),
+    angular_velocity_support=values("angular_velocity_support"),
+    time_step=values("time_step"),
+)
+def test_turn_seen_is_dd37(**given: Value) -> None:
+    """DD37, srs/models/island_energy.md:37."""
+    agrees(island_energy.turn_seen, "turn - time_step*angular_velocity_support", given)
+
+
+@given(mass=values("mass"), position=values("position"))
+def test_mass_moment_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(island_energy.mass_moment, "mass*position", given)
+
+
+@given(mass=values("mass"), position=values("position"), inertia=values("inertia"))
+def test_inertia_origin_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(island_energy.inertia_origin, "inertia + mass*dot(position, position)", given)
+
+
+@given(mass_moment=values("mass_moment"), mass=values("mass"))
+def test_position_island_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(island_energy.position_island, "mass_moment/mass", given)
+
+
+@given(momentum=values("momentum"), mass=values("mass"))
+def test_velocity_island_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(island_energy.velocity_island, "momentum/mass", given)
+
+
+@given(
+    inertia_origin=values("inertia_origin"),
+    mass=values("mass"),
+    position_island=values("position_island"),
+)
+def test_inertia_island_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(
+        island_energy.inertia_island,
+        "inertia_origin - mass*dot(position_island, position_island)",
+        given,
+    )
+
+
+@given(
+    angular_momentum=values("angular_momentum"),
+    mass=values("mass"),
+    position_island=values("position_island"),
+    velocity_island=values("velocity_island"),
+    inertia_island=values("inertia_island"),
+)
+def test_angular_velocity_island_is_dd38(**given: Value) -> None:
+    """DD38, srs/models/island_energy.md:65."""
+    agrees(
+        island_energy.angular_velocity_island,
+        "(angular_momentum - mass*cross(position_island, velocity_island))/inertia_island",
+        given,
+    )
+
+
+@given(
+    kinetic_energy_before=values("kinetic_energy_before"),
+    kinetic_energy_after=values("kinetic_energy_after"),
+    change_energy=values("change_energy"),
+    kept_share=values("kept_share"),
+)
+def test_kinetic_energy_kept_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.kinetic_energy_kept,
+        "(1 - kept_share)*kinetic_energy_before + kept_share*kinetic_energy_after - kept_share*(1 - kept_share)*change_energy",
+        given,
+    )
+
+
+@given(
+    velocity_before=values("velocity_before"),
+    velocity_after=values("velocity_after"),
+    kept_share=values("kept_share"),
+)
+def test_velocity_kept_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.velocity_kept,
+        "velocity_before + kept_share*(velocity_after - velocity_before)",
+        given,
+    )
+
+
+@given(
+    angular_velocity_before=values("angular_velocity_before"),
+    angular_velocity_after=values("angular_velocity_after"),
+    kept_share=values("kept_share"),
+)
+def test_angular_velocity_kept_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.angular_velocity_kept,
+        "angular_velocity_before + kept_share*(angular_velocity_after - angular_velocity_before)",
+        given,
+    )
+
+
+@given(push=values("push"), kick=values("kick"), kept_share=values("kept_share"))
+def test_push_kept_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(island_energy.push_kept, "push - (1 - kept_share)*kick", given)
+
+
+@given(
+    energy_room=values("energy_room"),
+    energy_rise=values("energy_rise"),
+    change_energy=values("change_energy"),
+)
+def test_kept_share_rising_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.kept_share_rising,
+        "min(2*energy_room/(energy_slope + energy_root), 1)",
+        given,
+        {
+            "energy_slope": "energy_rise - change_energy",
+            "energy_root": "sqrt(energy_slope**2 + 4*change_energy*energy_room)",
+        },
+    )
+
+
+@given(
+    energy_room=values("energy_room"),
+    energy_rise=values("energy_rise"),
+    change_energy=values("change_energy"),
+)
+def test_kept_share_falling_is_gd13(**given: Value) -> None:
+    """GD13, srs/models/island_energy.md:121."""
+    agrees(
+        island_energy.kept_share_falling,
+        "min((energy_root - energy_slope)/(2*change_energy), 1)",
+        given,
+        {
+            "energy_slope": "energy_rise - change_energy",
+            "energy_root": "sqrt(energy_slope**2 + 4*change_energy*energy_room)",
+        },
+    )
+
+
+@given(kinetic_energy_start=values("kinetic_energy_start"), work=values("work"))
+def test_kinetic_energy_most_is_im11(**given: Value) -> None:
+    """IM11, srs/models/island_energy.md:209."""
+    agrees(island_energy.kinetic_energy_most, "kinetic_energy_start + max(work, 0)", given)
+
+
+@given(
+    kinetic_energy=values("kinetic_energy"),
+    kinetic_energy_most=values("kinetic_energy_most"),
+    kinetic_energy_least=values("kinetic_energy_least"),
+)
+def test_calm_share_is_im11(**given: Value) -> None:
+    """IM11, srs/models/island_energy.md:209."""
+    agrees(
+        island_energy.calm_share,
+        "min(sqrt((kinetic_energy_most - kinetic_energy_least)/(kinetic_energy - kinetic_energy_least)), 1)",
+        given,
+    )
+
+
+@given(
+    velocity=values("velocity"),
+    velocity_island=values("velocity_island"),
+    calm_share=values("calm_share"),
+)
+def test_velocity_calmed_is_im11(**given: Value) -> None:
+    """IM11, srs/models/island_energy.md:209."""
+    agrees(
+        island_energy.velocity_calmed,
+        "velocity_island + calm_share*(velocity - velocity_island)",
+        given,
+    )
+
+
+@given(
+    angular_velocity=values("angular_velocity"),
+    angular_velocity_island=values("angular_velocity_island"),
+    calm_share=values("calm_share"),
+)
+def test_angular_velocity_calmed_is_im11(**given: Value) -> None:
+    """IM11, srs/models/island_energy.md:209."""
+    agrees(
+        island_energy.angular_velocity_calmed,
+        "angular_velocity_island + calm_share*(angular_velocity - angular_velocity_island)",
+        given,
+    )
+
+
+@given(
     acceleration_a=values("acceleration_a"),
     angular_acceleration_a=values("angular_acceleration_a"),
     arm_a=values("arm_a"),
@@ -912,8 +1366,8 @@ def test_separation_rest_is_dd28(**given: Value) -> None:
     overlap_allowed=values("overlap_allowed"),
     preload_largest=values("preload_largest"),
 )
-def test_preload_later_is_dd30(**given: Value) -> None:
-    """DD30, srs/models/soft_contact.md:330."""
+def test_preload_later_is_dd39(**given: Value) -> None:
+    """DD39, srs/models/soft_contact.md:330."""
     agrees(
         soft_contact.preload_later,
         "min(max(preload - preload_share*(max(separation, 0) + min(separation + overlap_allowed, 0)), 0), preload_largest)",

@@ -550,8 +550,30 @@ def test_range_of_preload_largest() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
 
 
+def test_range_of_firmness() -> None:
+    """srs/symbols.md:597: > 0."""
+    symbol = SYMBOLS["firmness"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_push_share() -> None:
+    """srs/symbols.md:604: [0, 1]."""
+    symbol = SYMBOLS["push_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:611: >= 0."""
+    """srs/symbols.md:656: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -563,36 +585,144 @@ def test_range_of_kinetic_energy() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
 
 
+def test_range_of_linear_energy() -> None:
+    """srs/symbols.md:665: >= 0."""
+    symbol = SYMBOLS["linear_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_turning_energy() -> None:
+    """srs/symbols.md:670: >= 0."""
+    symbol = SYMBOLS["turning_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_bias_energy() -> None:
+    """srs/symbols.md:675: >= 0."""
+    symbol = SYMBOLS["bias_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_change_energy() -> None:
+    """srs/symbols.md:684: >= 0."""
+    symbol = SYMBOLS["change_energy"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_energy_room() -> None:
+    """srs/symbols.md:693: >= 0."""
+    symbol = SYMBOLS["energy_room"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_energy_root() -> None:
+    """srs/symbols.md:703: >= 0."""
+    symbol = SYMBOLS["energy_root"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_kept_share() -> None:
+    """srs/symbols.md:708: [0, 1]."""
+    symbol = SYMBOLS["kept_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
+def test_range_of_calm_share() -> None:
+    """srs/symbols.md:713: [0, 1]."""
+    symbol = SYMBOLS["calm_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
 def test_range_of_radius() -> None:
-    """srs/symbols.md:629: > 0."""
+    """srs/symbols.md:734: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_length() -> None:
-    """srs/symbols.md:634: > 0."""
+    """srs/symbols.md:739: > 0."""
     symbol = SYMBOLS["length"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:641: > 0."""
+    """srs/symbols.md:746: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:646: > 0."""
+    """srs/symbols.md:751: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:665: > 0."""
+    """srs/symbols.md:770: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

@@ -45,6 +45,14 @@ class Outline:
         along /= np.hypot(*along.T)[:, None]
         return np.column_stack([corners, along[:, 1], -along[:, 0]])
 
+    def surface(self) -> list[float]:
+        """A row of surfaces: of use is only how near the sides are to the centre."""
+        if self.plane:
+            return [0.0, 0.0, 0.0, -np.inf]
+        rows = self.rows()
+        inner = (rows[:, :2] * rows[:, 2:]).sum(axis=1).min()
+        return [0.0, 0.0, 0.0, inner if inner >= 0.0 else -np.inf]
+
     def turned(self, angle: float) -> "Outline":
         if self.plane:
             return Outline((self.corners[0], turn(np.array(self.corners[1]), angle)), 0.0, True)

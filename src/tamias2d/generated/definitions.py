@@ -1,6 +1,7 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
-of a capsule; Bodies of several parts; Momentum; Restitution of a pair; Contact of two vertices;
-Tangential velocity of a contact; Friction of a pair; Kinetic energy; Potential energy.
+of a capsule; Bodies of several parts; Acceleration by inverse mass; Momentum; Restitution of a
+pair; Contact of two vertices; Tangential velocity of a contact; Friction of a pair; Kinetic
+energy; Potential energy.
 
 Generated from srs/definitions.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -265,6 +266,37 @@ def inertia_compound(inertia_i: Scalar, mass_i: Scalar, arm_i: Vector) -> Scalar
     return total(inertia_i + mass_i * (arm_i_x * arm_i_x + arm_i_y * arm_i_y))
 
 
+def acceleration(gravity: Vector, force: Vector, inverse_mass: Scalar) -> Vector:
+    """Acceleration of the centre of mass (m/s^2).
+
+    acceleration = gravity + inverse_mass*force
+
+    Args:
+        gravity: Gravitational acceleration, the same for all bodies, m/s^2
+        force: Applied force on a body, without its weight, N
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+
+    Source: DD30, srs/definitions.md:232.
+    """
+    gravity_x, gravity_y = gravity
+    force_x, force_y = force
+    return (gravity_x + inverse_mass * force_x, gravity_y + inverse_mass * force_y)
+
+
+def angular_acceleration(torque: Scalar, inverse_inertia: Scalar) -> Scalar:
+    """Rate of change of the angular velocity (rad/s^2).
+
+    angular_acceleration = inverse_inertia*torque
+
+    Args:
+        torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+
+    Source: DD30, srs/definitions.md:233.
+    """
+    return inverse_inertia * torque
+
+
 def momentum(mass: Scalar, velocity: Vector) -> Vector:
     """Mass times velocity (kg*m/s).
 
@@ -274,7 +306,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:268.
+    Source: DD21, srs/definitions.md:295.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -294,7 +326,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:269.
+    Source: DD21, srs/definitions.md:296.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -312,7 +344,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:364.
+    Source: DD17, srs/definitions.md:391.
     """
     return least(restitution_a, restitution_b)
 
@@ -328,7 +360,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:397.
+    Source: GD11, srs/definitions.md:424.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -354,7 +386,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:421.
+    Source: DD22, srs/definitions.md:448.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -371,7 +403,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:434.
+    Source: DD23, srs/definitions.md:461.
     """
     return sqrt(friction_a * friction_b)
 
@@ -389,7 +421,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:452.
+    Source: DD15, srs/definitions.md:479.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -408,7 +440,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:466.
+    Source: DD16, srs/definitions.md:493.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position

@@ -275,7 +275,7 @@ def preload_later(
         overlap_allowed: Overlap that no preload is learned for, m
         preload_largest: What a preload may grow to, m
 
-    Source: DD30, srs/models/soft_contact.md:339.
+    Source: DD39, srs/models/soft_contact.md:339.
     """
     return least(
         largest(

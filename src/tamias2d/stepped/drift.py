@@ -3,9 +3,8 @@
 Serves: a step. Hides: that a body is moved at its end only, once it is known what it meets.
 """
 
-from tamias2d.state import (
-    Array,
-)
+from tamias2d.generated.definitions import acceleration, angular_acceleration
+from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     ANGULAR,
     DECAY,
@@ -49,10 +48,9 @@ def drift(
             continue
         by_x = by_y = turn = 0.0
         if kind[i] == DYNAMIC:
-            mass = body[i, INVERSE_MASS]
-            by_x = settings[GRAVITY_X] + mass * load[i, 0]
-            by_y = settings[GRAVITY_Y] + mass * load[i, 1]
-            turn = body[i, INVERSE_INERTIA] * load[i, 2]
+            gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
+            by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
+            turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
         flow(i, 0, FULL, by_x, body, motion, gained)
         flow(i, 1, FULL, by_y, body, motion, gained)
         flow(i, 2, FULL + ANGULAR, turn, body, motion, gained)

@@ -3,15 +3,24 @@
 Serves: the direct solver. Hides: how blocks of three by three are kept, one of each body and one of
 each link, and what rounding makes of them.
 
-Each contact that holds is like a very large mass which resists its velocity: firmness times the
-square of its row is added to the masses of the bodies. What comes out is symmetric and positive, so
-that a triangle and its mirror image take its place (Cholesky).
+Each contact that holds is like a very large mass which resists its velocity, and is added to the
+masses of the bodies (DD33). What comes out is symmetric and positive, so that a triangle and its
+mirror image take its place (Cholesky).
 
 Source: George and Liu (1981).
 """
 
 from math import sqrt
 
+from tamias2d.generated.firm_contact import (
+    firm_inertia,
+    firm_lever,
+    firm_mass_x,
+    firm_mass_y,
+    firm_moment,
+    turning_arm_both,
+)
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 from tamias2d.stepped.layout import Whole
 from tamias2d.stepped.rows import (
@@ -78,14 +87,15 @@ def assemble(n: int, rows: Array, lanes: Whole, web: Whole, weave: Array) -> Non
         state = web[joint, J_STATE]
         web[joint, J_BUILT] = state
         line, tangent = (row[R_NX + m], row[R_NY + m]), (-row[R_NY + m], row[R_NX + m])
-        side_a = side_b = 0.0
         for k in range(lanes[b, POINTS]):
             at = SHARED + k * SIZE + m
             if (state >> k) & 1 == 1:
                 stiffen(joint, firm, line, row[at + P_ARM_A], row[at + P_ARM_B], web, weave)
-            part = share_of(k, state, joint, weave)
-            side_a, side_b = side_a + part * row[at + P_SIDE_A], side_b + part * row[at + P_SIDE_B]
         if state & RIGHT == HELD:
+            at, last = SHARED + m, SHARED + (lanes[b, POINTS] - 1) * SIZE + m
+            share = share_of(0, state, joint, weave)
+            side_a = turning_arm_both(row[at + P_SIDE_A], row[last + P_SIDE_A], share)
+            side_b = turning_arm_both(row[at + P_SIDE_B], row[last + P_SIDE_B], share)
             stiffen(joint, firm, tangent, side_a, side_b, web, weave)
 
 
@@ -94,38 +104,51 @@ def stiffen(
 ) -> None:
     """Add one row of a joint to the equations."""
     one, other, link = web[joint, J_ONE], web[joint, J_OTHER], web[joint, J_LINK]
-    x, y = line
     if one >= 0:
         if weave[one, INERTIA] == 0.0:
             arm_a = 0.0
-        add_square(one, firm, x, y, arm_a, weave)
+        add_square(one, firm, line, arm_a, weave)
     if other >= 0:
         if weave[other, INERTIA] == 0.0:
             arm_b = 0.0
-        add_square(other, firm, x, y, arm_b, weave)
+        add_square(other, firm, line, arm_b, weave)
     if link >= 0:
         early, late = arm_a, arm_b
         if web[link, L_ONE] != one:
             early, late = arm_b, arm_a
-        weave[link, BESIDE] -= firm * x * x
-        weave[link, BESIDE + 1] -= firm * x * y
-        weave[link, BESIDE + 2] -= firm * x * early
-        weave[link, BESIDE + 3] -= firm * y * x
-        weave[link, BESIDE + 4] -= firm * y * y
-        weave[link, BESIDE + 5] -= firm * y * early
-        weave[link, BESIDE + 6] -= firm * late * x
-        weave[link, BESIDE + 7] -= firm * late * y
-        weave[link, BESIDE + 8] -= firm * late * early
+        add_beside(link, firm, line, early, late, weave)
 
 
-def add_square(knot: int, firm: float, x: float, y: float, arm: float, weave: Array) -> None:
+def add_square(knot: int, firm: float, line: Vector, arm: float, weave: Array) -> None:
     """Add a row to the block of a knot itself."""
-    weave[knot, DIAGONAL] += firm * x * x
-    weave[knot, DIAGONAL + 1] += firm * y * x
-    weave[knot, DIAGONAL + 2] += firm * y * y
-    weave[knot, DIAGONAL + 3] += firm * arm * x
-    weave[knot, DIAGONAL + 4] += firm * arm * y
-    weave[knot, DIAGONAL + 5] += firm * arm * arm
+    y_x, y_y = firm_mass_y(line, firm)
+    turn_x, turn_y = firm_lever(line, arm, firm)
+    weave[knot, DIAGONAL] += firm_mass_x(line, firm)[0]
+    weave[knot, DIAGONAL + 1] += y_x
+    weave[knot, DIAGONAL + 2] += y_y
+    weave[knot, DIAGONAL + 3] += turn_x
+    weave[knot, DIAGONAL + 4] += turn_y
+    weave[knot, DIAGONAL + 5] += firm_inertia(arm, arm, firm)
+
+
+@inlined
+def add_beside(
+    link: int, firm: float, line: Vector, early: float, late: float, weave: Array
+) -> None:
+    """Add a row to the block of a link, with its arms at the two knots."""
+    x_x, x_y = firm_mass_x(line, firm)
+    y_x, y_y = firm_mass_y(line, firm)
+    x_turn, y_turn = firm_moment(line, early, firm)
+    turn_x, turn_y = firm_lever(line, late, firm)
+    weave[link, BESIDE] -= x_x
+    weave[link, BESIDE + 1] -= x_y
+    weave[link, BESIDE + 2] -= x_turn
+    weave[link, BESIDE + 3] -= y_x
+    weave[link, BESIDE + 4] -= y_y
+    weave[link, BESIDE + 5] -= y_turn
+    weave[link, BESIDE + 6] -= turn_x
+    weave[link, BESIDE + 7] -= turn_y
+    weave[link, BESIDE + 8] -= firm_inertia(early, late, firm)
 
 
 def factor(n: int, web: Whole, weave: Array) -> bool:

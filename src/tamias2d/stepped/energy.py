@@ -1,4 +1,4 @@
-"""A bound on energy: contacts never make any, however many act at once.
+"""A bound on energy: contacts never make any, however many act at once (IM11).
 
 Serves: a step, after its contacts have been solved and have bounced. Hides: how an island is seen
 where it leans on something that moves.
@@ -15,10 +15,36 @@ from all motion within the island alike: its bodies come nearer to moving as one
 and the angular momentum that they have, or with what they lean on.
 """
 
-from math import sqrt
-
-from tamias2d.generated.definitions import kinetic_energy, point_velocity
-from tamias2d.state import Array
+from tamias2d.generated.definitions import (
+    angular_momentum,
+    kinetic_energy,
+    momentum,
+    point_velocity,
+)
+from tamias2d.generated.island_energy import (
+    angular_velocity_calmed,
+    angular_velocity_island,
+    angular_velocity_kept,
+    angular_velocity_seen,
+    calm_share,
+    inertia_island,
+    inertia_origin,
+    kept_share_falling,
+    kept_share_rising,
+    kinetic_energy_kept,
+    kinetic_energy_most,
+    mass_moment,
+    position_island,
+    push_kept,
+    shift_seen,
+    turn_seen,
+    velocity_calmed,
+    velocity_island,
+    velocity_kept,
+    velocity_seen,
+    work,
+)
+from tamias2d.state import Array, Vector
 from tamias2d.stepped.layout import (
     ACTIVE,
     BLOCKS,
@@ -95,26 +121,30 @@ def makes_energy(
 
     This is cheap, and nearly always all that has to be asked where nothing bounces.
     """
-    first = last = work = whole = 0.0
+    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
+    first = last = given = whole = 0.0
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
         if kind[i] != DYNAMIC:
             return False
-        mass = 1.0 / body[i, INVERSE_MASS]
-        inertia = 1.0 / body[i, INVERSE_INERTIA] if body[i, INVERSE_INERTIA] > 0.0 else 0.0
+        mass, inertia = mass_and_inertia(i, body)
         was = (energy[i, EARLIER], energy[i, EARLIER + 1])
         first += kinetic_energy(mass, was, inertia, energy[i, EARLIER + 2])
         now = (motion[i, VX], motion[i, VY])
         last += kinetic_energy(mass, now, inertia, motion[i, SPIN])
-        work += (
-            (mass * settings[GRAVITY_X] + load[i, 0]) * motion[i, DX]
-            + (mass * settings[GRAVITY_Y] + load[i, 1]) * motion[i, DY]
-            + load[i, 2] * motion[i, DTURN]
-        )
+        force, shift = (load[i, 0], load[i, 1]), (motion[i, DX], motion[i, DY])
+        given += work(mass, gravity, force, load[i, 2], shift, motion[i, DTURN])
         whole += mass
-    fall = (settings[TIME_STEP] * settings[GRAVITY_X], settings[TIME_STEP] * settings[GRAVITY_Y])
+    fall = (settings[TIME_STEP] * gravity[0], settings[TIME_STEP] * gravity[1])
     still = STILLNESS * kinetic_energy(whole, fall, 0.0, 0.0)
-    return bool(last > (first + max(work, 0.0)) * (1.0 + GRACE) + still)
+    return bool(last > kinetic_energy_most(first, given) * (1.0 + GRACE) + still)
+
+
+def mass_and_inertia(i: int, body: Array) -> tuple[float, float]:
+    """Return both of a body that moves; an inertia of zero stands for one that cannot turn."""
+    free = body[i, INVERSE_INERTIA] > 0.0
+    inertia = 1.0 / body[i, INVERSE_INERTIA] if free else 0.0
+    return 1.0 / body[i, INVERSE_MASS], inertia
 
 
 def bound_energy(
@@ -173,14 +203,15 @@ def look_from_supports(
         i = hits[1, k]
         if kind[i] == DYNAMIC:
             row, mass = energy[island[i, ISLAND]], 1.0 / body[i, INVERSE_MASS]
-            row[SEEN] += mass * energy[i, EARLIER]
-            row[SEEN + 1] += mass * energy[i, EARLIER + 1]
+            x, y = momentum(mass, (energy[i, EARLIER], energy[i, EARLIER + 1]))
+            row[SEEN] += x
+            row[SEEN + 1] += y
             row[SUMS] += mass
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
-            energy[i, SEEN] /= energy[i, SUMS]
-            energy[i, SEEN + 1] /= energy[i, SUMS]
+            whole = (energy[i, SEEN], energy[i, SEEN + 1])
+            energy[i, SEEN], energy[i, SEEN + 1] = velocity_island(whole, energy[i, SUMS])
     for k in range(counts[HITS]):
         p = hits[0, k]
         i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
@@ -205,13 +236,12 @@ def lean_on(j: int, root: int, pose: Array, motion: Array, energy: Array) -> Non
         row[LEANS] = TORN
 
 
-def seen_from(i: int, pose: Array, island: Whole, energy: Array) -> tuple[float, float, float]:
-    """Return the motion of what a body's island leans on, at this body."""
+def support_at(i: int, pose: Array, island: Whole, energy: Array) -> tuple[Vector, float]:
+    """Return the velocity of what a body's island leans on, at this body, and how it turns."""
     root = island[i, ISLAND]
     row = energy[root]
     x, y = pose[i, X] - pose[root, X], pose[i, Y] - pose[root, Y]
-    by_x, by_y = point_velocity((row[SEEN], row[SEEN + 1]), row[SEEN + 2], (x, y))
-    return by_x, by_y, row[SEEN + 2]
+    return point_velocity((row[SEEN], row[SEEN + 1]), row[SEEN + 2], (x, y)), row[SEEN + 2]
 
 
 def sum_energies(
@@ -233,30 +263,51 @@ def sum_energies(
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
             for n in range(5):
                 energy[i, SUMS + n] = 0.0
-    time_step = settings[TIME_STEP]
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
-        if kind[i] != DYNAMIC:
-            continue
-        mass = 1.0 / body[i, INVERSE_MASS]
-        free = body[i, INVERSE_INERTIA] > 0.0
-        inertia = 1.0 / body[i, INVERSE_INERTIA] if free else 0.0
-        x, y, spin = seen_from(i, pose, island, energy)
-        here, row = energy[i], energy[island[i, ISLAND]]
-        was = (here[EARLIER] - x, here[EARLIER + 1] - y)
-        row[FIRST_ENERGY] += kinetic_energy(mass, was, inertia, here[EARLIER + 2] - spin)
-        now = (motion[i, VX] - x, motion[i, VY] - y)
-        row[AFTER] += kinetic_energy(mass, now, inertia, motion[i, SPIN] - spin)
-        if bouncing > 0:
-            was = (here[UNBOUNCED] - x, here[UNBOUNCED + 1] - y)
-            row[BEFORE] += kinetic_energy(mass, was, inertia, here[UNBOUNCED + 2] - spin)
-            change, turn = (now[0] - was[0], now[1] - was[1]), motion[i, SPIN] - here[UNBOUNCED + 2]
-            row[OF_CHANGE] += kinetic_energy(mass, change, inertia, turn)
-        row[WORK] += (
-            (mass * settings[GRAVITY_X] + load[i, 0]) * (motion[i, DX] - x * time_step)
-            + (mass * settings[GRAVITY_Y] + load[i, 1]) * (motion[i, DY] - y * time_step)
-            + load[i, 2] * (motion[i, DTURN] - spin * time_step)
-        )
+        if kind[i] == DYNAMIC:
+            support, spin = support_at(i, pose, island, energy)
+            row = energy[island[i, ISLAND]]
+            row[WORK] += work_seen(i, support, spin, settings, motion, load, body)
+            sum_energy(i, support, spin, motion, body, energy, row, bouncing)
+
+
+def work_seen(
+    i: int, support: Vector, spin: float, settings: Array, motion: Array, load: Array, body: Array
+) -> float:
+    """Return the work of forces on a body as seen from its support, J."""
+    gravity, time_step = (settings[GRAVITY_X], settings[GRAVITY_Y]), settings[TIME_STEP]
+    shift = shift_seen((motion[i, DX], motion[i, DY]), support, time_step)
+    turn = turn_seen(motion[i, DTURN], spin, time_step)
+    mass = 1.0 / body[i, INVERSE_MASS]
+    return work(mass, gravity, (load[i, 0], load[i, 1]), load[i, 2], shift, turn)
+
+
+def sum_energy(
+    i: int,
+    support: Vector,
+    spin: float,
+    motion: Array,
+    body: Array,
+    energy: Array,
+    row: Array,
+    bouncing: int,
+) -> None:
+    """Add the kinetic energies of a body to those of its island, as seen from its support."""
+    mass, inertia = mass_and_inertia(i, body)
+    here = energy[i]
+    was = velocity_seen((here[EARLIER], here[EARLIER + 1]), support)
+    turned = angular_velocity_seen(here[EARLIER + 2], spin)
+    row[FIRST_ENERGY] += kinetic_energy(mass, was, inertia, turned)
+    now = velocity_seen((motion[i, VX], motion[i, VY]), support)
+    turns = angular_velocity_seen(motion[i, SPIN], spin)
+    row[AFTER] += kinetic_energy(mass, now, inertia, turns)
+    if bouncing > 0:
+        was = velocity_seen((here[UNBOUNCED], here[UNBOUNCED + 1]), support)
+        turned = angular_velocity_seen(here[UNBOUNCED + 2], spin)
+        row[BEFORE] += kinetic_energy(mass, was, inertia, turned)
+        turn = motion[i, SPIN] - here[UNBOUNCED + 2]
+        row[OF_CHANGE] += kinetic_energy(mass, velocity_seen(now, was), inertia, turn)
 
 
 def share_bounces(
@@ -270,27 +321,20 @@ def share_bounces(
             continue
         row = energy[i]
         before, after, change = row[BEFORE], row[AFTER], row[OF_CHANGE]
-        row[MOST] = row[FIRST_ENERGY] + max(row[WORK], 0.0)
+        row[MOST] = kinetic_energy_most(row[FIRST_ENERGY], row[WORK])
         most = max(row[MOST], before)
         row[KEPT], row[NOW] = 1.0, after
         if bouncing > 0 and row[LEANS] != TORN and after > most * (1.0 + GRACE):
-            share = kept_share(most - before, after - before, change)
-            rest = 1.0 - share
-            row[KEPT], row[NOW] = share, rest * before + share * after - share * rest * change
+            rise, room = after - before, most - before
+            steep = rise > change
+            share = (
+                kept_share_rising(room, rise, change)
+                if steep
+                else kept_share_falling(room, rise, change)
+            )
+            row[KEPT], row[NOW] = share, kinetic_energy_kept(before, after, change, share)
             some = True
     return some
-
-
-def kept_share(room: float, rise: float, change: float) -> float:
-    """Return the largest share of a change of velocities with which energy rises by `room`, J.
-
-    All of it raises it by more; `change` is the energy of the change of velocities alone. With a
-    share s it rises by s (rise - change) + s^2 change.
-    """
-    slope = rise - change
-    root = sqrt(slope * slope + 4.0 * change * room)
-    share = 2.0 * room / (slope + root) if slope > 0.0 else (root - slope) / (2.0 * change)
-    return min(max(share, 0.0), 1.0)
 
 
 def take_back(
@@ -302,9 +346,9 @@ def take_back(
         if kind[i] == DYNAMIC:
             share = energy[island[i, ISLAND], KEPT]
             if share < 1.0:
-                for n in range(3):
-                    before = energy[i, UNBOUNCED + n]
-                    motion[i, n] = before + share * (motion[i, n] - before)
+                before, now = energy[i, UNBOUNCED:], motion[i]
+                now[VX], now[VY] = velocity_kept((before[0], before[1]), (now[VX], now[VY]), share)
+                now[SPIN] = angular_velocity_kept(before[2], now[SPIN], share)
 
 
 def take_back_pushes(
@@ -320,9 +364,8 @@ def take_back_pushes(
             if share < 1.0:
                 for n in range(lanes[b, POINTS]):
                     at = SHARED + n * SIZE + m
-                    lost = (1.0 - share) * row[at + P_NOW]
-                    row[at + P_PUSH] -= lost
-                    row[at + P_TOTAL] -= lost
+                    row[at + P_PUSH] = push_kept(row[at + P_PUSH], row[at + P_NOW], share)
+                    row[at + P_TOTAL] = push_kept(row[at + P_TOTAL], row[at + P_NOW], share)
 
 
 def choose_calm(counts: Whole, kind: Whole, hits: Whole, island: Whole, energy: Array) -> bool:
@@ -362,17 +405,18 @@ def sum_motions(
         root = island[i, ISLAND]
         if kind[i] != DYNAMIC or energy[root, CALMED] == 1.0 or energy[root, LEANS] != FREE:
             continue
-        row, mass = energy[root], 1.0 / body[i, INVERSE_MASS]
-        inertia = 1.0 / body[i, INVERSE_INERTIA] if body[i, INVERSE_INERTIA] > 0.0 else 0.0
-        x, y = pose[i, X] - pose[root, X], pose[i, Y] - pose[root, Y]
-        by_x, by_y = motion[i, VX] - row[SEEN], motion[i, VY] - row[SEEN + 1]
+        row = energy[root]
+        mass, inertia = mass_and_inertia(i, body)
+        place = (pose[i, X] - pose[root, X], pose[i, Y] - pose[root, Y])
+        now = velocity_seen((motion[i, VX], motion[i, VY]), (row[SEEN], row[SEEN + 1]))
+        along, moment = momentum(mass, now), mass_moment(mass, place)
         row[WHOLE] += mass
-        row[ALONG_X] += mass * by_x
-        row[ALONG_Y] += mass * by_y
-        row[ROUND] += mass * (x * by_y - y * by_x) + inertia * motion[i, SPIN]
-        row[MOMENT_X] += mass * x
-        row[MOMENT_Y] += mass * y
-        row[MOMENT] += mass * (x * x + y * y) + inertia
+        row[ALONG_X] += along[0]
+        row[ALONG_Y] += along[1]
+        row[ROUND] += angular_momentum(mass, place, now, inertia, motion[i, SPIN])
+        row[MOMENT_X] += moment[0]
+        row[MOMENT_Y] += moment[1]
+        row[MOMENT] += inertia_origin(mass, place, inertia)
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i and energy[i, CALMED] != 1.0:
@@ -384,18 +428,20 @@ def as_one(row: Array) -> None:
     least = 0.0
     if row[LEANS] == FREE:
         mass = row[WHOLE]
-        x, y = row[MOMENT_X] / mass, row[MOMENT_Y] / mass
-        by_x, by_y = row[ALONG_X] / mass, row[ALONG_Y] / mass
-        moment = row[MOMENT] - mass * (x * x + y * y)
-        spin = (row[ROUND] - mass * (x * by_y - y * by_x)) / moment if moment > 0.0 else 0.0
-        least = kinetic_energy(mass, (by_x, by_y), moment, spin)
-        by_x, by_y = point_velocity((by_x, by_y), spin, (-x, -y))
+        place = position_island((row[MOMENT_X], row[MOMENT_Y]), mass)
+        by = velocity_island((row[ALONG_X], row[ALONG_Y]), mass)
+        inertia = inertia_island(row[MOMENT], mass, place)
+        spin = 0.0
+        if inertia > 0.0:
+            spin = angular_velocity_island(row[ROUND], mass, place, by, inertia)
+        least = kinetic_energy(mass, by, inertia, spin)
+        by_x, by_y = point_velocity(by, spin, (-place[0], -place[1]))
         row[SEEN] += by_x
         row[SEEN + 1] += by_y
         row[SEEN + 2] = spin
     row[CALMED] = 0.0
     if row[MOST] > least and row[NOW] > least:
-        row[CALMED] = min(sqrt((row[MOST] - least) / (row[NOW] - least)), 1.0)
+        row[CALMED] = calm_share(row[NOW], row[MOST], least)
 
 
 def calm(
@@ -414,7 +460,7 @@ def calm(
             continue
         part = energy[island[i, ISLAND], CALMED]
         if part < 1.0:
-            x, y, spin = seen_from(i, pose, island, energy)
-            motion[i, VX] = x + part * (motion[i, VX] - x)
-            motion[i, VY] = y + part * (motion[i, VY] - y)
-            motion[i, SPIN] = spin + part * (motion[i, SPIN] - spin)
+            whole, spin = support_at(i, pose, island, energy)
+            now = motion[i]
+            now[VX], now[VY] = velocity_calmed((now[VX], now[VY]), whole, part)
+            now[SPIN] = angular_velocity_calmed(now[SPIN], spin, part)

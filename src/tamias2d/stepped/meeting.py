@@ -16,6 +16,7 @@ from tamias2d.stepped.layout import (
     POINT,
     SENSOR,
     SHAPE_REACH,
+    SPIN,
     TIME_STEP,
     TOUCHED,
     VX,
@@ -71,8 +72,11 @@ def meet(
         by_x = motion[j, VX] - motion[i, VX]
         by_y = motion[j, VY] - motion[i, VY]
         speed = (abs(by_x) + abs(by_y)) * settings[TIME_STEP]
+        turn_a = abs(motion[i, SPIN]) * surface[s, SHAPE_REACH] if shape_count[s] > 1 else 0.0
+        turn_b = abs(motion[j, SPIN]) * surface[t, SHAPE_REACH] if shape_count[t] > 1 else 0.0
+        whirl = speed + (turn_a + turn_b) * settings[TIME_STEP]
         margin = CLOSE * reach + min(speed, AHEAD * reach)
-        margin = 0.0 if speed > BULLET * reach else margin
+        margin = 0.0 if whirl > BULLET * reach else margin
         count = collide(
             p,
             s,

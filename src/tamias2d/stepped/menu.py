@@ -4,7 +4,8 @@ Serves: the world, and `tamias2d warm`. Hides: nothing.
 """
 
 from tamias2d.kernels import Engine
-from tamias2d.stepped.query import cast, gather, survey
+from tamias2d.stepped.ray_cast import cast
+from tamias2d.stepped.region_query import gather, survey
 from tamias2d.stepped.step import step
 
 CONTACT = Engine("contact engine", (step,))

@@ -4,9 +4,8 @@ Serves: a step. Hides: that what contacts did before is carried by bodies, so th
 visited twice in a substep, and once more as the step begins.
 """
 
-from tamias2d.state import (
-    Array,
-)
+from tamias2d.generated.definitions import acceleration, angular_acceleration
+from tamias2d.state import Array
 from tamias2d.stepped.direct import (
     ready,
     settle_islands,
@@ -185,13 +184,12 @@ def hasten(
     carried: Array,
 ) -> None:
     """Let gravity, forces and drag change velocities for a substep, and contacts as before."""
+    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
     for k in range(counts[ACTIVE]):
         i = hits[1, k]
         if kind[i] == DYNAMIC:
-            mass = body[i, INVERSE_MASS]
-            by_x = settings[GRAVITY_X] + mass * load[i, 0]
-            by_y = settings[GRAVITY_Y] + mass * load[i, 1]
-            turn = body[i, INVERSE_INERTIA] * load[i, 2]
+            by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
+            turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
             decay, gain = body[i, SUB + DECAY], body[i, SUB + GAIN]
             motion[i, VX] = decay * motion[i, VX] + gain * by_x
             motion[i, VY] = decay * motion[i, VY] + gain * by_y

@@ -1,0 +1,430 @@
+"""Firm contact: Firm contact; What is left of a gap; Friction of two contacts of a pair; Mass of a
+firm row; Balance of momenta; Energy beside momentum.
+
+Generated from srs/models/firm_contact.md
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tamias2d.spec.functions import Scalar, Vector, largest, least
+
+
+def push_wanted(
+    push: Scalar, row_velocity_kicked: Scalar, bias_velocity: Scalar, firmness: Scalar
+) -> Scalar:
+    """Impulse that a contact has given in a substep along its normal; before it is limited (N*s).
+
+    push_wanted = push - firmness*(row_velocity_kicked + bias_velocity)
+
+    Args:
+        push: Impulse that a contact has given in a substep along its normal, N*s
+        row_velocity_kicked: Velocity of B's point of contact seen from A's, along the line;
+            after a kick, m/s
+        bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: GD12, srs/models/firm_contact.md:33.
+    """
+    return push - firmness * (row_velocity_kicked + bias_velocity)
+
+
+def rub_wanted(rub: Scalar, row_velocity_kicked: Scalar, firmness: Scalar) -> Scalar:
+    """Impulse that a contact has given in a substep along its tangent; before it is limited (N*s).
+
+    rub_wanted = rub - firmness*row_velocity_kicked
+
+    Args:
+        rub: Impulse that a contact has given in a substep along its tangent, N*s
+        row_velocity_kicked: Velocity of B's point of contact seen from A's, along the line;
+            after a kick, m/s
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: GD12, srs/models/firm_contact.md:34.
+    """
+    return rub - firmness * row_velocity_kicked
+
+
+def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Scalar) -> Scalar:
+    """Velocity with which a row is asked to close, negative to open it; after the bodies have
+    moved (m/s).
+
+    bias_velocity_later = max(separation/time_step + row_velocity, 0)
+
+    Args:
+        separation: Distance between two bodies, negative where they overlap, m
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD31, srs/models/firm_contact.md:77.
+    """
+    return largest(separation / time_step + row_velocity, 0)
+
+
+def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Scalar) -> Scalar:
+    """Distance between two bodies, negative where they overlap (m).
+
+    separation = time_step*(bias_velocity_later - row_velocity)
+
+    Args:
+        bias_velocity_later: Velocity with which a row is asked to close, negative to open it;
+            after the bodies have moved, m/s
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD31, srs/models/firm_contact.md:78.
+    """
+    return time_step * (bias_velocity_later - row_velocity)
+
+
+def push_share(push_first: Scalar, push_both: Scalar) -> Scalar:
+    """Part of the push of two contacts that is that of the first (1).
+
+    push_share = push_first/push_both
+
+    Args:
+        push_first: Impulse that a contact has given in a substep along its normal; of the first
+            of two contacts, N*s
+        push_both: Impulse that a contact has given in a substep along its normal; of two
+            contacts together, N*s
+
+    Source: DD32, srs/models/firm_contact.md:113.
+    """
+    return push_first / push_both
+
+
+def turning_arm_both(
+    turning_arm_first: Scalar, turning_arm_second: Scalar, push_share: Scalar
+) -> Scalar:
+    """Part of an arm across the line, by which an impulse along it turns a body; of two contacts
+    together (m).
+
+    turning_arm_both = push_share*turning_arm_first + (1 - push_share)*turning_arm_second
+
+    Args:
+        turning_arm_first: Part of an arm across the line, by which an impulse along it turns a
+            body; of the first of two contacts, m
+        turning_arm_second: Part of an arm across the line, by which an impulse along it turns a
+            body; of the second of two contacts, m
+        push_share: Part of the push of two contacts that is that of the first, 1
+
+    Source: DD32, srs/models/firm_contact.md:114.
+    """
+    return push_share * turning_arm_first + (1 - push_share) * turning_arm_second
+
+
+def row_velocity_both(
+    row_velocity_first: Scalar, row_velocity_second: Scalar, push_share: Scalar
+) -> Scalar:
+    """Velocity of B's point of contact seen from A's, along the line; of two contacts together
+    (m/s).
+
+    row_velocity_both = push_share*row_velocity_first + (1 - push_share)*row_velocity_second
+
+    Args:
+        row_velocity_first: Velocity of B's point of contact seen from A's, along the line; of
+            the first of two contacts, m/s
+        row_velocity_second: Velocity of B's point of contact seen from A's, along the line; of
+            the second of two contacts, m/s
+        push_share: Part of the push of two contacts that is that of the first, 1
+
+    Source: DD32, srs/models/firm_contact.md:116.
+    """
+    return push_share * row_velocity_first + (1 - push_share) * row_velocity_second
+
+
+def rub_most(push: Scalar, friction: Scalar) -> Scalar:
+    """Impulse that a contact has given in a substep along its tangent; the most that there may be
+    (N*s).
+
+    rub_most = friction*push
+
+    Args:
+        push: Impulse that a contact has given in a substep along its normal, N*s
+        friction: Coefficient of dry friction: how much of the normal force the surface can hold
+            along itself, 1
+
+    Source: DD32, srs/models/firm_contact.md:118.
+    """
+    return friction * push
+
+
+def limited_rub(rub_wanted: Scalar, rub_most: Scalar) -> Scalar:
+    """Rub after a visit, held within what friction can give (N*s).
+
+    limited_rub = max(min(rub_wanted, rub_most), -rub_most)
+
+    Args:
+        rub_wanted: Impulse that a contact has given in a substep along its tangent; before it
+            is limited, N*s
+        rub_most: Impulse that a contact has given in a substep along its tangent; the most that
+            there may be, N*s
+
+    Source: DD32, srs/models/firm_contact.md:119.
+    """
+    return largest(least(rub_wanted, rub_most), -rub_most)
+
+
+def firm_mass_x(line: Vector, firmness: Scalar) -> Vector:
+    """Momentum along the x axis that a firm row takes, for one unit of velocity of a body along
+    each axis (kg).
+
+    firm_mass_x = firmness*x(line)*line
+
+    Args:
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD33, srs/models/firm_contact.md:189.
+    """
+    line_x, line_y = line
+    return (firmness * line_x * line_x, firmness * line_x * line_y)
+
+
+def firm_mass_y(line: Vector, firmness: Scalar) -> Vector:
+    """Momentum along the y axis that a firm row takes, for one unit of velocity of a body along
+    each axis (kg).
+
+    firm_mass_y = firmness*y(line)*line
+
+    Args:
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD33, srs/models/firm_contact.md:190.
+    """
+    line_x, line_y = line
+    return (firmness * line_y * line_x, firmness * line_y * line_y)
+
+
+def firm_moment(line: Vector, turning_arm_a: Scalar, firmness: Scalar) -> Vector:
+    """Momentum that a firm row takes, for one unit of angular velocity of a body (kg*m).
+
+    firm_moment = firmness*line*turning_arm_a
+
+    Args:
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+        turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
+            body; of body A, m
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD33, srs/models/firm_contact.md:191.
+    """
+    line_x, line_y = line
+    return (firmness * line_x * turning_arm_a, firmness * line_y * turning_arm_a)
+
+
+def firm_lever(line: Vector, turning_arm_b: Scalar, firmness: Scalar) -> Vector:
+    """Angular momentum that a firm row takes, for one unit of velocity of a body along each axis
+    (kg*m).
+
+    firm_lever = firmness*turning_arm_b*line
+
+    Args:
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+        turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
+            body; of body B, m
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD33, srs/models/firm_contact.md:192.
+    """
+    line_x, line_y = line
+    return (firmness * turning_arm_b * line_x, firmness * turning_arm_b * line_y)
+
+
+def firm_inertia(turning_arm_a: Scalar, turning_arm_b: Scalar, firmness: Scalar) -> Scalar:
+    """Angular momentum that a firm row takes, for one unit of angular velocity of a body (kg*m^2).
+
+    firm_inertia = firmness*turning_arm_b*turning_arm_a
+
+    Args:
+        turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
+            body; of body A, m
+        turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
+            body; of body B, m
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD33, srs/models/firm_contact.md:193.
+    """
+    return firmness * turning_arm_b * turning_arm_a
+
+
+def momentum_left(mass: Scalar, velocity_start: Vector, velocity: Vector) -> Vector:
+    """Mass times velocity; what is left, to be made up for (kg*m/s).
+
+    momentum_left = mass*(velocity_start - velocity)
+
+    Args:
+        mass: Mass of a body, kg
+        velocity_start: Velocity of the centre of mass; at the start, m/s
+        velocity: Velocity of the centre of mass, m/s
+
+    Source: DD34, srs/models/firm_contact.md:239.
+    """
+    velocity_start_x, velocity_start_y = velocity_start
+    velocity_x, velocity_y = velocity
+    return (mass * (velocity_start_x - velocity_x), mass * (velocity_start_y - velocity_y))
+
+
+def angular_momentum_left(
+    inertia: Scalar, angular_velocity_start: Scalar, angular_velocity: Scalar
+) -> Scalar:
+    """Moment of momentum about the origin; what is left, to be made up for (kg*m^2/s).
+
+    angular_momentum_left = inertia*(angular_velocity_start - angular_velocity)
+
+    Args:
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+
+    Source: DD34, srs/models/firm_contact.md:240.
+    """
+    return inertia * (angular_velocity_start - angular_velocity)
+
+
+def momentum_a_kicked(momentum_a: Vector, kick: Scalar, line: Vector) -> Vector:
+    """Mass times velocity; of body A; after a kick (kg*m/s).
+
+    momentum_a_kicked = momentum_a - kick*line
+
+    Args:
+        momentum_a: Mass times velocity; of body A, kg*m/s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+
+    Source: DD34, srs/models/firm_contact.md:241.
+    """
+    momentum_a_x, momentum_a_y = momentum_a
+    line_x, line_y = line
+    return (momentum_a_x - kick * line_x, momentum_a_y - kick * line_y)
+
+
+def angular_momentum_a_kicked(
+    angular_momentum_a: Scalar, kick: Scalar, turning_arm_a: Scalar
+) -> Scalar:
+    """Moment of momentum about the origin; of body A; after a kick (kg*m^2/s).
+
+    angular_momentum_a_kicked = angular_momentum_a - kick*turning_arm_a
+
+    Args:
+        angular_momentum_a: Moment of momentum about the origin; of body A, kg*m^2/s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
+            body; of body A, m
+
+    Source: DD34, srs/models/firm_contact.md:242.
+    """
+    return angular_momentum_a - kick * turning_arm_a
+
+
+def momentum_b_kicked(momentum_b: Vector, kick: Scalar, line: Vector) -> Vector:
+    """Mass times velocity; of body B; after a kick (kg*m/s).
+
+    momentum_b_kicked = momentum_b + kick*line
+
+    Args:
+        momentum_b: Mass times velocity; of body B, kg*m/s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        line: Unit vector along which a row of a contact acts, its normal or tangent, 1
+
+    Source: DD34, srs/models/firm_contact.md:243.
+    """
+    momentum_b_x, momentum_b_y = momentum_b
+    line_x, line_y = line
+    return (momentum_b_x + kick * line_x, momentum_b_y + kick * line_y)
+
+
+def angular_momentum_b_kicked(
+    angular_momentum_b: Scalar, kick: Scalar, turning_arm_b: Scalar
+) -> Scalar:
+    """Moment of momentum about the origin; of body B; after a kick (kg*m^2/s).
+
+    angular_momentum_b_kicked = angular_momentum_b + kick*turning_arm_b
+
+    Args:
+        angular_momentum_b: Moment of momentum about the origin; of body B, kg*m^2/s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
+            body; of body B, m
+
+    Source: DD34, srs/models/firm_contact.md:244.
+    """
+    return angular_momentum_b + kick * turning_arm_b
+
+
+def linear_energy(mass: Scalar, velocity: Vector) -> Scalar:
+    """Kinetic energy of the path of the centre of mass (J).
+
+    linear_energy = mass*dot(velocity, velocity)/2
+
+    Args:
+        mass: Mass of a body, kg
+        velocity: Velocity of the centre of mass, m/s
+
+    Source: DD35, srs/models/firm_contact.md:267.
+    """
+    velocity_x, velocity_y = velocity
+    return mass * (velocity_x * velocity_x + velocity_y * velocity_y) / 2
+
+
+def turning_energy(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
+    """Kinetic energy of turning (J).
+
+    turning_energy = inertia*angular_velocity**2/2
+
+    Args:
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+
+    Source: DD35, srs/models/firm_contact.md:268.
+    """
+    return inertia * angular_velocity * angular_velocity / 2
+
+
+def linear_energy_start(momentum: Vector, mass: Scalar) -> Scalar:
+    """Kinetic energy of the path of the centre of mass; at the start (J).
+
+    linear_energy_start = dot(momentum, momentum)/(2*mass)
+
+    Args:
+        momentum: Mass times velocity, kg*m/s
+        mass: Mass of a body, kg
+
+    Source: DD35, srs/models/firm_contact.md:269.
+    """
+    momentum_x, momentum_y = momentum
+    return (momentum_x * momentum_x + momentum_y * momentum_y) / (2 * mass)
+
+
+def turning_energy_start(angular_momentum: Scalar, inertia: Scalar) -> Scalar:
+    """Kinetic energy of turning; at the start (J).
+
+    turning_energy_start = angular_momentum**2/(2*inertia)
+
+    Args:
+        angular_momentum: Moment of momentum about the origin, kg*m^2/s
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+
+    Source: DD35, srs/models/firm_contact.md:270.
+    """
+    return angular_momentum * angular_momentum / (2 * inertia)
+
+
+def bias_energy(mass: Scalar, bias_velocity: Scalar) -> Scalar:
+    """Kinetic energy that comes with a velocity which removes overlap (J).
+
+    bias_energy = mass*bias_velocity**2/2
+
+    Args:
+        mass: Mass of a body, kg
+        bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
+
+    Source: DD35, srs/models/firm_contact.md:271.
+    """
+    return mass * bias_velocity * bias_velocity / 2

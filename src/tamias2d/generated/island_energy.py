@@ -1,0 +1,414 @@
+"""Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
+Share of a bounce; Bound on the energy of an island.
+
+Generated from srs/models/island_energy.md
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tamias2d.spec.functions import Scalar, Vector, largest, least, sqrt
+
+
+def work(
+    mass: Scalar, gravity: Vector, force: Vector, torque: Scalar, shift: Vector, turn: Scalar
+) -> Scalar:
+    """Energy that gravity, forces and torques have given a body in a step (J).
+
+    work = dot(mass*gravity + force, shift) + torque*turn
+
+    Args:
+        mass: Mass of a body, kg
+        gravity: Gravitational acceleration, the same for all bodies, m/s^2
+        force: Applied force on a body, without its weight, N
+        torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
+        shift: How far the centre of mass has moved since a contact was found, m
+        turn: How far a body has turned since a contact was found, rad
+
+    Source: DD36, srs/models/island_energy.md:17.
+    """
+    gravity_x, gravity_y = gravity
+    force_x, force_y = force
+    shift_x, shift_y = shift
+    return (
+        (mass * gravity_x + force_x) * shift_x
+        + (mass * gravity_y + force_y) * shift_y
+        + torque * turn
+    )
+
+
+def velocity_seen(velocity: Vector, velocity_support: Vector) -> Vector:
+    """Velocity of the centre of mass; seen from what an island leans on (m/s).
+
+    velocity_seen = velocity - velocity_support
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        velocity_support: Velocity of the centre of mass; of what an island leans on, at the
+            body, m/s
+
+    Source: DD37, srs/models/island_energy.md:43.
+    """
+    velocity_x, velocity_y = velocity
+    velocity_support_x, velocity_support_y = velocity_support
+    return (velocity_x - velocity_support_x, velocity_y - velocity_support_y)
+
+
+def angular_velocity_seen(angular_velocity: Scalar, angular_velocity_support: Scalar) -> Scalar:
+    """Rate of turning, positive counter-clockwise; seen from what an island leans on (rad/s).
+
+    angular_velocity_seen = angular_velocity - angular_velocity_support
+
+    Args:
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
+            leans on, at the body, rad/s
+
+    Source: DD37, srs/models/island_energy.md:44.
+    """
+    return angular_velocity - angular_velocity_support
+
+
+def shift_seen(shift: Vector, velocity_support: Vector, time_step: Scalar) -> Vector:
+    """How far the centre of mass has moved since a contact was found; seen from what an island
+    leans on (m).
+
+    shift_seen = shift - time_step*velocity_support
+
+    Args:
+        shift: How far the centre of mass has moved since a contact was found, m
+        velocity_support: Velocity of the centre of mass; of what an island leans on, at the
+            body, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD37, srs/models/island_energy.md:45.
+    """
+    shift_x, shift_y = shift
+    velocity_support_x, velocity_support_y = velocity_support
+    return (shift_x - time_step * velocity_support_x, shift_y - time_step * velocity_support_y)
+
+
+def turn_seen(turn: Scalar, angular_velocity_support: Scalar, time_step: Scalar) -> Scalar:
+    """How far a body has turned since a contact was found; seen from what an island leans on
+    (rad).
+
+    turn_seen = turn - time_step*angular_velocity_support
+
+    Args:
+        turn: How far a body has turned since a contact was found, rad
+        angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
+            leans on, at the body, rad/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD37, srs/models/island_energy.md:46.
+    """
+    return turn - time_step * angular_velocity_support
+
+
+def mass_moment(mass: Scalar, position: Vector) -> Vector:
+    """Mass times position (kg*m).
+
+    mass_moment = mass*position
+
+    Args:
+        mass: Mass of a body, kg
+        position: Position of the centre of mass, m
+
+    Source: DD38, srs/models/island_energy.md:75.
+    """
+    position_x, position_y = position
+    return (mass * position_x, mass * position_y)
+
+
+def inertia_origin(mass: Scalar, position: Vector, inertia: Scalar) -> Scalar:
+    """Moment of inertia about the centre of mass; about the origin (kg*m^2).
+
+    inertia_origin = inertia + mass*dot(position, position)
+
+    Args:
+        mass: Mass of a body, kg
+        position: Position of the centre of mass, m
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+
+    Source: DD38, srs/models/island_energy.md:76.
+    """
+    position_x, position_y = position
+    return inertia + mass * (position_x * position_x + position_y * position_y)
+
+
+def position_island(mass_moment: Vector, mass: Scalar) -> Vector:
+    """Position of the centre of mass; of an island as one body (m).
+
+    position_island = mass_moment/mass
+
+    Args:
+        mass_moment: Mass times position, kg*m
+        mass: Mass of a body, kg
+
+    Source: DD38, srs/models/island_energy.md:77.
+    """
+    mass_moment_x, mass_moment_y = mass_moment
+    return (mass_moment_x / mass, mass_moment_y / mass)
+
+
+def velocity_island(momentum: Vector, mass: Scalar) -> Vector:
+    """Velocity of the centre of mass; of an island as one body (m/s).
+
+    velocity_island = momentum/mass
+
+    Args:
+        momentum: Mass times velocity, kg*m/s
+        mass: Mass of a body, kg
+
+    Source: DD38, srs/models/island_energy.md:78.
+    """
+    momentum_x, momentum_y = momentum
+    return (momentum_x / mass, momentum_y / mass)
+
+
+def inertia_island(inertia_origin: Scalar, mass: Scalar, position_island: Vector) -> Scalar:
+    """Moment of inertia about the centre of mass; of an island as one body (kg*m^2).
+
+    inertia_island = inertia_origin - mass*dot(position_island, position_island)
+
+    Args:
+        inertia_origin: Moment of inertia about the centre of mass; about the origin, kg*m^2
+        mass: Mass of a body, kg
+        position_island: Position of the centre of mass; of an island as one body, m
+
+    Source: DD38, srs/models/island_energy.md:79.
+    """
+    position_island_x, position_island_y = position_island
+    return inertia_origin - mass * (
+        position_island_x * position_island_x + position_island_y * position_island_y
+    )
+
+
+def angular_velocity_island(
+    angular_momentum: Scalar,
+    mass: Scalar,
+    position_island: Vector,
+    velocity_island: Vector,
+    inertia_island: Scalar,
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; of an island as one body (rad/s).
+
+    angular_velocity_island = (angular_momentum - mass*cross(position_island,
+    velocity_island))/inertia_island
+
+    Args:
+        angular_momentum: Moment of momentum about the origin, kg*m^2/s
+        mass: Mass of a body, kg
+        position_island: Position of the centre of mass; of an island as one body, m
+        velocity_island: Velocity of the centre of mass; of an island as one body, m/s
+        inertia_island: Moment of inertia about the centre of mass; of an island as one body,
+            kg*m^2
+
+    Source: DD38, srs/models/island_energy.md:80.
+    """
+    position_island_x, position_island_y = position_island
+    velocity_island_x, velocity_island_y = velocity_island
+    return (
+        angular_momentum
+        - mass * (position_island_x * velocity_island_y - position_island_y * velocity_island_x)
+    ) / inertia_island
+
+
+def kinetic_energy_kept(
+    kinetic_energy_before: Scalar,
+    kinetic_energy_after: Scalar,
+    change_energy: Scalar,
+    kept_share: Scalar,
+) -> Scalar:
+    """Energy of motion, turning included; with the share of the bounce that is kept (J).
+
+    kinetic_energy_kept = (1 - kept_share)*kinetic_energy_before +
+    kept_share*kinetic_energy_after - kept_share*(1 - kept_share)*change_energy
+
+    Args:
+        kinetic_energy_before: Energy of motion, turning included; just before the impact, J
+        kinetic_energy_after: Energy of motion, turning included; just after the impact, J
+        change_energy: Kinetic energy that bodies would have with a change of velocities alone,
+            J
+        kept_share: Part of its bounce that an island keeps, 1
+
+    Source: GD13, srs/models/island_energy.md:130.
+    """
+    return (
+        (1 - kept_share) * kinetic_energy_before
+        + kept_share * kinetic_energy_after
+        - kept_share * (1 - kept_share) * change_energy
+    )
+
+
+def velocity_kept(velocity_before: Vector, velocity_after: Vector, kept_share: Scalar) -> Vector:
+    """Velocity of the centre of mass; with the share of the bounce that is kept (m/s).
+
+    velocity_kept = velocity_before + kept_share*(velocity_after - velocity_before)
+
+    Args:
+        velocity_before: Velocity of the centre of mass; just before the impact, m/s
+        velocity_after: Velocity of the centre of mass; just after the impact, m/s
+        kept_share: Part of its bounce that an island keeps, 1
+
+    Source: GD13, srs/models/island_energy.md:133.
+    """
+    velocity_before_x, velocity_before_y = velocity_before
+    velocity_after_x, velocity_after_y = velocity_after
+    return (
+        velocity_before_x + kept_share * (velocity_after_x - velocity_before_x),
+        velocity_before_y + kept_share * (velocity_after_y - velocity_before_y),
+    )
+
+
+def angular_velocity_kept(
+    angular_velocity_before: Scalar, angular_velocity_after: Scalar, kept_share: Scalar
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; with the share of the bounce that is kept
+    (rad/s).
+
+    angular_velocity_kept = angular_velocity_before + kept_share*(angular_velocity_after -
+    angular_velocity_before)
+
+    Args:
+        angular_velocity_before: Rate of turning, positive counter-clockwise; just before the
+            impact, rad/s
+        angular_velocity_after: Rate of turning, positive counter-clockwise; just after the
+            impact, rad/s
+        kept_share: Part of its bounce that an island keeps, 1
+
+    Source: GD13, srs/models/island_energy.md:134.
+    """
+    return angular_velocity_before + kept_share * (angular_velocity_after - angular_velocity_before)
+
+
+def push_kept(push: Scalar, kick: Scalar, kept_share: Scalar) -> Scalar:
+    """Impulse that a contact has given in a substep along its normal; with the share of the bounce
+    that is kept (N*s).
+
+    push_kept = push - (1 - kept_share)*kick
+
+    Args:
+        push: Impulse that a contact has given in a substep along its normal, N*s
+        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        kept_share: Part of its bounce that an island keeps, 1
+
+    Source: GD13, srs/models/island_energy.md:137.
+    """
+    return push - (1 - kept_share) * kick
+
+
+def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: Scalar) -> Scalar:
+    """Part of its bounce that an island keeps; where energy rises from the first (1).
+
+    kept_share_rising = min(2*energy_room/(energy_slope + energy_root), 1)
+        where energy_slope = energy_rise - change_energy
+        where energy_root = sqrt(energy_slope**2 + 4*change_energy*energy_room)
+
+    Args:
+        energy_room: What a change of velocities may add to the kinetic energy, J
+        energy_rise: What all of a change of velocities adds to the kinetic energy, J
+        change_energy: Kinetic energy that bodies would have with a change of velocities alone,
+            J
+
+    Source: GD13, srs/models/island_energy.md:140.
+    """
+    energy_slope = energy_rise - change_energy
+    energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
+    return least(2 * energy_room / (energy_slope + energy_root), 1)
+
+
+def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: Scalar) -> Scalar:
+    """Part of its bounce that an island keeps; where energy does not rise at first (1).
+
+    kept_share_falling = min((energy_root - energy_slope)/(2*change_energy), 1)
+        where energy_slope = energy_rise - change_energy
+        where energy_root = sqrt(energy_slope**2 + 4*change_energy*energy_room)
+
+    Args:
+        energy_room: What a change of velocities may add to the kinetic energy, J
+        energy_rise: What all of a change of velocities adds to the kinetic energy, J
+        change_energy: Kinetic energy that bodies would have with a change of velocities alone,
+            J
+
+    Source: GD13, srs/models/island_energy.md:141.
+    """
+    energy_slope = energy_rise - change_energy
+    energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
+    return least((energy_root - energy_slope) / (2 * change_energy), 1)
+
+
+def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
+    """Energy of motion, turning included; the most that there may be (J).
+
+    kinetic_energy_most = kinetic_energy_start + max(work, 0)
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+
+    Source: IM11, srs/models/island_energy.md:230.
+    """
+    return kinetic_energy_start + largest(work, 0)
+
+
+def calm_share(
+    kinetic_energy: Scalar, kinetic_energy_most: Scalar, kinetic_energy_least: Scalar
+) -> Scalar:
+    """Part that an island keeps of what differs in its velocities from its motion as one (1).
+
+    calm_share = min(sqrt((kinetic_energy_most - kinetic_energy_least)/(kinetic_energy -
+    kinetic_energy_least)), 1)
+
+    Args:
+        kinetic_energy: Energy of motion, turning included, J
+        kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
+        kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
+
+    Source: IM11, srs/models/island_energy.md:231.
+    """
+    return least(
+        sqrt(
+            (kinetic_energy_most - kinetic_energy_least) / (kinetic_energy - kinetic_energy_least)
+        ),
+        1,
+    )
+
+
+def velocity_calmed(velocity: Vector, velocity_island: Vector, calm_share: Scalar) -> Vector:
+    """Velocity of the centre of mass; nearer to the motion as one (m/s).
+
+    velocity_calmed = velocity_island + calm_share*(velocity - velocity_island)
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        velocity_island: Velocity of the centre of mass; of an island as one body, m/s
+        calm_share: Part that an island keeps of what differs in its velocities from its motion
+            as one, 1
+
+    Source: IM11, srs/models/island_energy.md:234.
+    """
+    velocity_x, velocity_y = velocity
+    velocity_island_x, velocity_island_y = velocity_island
+    return (
+        velocity_island_x + calm_share * (velocity_x - velocity_island_x),
+        velocity_island_y + calm_share * (velocity_y - velocity_island_y),
+    )
+
+
+def angular_velocity_calmed(
+    angular_velocity: Scalar, angular_velocity_island: Scalar, calm_share: Scalar
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; nearer to the motion as one (rad/s).
+
+    angular_velocity_calmed = angular_velocity_island + calm_share*(angular_velocity -
+    angular_velocity_island)
+
+    Args:
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        angular_velocity_island: Rate of turning, positive counter-clockwise; of an island as
+            one body, rad/s
+        calm_share: Part that an island keeps of what differs in its velocities from its motion
+            as one, 1
+
+    Source: IM11, srs/models/island_energy.md:235.
+    """
+    return angular_velocity_island + calm_share * (angular_velocity - angular_velocity_island)
