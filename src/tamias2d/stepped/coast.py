@@ -1,10 +1,13 @@
 """Steps of bodies that are near nothing: each along its closed form, without a look around.
 
-Serves: a step, while no pair is on the list. Hides: that all bodies are tried before one is moved,
-since the list must hold where they arrive. The bits are those of an ordinary step.
+Serves: a step, while no pair is on the list. Hides: that bodies take their steps in lanes, all of a
+call at once, and that nothing is moved before all are known to stay where the list holds. The bits
+are those of ordinary steps.
 """
 
+from tamias2d.generated.definitions import acceleration, angular_acceleration
 from tamias2d.state import Array
+from tamias2d.stepped.frame import move_frame
 from tamias2d.stepped.layout import (
     ANGULAR,
     DECAY,
@@ -28,14 +31,20 @@ from tamias2d.stepped.layout import (
     LOW_Y,
     SPIN,
     STATIC,
-    TURN,
     TURN_ROOM,
     VX,
     VY,
     Whole,
-    X,
-    Y,
 )
+from tamias2d.stepped.rows import LANES
+from tamias2d.stepped.tree import FAR
+
+# rows of lanes on the bench: three coordinates, their velocities, what moves them, how each flows;
+# then where they may be
+L_AT, L_SPEED, L_BY, L_DECAY, L_GAIN, L_LIFT = 0, 48, 96, 144, 192, 240
+L_LOW, L_HIGH = 288, 336
+COASTING = 384
+"""How much of the bench this takes."""
 
 
 def coast(
@@ -47,16 +56,41 @@ def coast(
     load: Array,
     body: Array,
     home: Array,
+    bench: Array,
+    carried: Array,
 ) -> int:
-    """Take up to some steps, as long as every body stays at home; return how many."""
-    for k in range(steps):
-        if not stays(settings, kind, pose, motion, load, body, home):
-            return k
-        go_on(settings, kind, pose, motion, load, body)
+    """Take up to some steps, as long as every body stays at home; return how many.
+
+    `carried` (n+1, 12) is for where they get to.
+    """
+    frame = (settings[FRAME_X], settings[FRAME_Y], settings[FRAME_VX], settings[FRAME_VY])
+    while steps > 0:
+        left = steps
+        for first in range(0, len(kind), LANES):
+            load_lanes(first, settings, kind, pose, motion, load, body, home, bench)
+            left = glide(left, settings, bench)
+            (
+                settings[FRAME_X],
+                settings[FRAME_Y],
+                settings[FRAME_VX],
+                settings[FRAME_VY],
+            ) = frame
+            store_lanes(first, bench, carried)
+        if left == steps:
+            break
+        steps = left
+    if steps > 0:
+        for i in range(len(kind)):
+            if kind[i] >= KINEMATIC:
+                for n in range(3):
+                    pose[i, n], motion[i, n] = carried[i, n], carried[i, 3 + n]
+        for _ in range(steps):
+            move_frame(settings)
     return steps
 
 
-def stays(
+def load_lanes(
+    first: int,
     settings: Array,
     kind: Whole,
     pose: Array,
@@ -64,60 +98,83 @@ def stays(
     load: Array,
     body: Array,
     home: Array,
-) -> bool:
-    """Return whether all bodies are where the list of pairs holds, now and after a step."""
-    out = 0
-    for i in range(len(kind)):
-        x, y = pose[i, X] - settings[FRAME_X], pose[i, Y] - settings[FRAME_Y]
-        turn = pose[i, TURN] - home[i, HOME_TURN]
-        on_x = on_y = 0.0
-        if kind[i] >= KINEMATIC:
-            free = 1.0 if kind[i] == DYNAMIC else 0.0
-            mass = body[i, INVERSE_MASS]
-            gain, lift = body[i, FULL + GAIN], body[i, FULL + LIFT]
-            on_x = gain * motion[i, VX] + lift * (free * settings[GRAVITY_X] + mass * load[i, 0])
-            on_y = gain * motion[i, VY] + lift * (free * settings[GRAVITY_Y] + mass * load[i, 1])
-        inside = (
-            (min(x, x + on_x) >= home[i, LOW_X])
-            & (max(x, x + on_x) <= home[i, HIGH_X])
-            & (min(y, y + on_y) >= home[i, LOW_Y])
-            & (max(y, y + on_y) <= home[i, HIGH_Y])
-            & (abs(turn) <= home[i, TURN_ROOM])
-        )
-        out += 0 if inside or kind[i] < STATIC else 1
-    return out == 0
-
-
-def go_on(
-    settings: Array, kind: Whole, pose: Array, motion: Array, load: Array, body: Array
+    bench: Array,
 ) -> None:
-    """Take a step of all bodies (IM1, IM6), and of the frame."""
-    sum_x = sum_y = 0.0
-    number = 0
-    for i in range(len(kind)):
-        if kind[i] < KINEMATIC:
+    """Bring bodies to the bench; lanes without one rest, with all the room there is."""
+    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
+    for m in range(LANES):
+        i = first + m
+        if i >= len(kind) or kind[i] < STATIC:
+            rest(m, bench)
+            for n in range(3):
+                bench[L_LOW + LANES * n + m], bench[L_HIGH + LANES * n + m] = -FAR, FAR
             continue
+        bench[L_LOW + m], bench[L_HIGH + m] = home[i, LOW_X], home[i, HIGH_X]
+        bench[L_LOW + LANES + m], bench[L_HIGH + LANES + m] = home[i, LOW_Y], home[i, HIGH_Y]
+        turn, room = home[i, HOME_TURN], home[i, TURN_ROOM]
+        bench[L_LOW + 2 * LANES + m], bench[L_HIGH + 2 * LANES + m] = turn - room, turn + room
+        if kind[i] == STATIC:
+            rest(m, bench)
+            if motion[i, VX] != 0.0 or motion[i, VY] != 0.0 or motion[i, SPIN] != 0.0:
+                bench[L_LOW + m] = FAR  # which is for an ordinary step to tell
         by_x = by_y = turn = 0.0
         if kind[i] == DYNAMIC:
-            mass = body[i, INVERSE_MASS]
-            by_x = settings[GRAVITY_X] + mass * load[i, 0]
-            by_y = settings[GRAVITY_Y] + mass * load[i, 1]
-            turn = body[i, INVERSE_INERTIA] * load[i, 2]
-        gain, lift, decay = body[i, FULL + GAIN], body[i, FULL + LIFT], body[i, FULL + DECAY]
-        on_x = gain * motion[i, VX] + lift * by_x
-        on_y = gain * motion[i, VY] + lift * by_y
-        pose[i, X] += on_x
-        pose[i, Y] += on_y
-        motion[i, VX] = decay * motion[i, VX] + gain * by_x
-        motion[i, VY] = decay * motion[i, VY] + gain * by_y
-        at = FULL + ANGULAR
-        gain, lift, decay = body[i, at + GAIN], body[i, at + LIFT], body[i, at + DECAY]
-        pose[i, TURN] += gain * motion[i, SPIN] + lift * turn
-        motion[i, SPIN] = decay * motion[i, SPIN] + gain * turn
-        if kind[i] == DYNAMIC:
-            sum_x += on_x
-            sum_y += on_y
-            number += 1
-    if number > 0 and (settings[FRAME_VX] != 0.0 or settings[FRAME_VY] != 0.0):
-        settings[FRAME_X] += sum_x / number
-        settings[FRAME_Y] += sum_y / number
+            by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
+            turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
+        bench[L_BY + m], bench[L_BY + LANES + m] = by_x, by_y
+        bench[L_BY + 2 * LANES + m] = turn
+        for n in range(3):
+            bench[L_AT + LANES * n + m] = pose[i, n]
+            if kind[i] != STATIC:
+                bench[L_SPEED + LANES * n + m] = motion[i, n]
+                at = FULL + ANGULAR if n == 2 else FULL
+                bench[L_DECAY + LANES * n + m] = body[i, at + DECAY]
+                bench[L_GAIN + LANES * n + m] = body[i, at + GAIN]
+                bench[L_LIFT + LANES * n + m] = body[i, at + LIFT]
+
+
+def rest(m: int, bench: Array) -> None:
+    """Let a lane stay where it is: nothing flows."""
+    for n in range(L_LOW // LANES):
+        bench[LANES * n + m] = 0.0
+
+
+def store_lanes(first: int, bench: Array, carried: Array) -> None:
+    """Write where bodies got to, and how they move."""
+    for m in range(min(LANES, len(carried) - first)):
+        for n in range(6):  # places, then velocities
+            carried[first + m, n] = bench[LANES * n + m]
+
+
+def glide(steps: int, settings: Array, bench: Array) -> int:
+    """Let the lanes take some steps, or as many as they stay at home in; return how many."""
+    if leave(settings, bench):
+        return 0
+    for k in range(steps):
+        for m in range(3 * LANES):
+            speed, by = bench[L_SPEED + m], bench[L_BY + m]
+            bench[L_AT + m] += bench[L_GAIN + m] * speed + bench[L_LIFT + m] * by
+            bench[L_SPEED + m] = bench[L_DECAY + m] * speed + bench[L_GAIN + m] * by
+        move_frame(settings)
+        if leave(settings, bench):
+            return k
+    return steps
+
+
+def leave(settings: Array, bench: Array) -> bool:
+    """Return whether some lane is where the list of pairs does not hold, or not a number."""
+    out = 0
+    for m in range(LANES):
+        x, y = bench[L_AT + m] - settings[FRAME_X], bench[L_AT + LANES + m] - settings[FRAME_Y]
+        turn, speed = bench[L_AT + 2 * LANES + m], bench[L_SPEED + m]
+        inside = (
+            (x >= bench[L_LOW + m])
+            & (x <= bench[L_HIGH + m])
+            & (y >= bench[L_LOW + LANES + m])
+            & (y <= bench[L_HIGH + LANES + m])
+            & (turn >= bench[L_LOW + 2 * LANES + m])
+            & (turn <= bench[L_HIGH + 2 * LANES + m])
+            & (speed - speed == 0.0)
+        )
+        out += 0 if inside else 1
+    return out > 0

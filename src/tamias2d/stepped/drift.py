@@ -9,12 +9,7 @@ from tamias2d.stepped.layout import (
     ANGULAR,
     DECAY,
     DX,
-    DY,
     DYNAMIC,
-    FRAME_VX,
-    FRAME_VY,
-    FRAME_X,
-    FRAME_Y,
     FULL,
     GAIN,
     GRAVITY_X,
@@ -63,22 +58,6 @@ def flow(i: int, axis: int, at: int, by: float, body: Array, motion: Array, gain
     motion[i, DX + axis] = body[i, at + GAIN] * before + body[i, at + LIFT] * by
     motion[i, axis] = after
     gained[i, 3 + axis] = after - before
-
-
-def move_frame(settings: Array, kind: Whole, motion: Array) -> None:
-    """Move the frame of the list of pairs along with all bodies."""
-    if settings[FRAME_VX] == 0.0 and settings[FRAME_VY] == 0.0:
-        return
-    x = y = 0.0
-    number = 0
-    for i in range(len(kind)):
-        if kind[i] == DYNAMIC:
-            x += motion[i, DX]
-            y += motion[i, DY]
-            number += 1
-    if number > 0:
-        settings[FRAME_X] += x / number
-        settings[FRAME_Y] += y / number
 
 
 def arrive(pose: Array, motion: Array) -> None:

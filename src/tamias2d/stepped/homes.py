@@ -12,18 +12,17 @@ from tamias2d.stepped.layout import (
     DX,
     DY,
     DYNAMIC,
+    FRAME_MOVES,
     FRAME_VX,
     FRAME_VY,
     FRAME_X,
     FRAME_Y,
     HIGH_X,
     HIGH_Y,
-    HITS,
     HOME_TURN,
+    KINEMATIC,
     LOW_X,
     LOW_Y,
-    OUTRUN,
-    PHASE,
     REACH,
     SPIN,
     STATIC,
@@ -65,22 +64,25 @@ def is_out(i: int, settings: Array, kind: Whole, pose: Array, home: Array) -> bo
     return bool((not inside) & (kind[i] != ABSENT))
 
 
-def choose_frame(settings: Array, counts: Whole, kind: Whole, motion: Array) -> None:
-    """Let the list of pairs hold in a frame that moves with all bodies, while nothing touches.
+def left_behind(settings: Array, kind: Whole, pose: Array, motion: Array, home: Array) -> bool:
+    """Return whether something that nothing pushes leaves its room within the step.
 
-    Within a step, when bodies are on their ways already, it stands still.
+    It does so where the frame moves on without it.
     """
-    x = y = 0.0
-    number = 0
-    if counts[HITS] == 0 and counts[PHASE] != OUTRUN:
-        for i in range(len(kind)):
-            if kind[i] == DYNAMIC:
-                x += motion[i, VX]
-                y += motion[i, VY]
-                number += 1
-    settings[FRAME_VX] = x / number if number > 0 else 0.0
-    settings[FRAME_VY] = y / number if number > 0 else 0.0
-    settings[FRAME_X] = settings[FRAME_Y] = 0.0
+    if settings[FRAME_MOVES] == 0.0:
+        return False
+    out = False
+    for i in range(len(kind)):
+        x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
+        y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
+        inside = (
+            (x >= home[i, LOW_X])
+            & (x <= home[i, HIGH_X])
+            & (y >= home[i, LOW_Y])
+            & (y <= home[i, HIGH_Y])
+        )
+        out = out | ((not inside) & ((kind[i] == STATIC) | (kind[i] == KINEMATIC)))
+    return bool(out)
 
 
 def settle(
@@ -114,7 +116,7 @@ def settle_one(
     What stands still moves against the frame, which may speed up as bodies do: it has some room.
     """
     frame_x, frame_y = settings[FRAME_VX], settings[FRAME_VY]
-    spare = ROOM * mean if frame_x != 0.0 or frame_y != 0.0 else 0.0
+    spare = ROOM * mean if settings[FRAME_MOVES] != 0.0 else 0.0
     room = ROOM * min(body[i, REACH], mean) if kind[i] > STATIC else spare
     x, y = pose[i, X] - settings[FRAME_X], pose[i, Y] - settings[FRAME_Y]
     by_x, by_y = (motion[i, VX] - frame_x) * ahead, (motion[i, VY] - frame_y) * ahead

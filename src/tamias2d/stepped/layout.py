@@ -14,10 +14,12 @@ from numpy.typing import NDArray
 Whole: TypeAlias = NDArray[Any]
 """An array of whole numbers."""
 
-# settings (7,), as numbers: gravity, m/s^2, and the step, s; velocity of the frame in which the
-# list of pairs holds, m/s, and how far it has gone since, m
+# settings (13,), as numbers: gravity, m/s^2, and the step, s; velocity of the frame in which the
+# list of pairs holds, m/s, and how far it has gone since, m; whether it moves, what moves it,
+# m/s^2, and its flow over a step: three numbers
 GRAVITY_X, GRAVITY_Y, TIME_STEP = 0, 1, 2
 FRAME_VX, FRAME_VY, FRAME_X, FRAME_Y = 3, 4, 5, 6
+FRAME_MOVES, FRAME_BY_X, FRAME_BY_Y, FRAME_FLOW = 7, 8, 9, 10
 
 # counts (22,), as whole numbers
 SUBSTEPS, SHAPES, PAIRS, SIDE, HORIZON, SINCE, BUILT, NEEDED, BLOCKS, STILL = range(10)

@@ -29,6 +29,7 @@ from tamias2d.stepped.pairs import (
     stay_apart,
 )
 from tamias2d.stepped.tree import BUNCH, lowest
+from tamias2d.stepped.turning import turn_shape
 
 
 def mend(
@@ -49,6 +50,7 @@ def mend(
     surface: Array,
     filters: Whole,
     mixed: Array,
+    corner: Array,
     turned: Array,
     box: Array,
     curve: Whole,
@@ -65,6 +67,7 @@ def mend(
     resettle(settings, counts, kind, pose, motion, body, home, used)
     for s in range(len(shape_body)):
         if used[shape_body[s]] == 1:
+            turn_shape(s, shape_body, shape_kind, shape_first, shape_count, pose, corner, turned)
             fatten(
                 s, shape_body, shape_kind, shape_first, shape_count, shape_radius, kind, body,
                 home, turned, box,
@@ -81,8 +84,8 @@ def mend(
         elif used[shape_body[s]] == 1:
             total = near_one(
                 total, s, counts[LEAVES], shape_body, shape_first, shape_count, shape_radius,
-                surface, filters, kind, used, ranked, turned, box, curve, node, found, pose, body,
-                home,
+                surface, filters, kind, used, ranked, turned, box, curve, node, found, pose,
+                motion, body, home,
             )  # fmt: skip
     for i in range(len(used)):
         used[i] = 0
@@ -145,6 +148,7 @@ def near_one(
     node: Array,
     found: Whole,
     pose: Array,
+    motion: Array,
     body: Array,
     home: Array,
 ) -> int:
@@ -165,7 +169,7 @@ def near_one(
                     and may_meet(s, t, shape_body, kind, filters)
                     and not stay_apart(
                         s, t, shape_body, shape_first, shape_count, shape_radius, surface, kind,
-                        pose, body, home, turned,
+                        pose, motion, body, home, turned,
                     )
                 ):  # fmt: skip
                     total = note_pair(total, s, t, ranked, found)

@@ -9,6 +9,7 @@ from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     ABSENT,
     CATEGORY,
+    DTURN,
     DYNAMIC,
     FAT,
     GROUP,
@@ -84,6 +85,7 @@ def find_pairs(
     node: Array,
     found: Whole,
     pose: Array,
+    motion: Array,
     body: Array,
     home: Array,
 ) -> int:
@@ -105,8 +107,8 @@ def find_pairs(
     for p in range(near):
         s, t = curve[0, found[p, 2]], curve[0, found[p, 3]]
         if may_meet(s, t, shape_body, kind, filters) and not stay_apart(
-            s, t, shape_body, shape_first, shape_count, shape_radius, surface, kind, pose, body,
-            home, turned,
+            s, t, shape_body, shape_first, shape_count, shape_radius, surface, kind, pose, motion,
+            body, home, turned,
         ):  # fmt: skip
             total = note_pair(total, s, t, ranked, found)
     for s in range(len(shape_kind)):
@@ -167,6 +169,7 @@ def stay_apart(
     surface: Array,
     kind: Whole,
     pose: Array,
+    motion: Array,
     body: Array,
     home: Array,
     turned: Array,
@@ -192,7 +195,7 @@ def stay_apart(
         return True
     if large < LONGER * small or shape_count[s] == 1:
         return False
-    turn = home[i, TURN_ROOM] + abs(pose[i, TURN] - home[i, HOME_TURN])
+    turn = home[i, TURN_ROOM] + abs(pose[i, TURN] - home[i, HOME_TURN]) + abs(motion[i, DTURN])
     reach = small + shape_radius[s] + turn * (abs(x) + abs(y) + wide + high)
     for k in range(shape_first[s], shape_first[s] + shape_count[s]):
         along_x, along_y = turned[k, 2], turned[k, 3]

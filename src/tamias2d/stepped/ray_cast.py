@@ -4,7 +4,7 @@ Serves: the simulator. Hides: how a ray enters a shape of each kind, and that it
 tree only as far as nothing has been met. Sensors are not solid, and no ray meets them.
 """
 
-from math import cos, sin, sqrt
+from math import sqrt
 
 from tamias2d.kernels.arrays import (
     FloatRows,
@@ -26,6 +26,7 @@ from tamias2d.stepped.layout import (
     Y,
 )
 from tamias2d.stepped.region_query import SLACK, gather, is_asked, next_node
+from tamias2d.stepped.rotation import cosine_sine
 from tamias2d.stepped.tree import BUNCH, lowest
 
 NONE = 2.0  # the fraction of a ray that meets nothing
@@ -220,7 +221,7 @@ def enter(
     first, i = shape_first[s], shape_body[s]
     if shape_kind[s] == HALF_PLANE:
         return ray_plane(x, y, by_x, by_y, corner[first])
-    c, d = cos(pose[i, TURN]), sin(pose[i, TURN])
+    c, d = cosine_sine(pose[i, TURN])
     from_x, from_y = x - pose[i, X], y - pose[i, Y]
     start_x, start_y = c * from_x + d * from_y, c * from_y - d * from_x
     along_x, along_y = c * by_x + d * by_y, c * by_y - d * by_x

@@ -7,7 +7,7 @@ query finds them.
 Cost: n log n for a tree where something moved, then log n and what is found for each question.
 """
 
-from math import cos, sin, sqrt
+from math import sqrt
 
 from tamias2d.kernels.arrays import (
     Bytes,
@@ -30,6 +30,7 @@ from tamias2d.stepped.layout import (
     X,
     Y,
 )
+from tamias2d.stepped.rotation import cosine_sine
 from tamias2d.stepped.tree import BUNCH, grow_tree, lowest
 
 SLACK = 1e-12  # relative: how much larger boxes are than what is in them
@@ -78,7 +79,7 @@ def enclose_shape(
     box: Array,
 ) -> None:
     """Put a box around a shape."""
-    c, d = cos(place[TURN]), sin(place[TURN])
+    c, d = cosine_sine(place[TURN])
     first = shape_first[s]
     low_x = high_x = c * corner[first, 0] - d * corner[first, 1]
     low_y = high_y = d * corner[first, 0] + c * corner[first, 1]
@@ -175,7 +176,7 @@ def overlaps(
 
     Convex shapes are apart if a side of one of them has all of the other beyond it.
     """
-    c, d = cos(place[TURN]), sin(place[TURN])
+    c, d = cosine_sine(place[TURN])
     mid_x, mid_y = 0.5 * low_x + 0.5 * high_x - place[X], 0.5 * low_y + 0.5 * high_y - place[Y]
     half_x, half_y = 0.5 * high_x - 0.5 * low_x, 0.5 * high_y - 0.5 * low_y
     if kind == POLYGON:

@@ -31,7 +31,6 @@ from tamias2d.stepped.coast import (
 from tamias2d.stepped.drift import (
     arrive,
     drift,
-    move_frame,
 )
 from tamias2d.stepped.flight import (
     LOOKS_AROUND,
@@ -39,7 +38,11 @@ from tamias2d.stepped.flight import (
     goes_far,
     mark_outrun,
 )
+from tamias2d.stepped.frame import (
+    move_frame,
+)
 from tamias2d.stepped.homes import (
+    left_behind,
     mark_left,
 )
 from tamias2d.stepped.islands import (
@@ -51,6 +54,7 @@ from tamias2d.stepped.layout import (
     DORMANT,
     GRAVITY_X,
     GRAVITY_Y,
+    KINEMATIC,
     KNOWN,
     NEEDED,
     OUTRUN,
@@ -102,6 +106,7 @@ from tamias2d.stepped.thin import (
     has_leaf,
     plan,
 )
+from tamias2d.stepped.turning import turn_corners
 
 # on the bench, once its work is done: the fraction of the step that is flown; looks that are left
 FLOWN, LOOKS_LEFT = 0, 1
@@ -161,10 +166,9 @@ def step(
             and counts[STILL] == 1
             and counts[PATIENCE] == 0
         ):
-            if counts[SOUND] == 0 and not all_sound(settings, kind, pose, motion, load):
-                return UNSOUND
-            counts[SOUND] = 1
-            counts[WANTED] -= coast(counts[WANTED], settings, kind, pose, motion, load, body, home)
+            counts[WANTED] -= coast(
+                counts[WANTED], settings, kind, pose, motion, load, body, home, bench, carried
+            )
             if counts[WANTED] == 0:
                 return DONE
         status = step_once(
@@ -234,6 +238,9 @@ def step_once(
                 traces[counts[SIDE]], island, rest,
             )  # fmt: skip
         marked = mark_left(settings, kind, pose, home, used)
+        turn_corners(
+            shape_body, shape_kind, shape_first, shape_count, kind, KINEMATIC, pose, corner, turned
+        )
         holds = look_again(
             marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
             shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, corner,
@@ -242,7 +249,7 @@ def step_once(
         counts[PHASE] = KNOWN if holds else STALE
     if counts[PHASE] == STALE:
         status = look_around(
-            settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
+            settings, counts, pose, motion, load, body, home, kind, ranked, shape_body, shape_kind,
             shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned, box,
             curve, node, found, pairs, touches, traces,
         )  # fmt: skip
@@ -289,13 +296,14 @@ def step_once(
             keep_still(kind, island, motion, used)
             keep_touching(counts, pair, shape_body, island, trace)
         drift(settings, motion, load, body, kind, used, carried)
-        move_frame(settings, kind, motion)
+        move_frame(settings)
         far = goes_far(kind, motion, body)
         if not far:
             counts[PHASE] = ARRIVING
         else:
             marked = mark_outrun(settings, kind, pose, motion, body, home, used)
-            counts[PHASE] = OUTRUN if marked > 0 else SWEPT
+            behind = left_behind(settings, kind, pose, motion, home)
+            counts[PHASE] = OUTRUN if marked > 0 or behind else SWEPT
         bench[FLOWN], bench[LOOKS_LEFT] = 0.0, LOOKS_AROUND
     while counts[PHASE] != ARRIVING:
         if counts[PHASE] == OUTRUN:
@@ -306,9 +314,9 @@ def step_once(
                 corner, turned, box, curve, node, found, pairs, touches, traces,
             )  # fmt: skip
             status = DONE if holds else look_around(
-                settings, counts, pose, motion, body, home, kind, ranked, shape_body, shape_kind,
-                shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned,
-                box, curve, node, found, pairs, touches, traces,
+                settings, counts, pose, motion, load, body, home, kind, ranked, shape_body,
+                shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
+                corner, turned, box, curve, node, found, pairs, touches, traces,
             )  # fmt: skip
             if status != DONE:
                 return status

@@ -52,6 +52,10 @@ from tamias2d.stepped.solver import (
     warm,
 )
 
+# carried (n+1, 12), for each coordinate: what contacts have changed in the velocity, the velocity
+# as this substep began, and what drag and forces make of it
+CARRIED, NOTED, KEPT_BY_DRAG, GIVEN = 0, 3, 6, 9
+
 
 def solve(
     settings: Array,
@@ -84,18 +88,15 @@ def solve(
     substep = settings[TIME_STEP] / substeps
     ready(counts[THIN], body, rows, lanes, web, weave)
     note_velocities(EARLIER, counts, motion, hits, energy)
-    begin(counts, motion, carried, hits)
+    begin(settings, counts, motion, load, body, kind, hits, carried)
     warm(blocks, rows, lanes, motion, bench)
-    carry(counts, motion, carried, hits)
-    back(counts, motion, carried, hits)
-    for _ in range(substeps):
-        hasten(settings, counts, motion, load, body, kind, hits, carried)
+    for k in range(substeps):
+        hasten(k > 0, counts, motion, hits, carried)
         settle_islands(False, substep, counts, rows, lanes, motion, web, weave)
         sweep(blocks, rows, lanes, motion, bench, substep)
         shift(substep, counts, motion, hits)
         settle_islands(True, substep, counts, rows, lanes, motion, web, weave)
         relax(blocks, rows, lanes, motion, bench, substep)
-        carry(counts, motion, carried, hits)
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
     if bouncing > 0 or makes_energy(settings, counts, motion, load, body, kind, hits, energy):
         if bouncing > 0:
@@ -108,38 +109,58 @@ def solve(
         )  # fmt: skip
 
 
-def begin(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:
-    """Note the velocities before the impulses of the last step are applied again."""
+def begin(
+    settings: Array,
+    counts: Whole,
+    motion: Array,
+    load: Array,
+    body: Array,
+    kind: Whole,
+    hits: Whole,
+    carried: Array,
+) -> None:
+    """Note the velocities before the impulses of the last step are applied again.
+
+    Noted, too, is what gravity, forces and drag do to them in a substep.
+    """
+    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[2, k]
+        note = carried[i]
         for n in range(3):
-            carried[i, n] = 0.0
-            carried[i, 3 + n] = motion[i, n]
+            note[CARRIED + n], note[NOTED + n] = 0.0, motion[i, n]
+            note[KEPT_BY_DRAG + n], note[GIVEN + n] = 1.0, 0.0
+        if kind[i] == DYNAMIC:
+            by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
+            turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
+            decay, gain = body[i, SUB + DECAY], body[i, SUB + GAIN]
+            note[KEPT_BY_DRAG] = note[KEPT_BY_DRAG + 1] = decay
+            note[GIVEN], note[GIVEN + 1] = gain * by_x, gain * by_y
+            decay, gain = body[i, SUB + ANGULAR + DECAY], body[i, SUB + ANGULAR + GAIN]
+            note[KEPT_BY_DRAG + 2], note[GIVEN + 2] = decay, gain * turn
 
 
-def carry(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:
-    """Add what contacts have changed in the velocities to what the next substep starts with.
+def hasten(again: bool, counts: Whole, motion: Array, hits: Whole, carried: Array) -> None:
+    """Let forces change velocities for a substep, and contacts as they have before.
 
-    Impulses add up, so this is what applying each of them again would do.
+    What contacts have changed so far is carried: impulses add up, so this is what applying each of
+    them again would do. In the first substep that is what the last step did, and bodies begin with
+    the velocities that were noted.
     """
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[2, k]
+        note = carried[i]
         for n in range(3):
-            carried[i, n] += motion[i, n] - carried[i, 3 + n]
-
-
-def back(counts: Whole, motion: Array, carried: Array, hits: Whole) -> None:
-    """Go back to the velocities that were noted."""
-    for k in range(counts[ACTIVE]):
-        i = hits[1, k]
-        for n in range(3):
-            motion[i, n] = carried[i, 3 + n]
+            note[CARRIED + n] += motion[i, n] - note[NOTED + n]
+            before = motion[i, n] if again else note[NOTED + n]
+            motion[i, n] = note[KEPT_BY_DRAG + n] * before + note[GIVEN + n] + note[CARRIED + n]
+            note[NOTED + n] = motion[i, n]
 
 
 def shift(substep: float, counts: Whole, motion: Array, hits: Whole) -> None:
     """Move bodies along for a substep, s."""
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[2, k]
         motion[i, DX] += substep * motion[i, VX]
         motion[i, DY] += substep * motion[i, VY]
         motion[i, DTURN] += substep * motion[i, SPIN]
@@ -153,9 +174,10 @@ def mark_active(
     shape_body: Whole,
     hits: Whole,
 ) -> int:
-    """List the moving bodies that have contacts in the second row of `hits`; return how many.
+    """List the moving bodies that have contacts; return how many.
 
-    Their colours, which are not needed any more, become marks.
+    The second row of `hits` has them in the order of touching, the third in that of memory. Their
+    colours, which are not needed any more, become marks.
     """
     for k in range(counts[HITS]):
         p = hits[0, k]
@@ -170,31 +192,9 @@ def mark_active(
                 hits[1, active] = i
                 active += 1
     counts[ACTIVE] = active
+    listed = 0
+    for i in range(len(kind)):
+        if used[i] == 1:
+            hits[2, listed] = i
+            listed += 1
     return active
-
-
-def hasten(
-    settings: Array,
-    counts: Whole,
-    motion: Array,
-    load: Array,
-    body: Array,
-    kind: Whole,
-    hits: Whole,
-    carried: Array,
-) -> None:
-    """Let gravity, forces and drag change velocities for a substep, and contacts as before."""
-    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-    for k in range(counts[ACTIVE]):
-        i = hits[1, k]
-        if kind[i] == DYNAMIC:
-            by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
-            turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
-            decay, gain = body[i, SUB + DECAY], body[i, SUB + GAIN]
-            motion[i, VX] = decay * motion[i, VX] + gain * by_x
-            motion[i, VY] = decay * motion[i, VY] + gain * by_y
-            decay, gain = body[i, SUB + ANGULAR + DECAY], body[i, SUB + ANGULAR + GAIN]
-            motion[i, SPIN] = decay * motion[i, SPIN] + gain * turn
-        for n in range(3):
-            motion[i, n] += carried[i, n]
-            carried[i, 3 + n] = motion[i, n]

@@ -7,12 +7,11 @@ list of pairs is made for longer, and when for less long.
 from tamias2d.state import (
     Array,
 )
-from tamias2d.stepped.homes import choose_frame, settle
+from tamias2d.stepped.frame import choose_frame
+from tamias2d.stepped.homes import settle
 from tamias2d.stepped.layout import (
-    FRAME_VX,
-    FRAME_VY,
+    FRAME_MOVES,
     HORIZON,
-    KINEMATIC,
     MENDED,
     NEEDED,
     OUTRUN,
@@ -69,21 +68,18 @@ def look_again(
 
     If it does not, it is known to be of no use: the next call says so, too.
     """
-    moves = settings[FRAME_VX] != 0.0 or settings[FRAME_VY] != 0.0
+    moves = settings[FRAME_MOVES] != 0.0
     many = marked + counts[MENDED] > MENDABLE * len(kind)
     if counts[STILL] == 0 or many or (moves and counts[PHASE] == OUTRUN):
         counts[STILL] = 0
         for i in range(len(used) if marked > 0 else 0):
             used[i] = 0
         return False
-    turn_corners(
-        shape_body, shape_kind, shape_first, shape_count, kind, KINEMATIC, pose, corner, turned
-    )
     if marked > 0:
         counts[STILL] = 1 if mend(
             settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
-            shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, turned,
-            box, curve, node, found, pairs, touches, traces,
+            shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, corner,
+            turned, box, curve, node, found, pairs, touches, traces,
         ) else 0  # fmt: skip
     return bool(counts[STILL] == 1)
 
@@ -93,6 +89,7 @@ def look_around(
     counts: Whole,
     pose: Array,
     motion: Array,
+    load: Array,
     body: Array,
     home: Array,
     kind: Whole,
@@ -125,7 +122,7 @@ def look_around(
     turn_corners(
         shape_body, shape_kind, shape_first, shape_count, kind, STATIC, pose, corner, turned
     )
-    choose_frame(settings, counts, kind, motion)
+    choose_frame(settings, counts, kind, motion, load, body)
     settle(settings, counts[HORIZON] * settings[TIME_STEP], kind, pose, motion, body, home)
     for k in range(len(shape_body)):
         fatten(
@@ -134,7 +131,8 @@ def look_around(
         )  # fmt: skip
     total = find_pairs(
         counts, shape_kind, shape_body, shape_first, shape_count, shape_radius, surface, filters,
-        kind, ranked, turned, box, curve, node, found, pose, body, home,
+        kind, ranked, turned, box, curve, node, found, pose, motion, body,
+        home,
     )  # fmt: skip
     if total > len(found):
         counts[NEEDED] = total

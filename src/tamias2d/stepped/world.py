@@ -10,6 +10,7 @@ import numpy as np
 
 from tamias2d.generated import drag
 from tamias2d.state import Array
+from tamias2d.stepped.coast import COASTING
 from tamias2d.stepped.elimination import WEAVE
 from tamias2d.stepped.layout import (
     DECAY,
@@ -63,7 +64,7 @@ class World:
         self.load = np.zeros((1, 3))
         self.body = np.zeros((1, 18))
         self.home = np.zeros((1, 6))
-        self.carried = np.zeros((1, 6))
+        self.carried = np.zeros((1, 12))
         self.kind = np.zeros(1, dtype=np.int8)
         self.used = np.zeros(1, dtype=np.int64)
         self.island = np.zeros((1, 7), dtype=np.int64)
@@ -94,10 +95,10 @@ class World:
         self.fill = np.zeros((3, 128), dtype=np.int64)
         self.rows = np.zeros((4, WIDTH))
         self.lanes = np.zeros((4, 50), dtype=np.uint32)
-        self.bench = np.zeros(BENCH)
+        self.bench = np.zeros(max(BENCH, COASTING))
         self.times = np.zeros(16)
         self.scratch = np.zeros((8, 8))
-        self.settings = np.array([*gravity, time_step, 0.0, 0.0, 0.0, 0.0])
+        self.settings = np.array([*gravity, time_step, *np.zeros(10)])
         self.counts = np.zeros(22, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
@@ -187,7 +188,7 @@ class World:
         return DONE
 
     def _more_pairs(self, room: int) -> None:
-        self.hits = np.zeros((3, room), dtype=np.int64)
+        self.hits = np.zeros((3, 2 * room), dtype=np.int64)  # a pair has two bodies
         self.times = np.zeros(room)
         for name in ("pairs", "touches", "traces"):
             old = getattr(self, name)
