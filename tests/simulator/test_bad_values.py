@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 import numpy as np
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 import tamias2d as t2
 from tests.simulator.crowd import SHAPES
@@ -35,6 +35,7 @@ def small() -> t2.Simulator:
 
 @settings(max_examples=150)
 @given(st.dictionaries(st.sampled_from(ADDED), VALUE, max_size=3))
+@example({"category": {}})
 def test_adding_is_refused_by_name_or_done(values: dict[str, Any]) -> None:
     sim = small()
     before = sim.digest()

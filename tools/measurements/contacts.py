@@ -83,7 +83,9 @@ def notes(found: dict[str, Any]) -> list[str]:
 def _scene(name: str, repeats: int, found: dict[str, Any]) -> None:
     entry = SCENES[name]
     scene = entry.make()
-    times = race(list(_ENGINES.values()), scene, steps=entry.timed, repeats=repeats)
+    times = race(
+        list(_ENGINES.values()), scene, steps=entry.timed, repeats=repeats, call=entry.call
+    )
     engines = {
         engine: {"seconds": times.of_a_step(engine)}
         | asdict(quality(make, scene, steps=entry.steps, stands=entry.stands))

@@ -31,10 +31,13 @@ def wholes(value: object, key: str, of: str, *, count: int, check: Callable[...,
     given = as_array(value, key, of, "Give whole numbers.")
     if given.ndim and given.shape != (count,):
         raise _misshapen(given, key, of, (count,), "Give one number, or one for each body.")
-    checked = {item: check(item, key, of) for item in set(given.ravel().tolist())}
-    if given.ndim == 0:
-        return np.full(count, checked[given.item()], dtype=np.int64)
-    return np.array([checked[item] for item in given.tolist()], dtype=np.int64)
+    items = given.ravel().tolist()
+    if given.dtype == object:  # too large for an array, or no numbers at all
+        judged = [check(item, key, of) for item in items]
+    else:
+        once = {item: check(item, key, of) for item in set(items)}
+        judged = [once[item] for item in items]
+    return np.full(count, judged, dtype=np.int64)
 
 
 def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...]) -> Array:

@@ -47,6 +47,7 @@ from tamias2d.generated.island_energy import (
 from tamias2d.state import Array, Vector
 from tamias2d.stepped.layout import (
     ACTIVE,
+    ACTIVE_BODY,
     BLOCKS,
     DTURN,
     DX,
@@ -102,7 +103,7 @@ FREE, LEANING, TORN = 0.0, 1.0, 2.0  # what an island leans on: nothing, somethi
 def note_velocities(column: int, counts: Whole, motion: Array, hits: Whole, energy: Array) -> None:
     """Note the velocities of all bodies with contacts."""
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         for n in range(3):
             energy[i, column + n] = motion[i, n]
 
@@ -124,7 +125,7 @@ def makes_energy(
     gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
     first = last = given = whole = 0.0
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] != DYNAMIC:
             return False
         mass, inertia = mass_and_inertia(i, body)
@@ -193,14 +194,14 @@ def look_from_supports(
     work that contacts could take for theirs.
     """
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
             energy[i, LEANS] = FREE
             energy[i, SUMS] = 0.0
             for n in range(3):
                 energy[i, SEEN + n] = 0.0
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC:
             row, mass = energy[island[i, ISLAND]], 1.0 / body[i, INVERSE_MASS]
             x, y = momentum(mass, (energy[i, EARLIER], energy[i, EARLIER + 1]))
@@ -208,7 +209,7 @@ def look_from_supports(
             row[SEEN + 1] += y
             row[SUMS] += mass
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
             whole = (energy[i, SEEN], energy[i, SEEN + 1])
             energy[i, SEEN], energy[i, SEEN + 1] = velocity_island(whole, energy[i, SUMS])
@@ -259,12 +260,12 @@ def sum_energies(
 ) -> None:
     """Add up the kinetic energies of all islands, and the work of forces, J."""
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
             for n in range(5):
                 energy[i, SUMS + n] = 0.0
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC:
             support, spin = support_at(i, pose, island, energy)
             row = energy[island[i, ISLAND]]
@@ -316,7 +317,7 @@ def share_bounces(
     """Write for each island which share of its bounce it keeps; return whether one loses any."""
     some = False
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] != DYNAMIC or island[i, ISLAND] != i:
             continue
         row = energy[i]
@@ -342,7 +343,7 @@ def take_back(
 ) -> None:
     """Leave each body the share of the bounce that its island keeps."""
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC:
             share = energy[island[i, ISLAND], KEPT]
             if share < 1.0:
@@ -372,7 +373,7 @@ def choose_calm(counts: Whole, kind: Whole, hits: Whole, island: Whole, energy: 
     """Return whether some island still has too much energy."""
     some = False
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
             row = energy[i]
             much = row[LEANS] != TORN and row[NOW] > row[MOST] * (1.0 + GRACE)
@@ -396,12 +397,12 @@ def sum_motions(
     What leans on something moves as that does.
     """
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i:
             for n in (WHOLE, ALONG_X, ALONG_Y, ROUND, MOMENT_X, MOMENT_Y, MOMENT):
                 energy[i, n] = 0.0
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         root = island[i, ISLAND]
         if kind[i] != DYNAMIC or energy[root, CALMED] == 1.0 or energy[root, LEANS] != FREE:
             continue
@@ -418,7 +419,7 @@ def sum_motions(
         row[MOMENT_Y] += moment[1]
         row[MOMENT] += inertia_origin(mass, place, inertia)
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC and island[i, ISLAND] == i and energy[i, CALMED] != 1.0:
             as_one(energy[i])
 
@@ -455,7 +456,7 @@ def calm(
 ) -> None:
     """Let bodies of islands with too much energy come nearer to moving as one."""
     for k in range(counts[ACTIVE]):
-        i = hits[1, k]
+        i = hits[ACTIVE_BODY, k]
         if kind[i] != DYNAMIC:
             continue
         part = energy[island[i, ISLAND], CALMED]

@@ -7,7 +7,7 @@ Cost: about as many visits as there are contacts. Source: Tarjan and van Leeuwen
 path halving.
 """
 
-from tamias2d.stepped.layout import DYNAMIC, HITS, ISLAND, TURN_IN, Whole
+from tamias2d.stepped.layout import DYNAMIC, HITS, ISLAND, ISLANDED, PATIENCE, TURN_IN, Whole
 
 LAST = 2**62
 
@@ -34,6 +34,15 @@ def find_islands(
             island[j, ISLAND] = i
     for i in range(len(kind)):
         island[i, ISLAND] = root_of(i, island)
+
+
+def know_islands(
+    counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, island: Whole
+) -> None:
+    """Find the islands, unless they are known; where bodies may sleep, sleep writes them too."""
+    if counts[ISLANDED] == 0 or counts[PATIENCE] > 0:
+        find_islands(counts, pair, shape_body, kind, hits, island)
+        counts[ISLANDED] = 1
 
 
 def root_of(i: int, island: Whole) -> int:

@@ -7,10 +7,14 @@ from tamias2d.state import (
     Array,
 )
 from tamias2d.stepped.layout import (
+    ARRANGED,
     COUNT,
     DORMANT,
     GAP,
+    HIT,
+    HIT_COLOUR,
     HITS,
+    ISLANDED,
     LIVE,
     PAIRS,
     POINT,
@@ -55,8 +59,12 @@ def meet(
     hits: Whole,
     island: Whole,
 ) -> None:
-    """Find the contacts of all pairs, and list the pairs that have some."""
+    """Find the contacts of all pairs, and list the pairs that have some.
+
+    Where they are those of the last step, with as many points, their arrangement holds.
+    """
     total = 0
+    same = counts[ARRANGED] == 1
     for p in range(counts[PAIRS]):
         s, t = pair[p, 0], pair[p, 1]
         i, j = shape_body[s], shape_body[t]
@@ -96,10 +104,13 @@ def meet(
         if count == 0:
             continue
         if filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
-            hits[0, total] = p
+            same = same & (hits[HIT, total] == p) & (hits[HIT_COLOUR, total] % 2 == count - 1)
+            hits[HIT, total] = p
             total += 1
         elif touch[p, GAP] <= 0.0 or (count == 2 and touch[p, GAP + POINT] <= 0.0):
             trace[p, TOUCHED] |= SENSED
+    if not same or counts[HITS] != total:
+        counts[ARRANGED] = counts[ISLANDED] = 0
     counts[HITS] = total
 
 

@@ -8,9 +8,11 @@ order in which bodies were added or found.
 from tamias2d.generated.definitions import pair_friction, pair_restitution
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
+    ARRANGED,
     CACHE,
     COUNT,
     FRICTION,
+    ISLANDED,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
@@ -119,6 +121,7 @@ def add_pair(
             trace[p, k] = trace[p - 1, k]
     new_pair(ranked[0, a], ranked[0, b], surface, mixed, at, pair, touch, trace)
     counts[PAIRS] = end + 1
+    counts[ARRANGED] = counts[ISLANDED] = 0  # pairs have other places
     return True
 
 

@@ -23,6 +23,9 @@ from tamias2d.stepped.layout import (
     COUNT,
     DYNAMIC,
     GAP,
+    HIT,
+    HIT_COLOUR,
+    HIT_PLACE,
     HITS,
     IMPULSE,
     INVERSE_INERTIA,
@@ -93,9 +96,8 @@ def colour(
 ) -> int:
     """Give each of the touching pairs a colour and a place in it; return how many blocks it takes.
 
-    `hits` (3, p) holds the touching pairs first; written are their colours and places. `used`
-    (n+1,) is for the colours of a body, `fill` (3, 128) for the sizes of the colours; a colour of
-    two-point contacts follows that of one-point contacts.
+    `used` (n+1,) is for the colours of a body, `fill` (3, 128) for the sizes of the colours; a
+    colour of two-point contacts follows that of one-point contacts.
     """
     for k in range(128):
         fill[0, k] = 0
@@ -118,7 +120,7 @@ def colour(
             used[i] |= 1 << c
             used[j] |= 1 << c
         c = 2 * c + (trace[p, COUNT] - 1)
-        hits[1, k], hits[2, k] = c, fill[0, c]
+        hits[HIT_COLOUR, k], hits[HIT_PLACE, k] = c, fill[0, c]
         fill[0, c] += 1
     block = 0
     for c in range(2 * COLOURS + 2):
@@ -163,7 +165,7 @@ def fill_rows(
     """Write the row of each touching pair; return how many of them may bounce."""
     bouncing = 0
     for k in range(counts[HITS]):
-        p, c, place = hits[0, k], hits[1, k], hits[2, k]
+        p, c, place = hits[HIT, k], hits[HIT_COLOUR, k], hits[HIT_PLACE, k]
         if c >= 2 * COLOURS:
             b, m = fill[1, c] + place, 0
         else:

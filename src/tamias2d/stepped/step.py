@@ -25,6 +25,7 @@ from tamias2d.kernels.arrays import (
 from tamias2d.state import (
     Array,
 )
+from tamias2d.stepped.arrangement import arrange
 from tamias2d.stepped.coast import (
     coast,
 )
@@ -45,9 +46,6 @@ from tamias2d.stepped.homes import (
     left_behind,
     mark_left,
 )
-from tamias2d.stepped.islands import (
-    find_islands,
-)
 from tamias2d.stepped.layout import (
     ARRIVING,
     BEGUN,
@@ -56,7 +54,6 @@ from tamias2d.stepped.layout import (
     GRAVITY_Y,
     KINEMATIC,
     KNOWN,
-    NEEDED,
     OUTRUN,
     PAIRS,
     PATIENCE,
@@ -68,7 +65,6 @@ from tamias2d.stepped.layout import (
     STATIC,
     STILL,
     SWEPT,
-    THIN,
     WANTED,
     Whole,
 )
@@ -77,8 +73,6 @@ from tamias2d.stepped.meeting import (
     meet,
 )
 from tamias2d.stepped.rows import (
-    clear_lanes,
-    colour,
     fill_rows,
     finish_rows,
     keep_impulses,
@@ -96,15 +90,9 @@ from tamias2d.stepped.substeps import (
 )
 from tamias2d.stepped.surroundings import (
     DONE,
-    MORE_BLOCKS,
-    MORE_WEB,
     UNSOUND,
     look_again,
     look_around,
-)
-from tamias2d.stepped.thin import (
-    has_leaf,
-    plan,
 )
 from tamias2d.stepped.turning import turn_corners
 
@@ -267,25 +255,18 @@ def step_once(
                 settings, counts, pose, motion, shape_body, shape_kind, shape_first, shape_count,
                 shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
             )  # fmt: skip
-        needed = colour(counts, pair, trace, shape_body, kind, hits, used, fill)
-        if needed > len(rows):
-            counts[NEEDED] = needed
-            return MORE_BLOCKS
-        counts[THIN] = 0
-        if has_leaf(kind, used):
-            find_islands(counts, pair, shape_body, kind, hits, island)
-            counts[THIN] = plan(counts, pair, shape_body, kind, used, hits, fill, island, isle, web)
-        if counts[THIN] < 0:
-            counts[NEEDED] = -counts[THIN]
-            return MORE_WEB
-        clear_lanes(len(pose) - 1, fill, rows, lanes)
+        status = arrange(
+            counts, pair, trace, shape_body, kind, used, hits, fill, rows, lanes, island, isle, web
+        )
+        if status != DONE:
+            return status
         bouncing = fill_rows(
             counts, pair, touch, shape_body, shape_radius, surface, pose, motion, body,
             hits, fill, rows, lanes,
         )  # fmt: skip
         finish_rows(settings, counts, rows, lanes)
         solve(
-            settings, counts, pose, motion, load, body, kind, used, pair, shape_body, hits, rows,
+            settings, counts, pose, motion, load, body, kind, pair, shape_body, hits, rows,
             lanes, bench, carried, island, energy, bouncing, web, weave,
         )  # fmt: skip
         age_touches(counts, trace)

@@ -16,10 +16,11 @@ from tamias2d.stepped.energy import (
     note_velocities,
 )
 from tamias2d.stepped.islands import (
-    find_islands,
+    know_islands,
 )
 from tamias2d.stepped.layout import (
     ACTIVE,
+    ACTIVE_ROW,
     ANGULAR,
     BLOCKS,
     DECAY,
@@ -31,10 +32,8 @@ from tamias2d.stepped.layout import (
     GAIN,
     GRAVITY_X,
     GRAVITY_Y,
-    HITS,
     INVERSE_INERTIA,
     INVERSE_MASS,
-    KINEMATIC,
     SPIN,
     SUB,
     SUBSTEPS,
@@ -65,7 +64,6 @@ def solve(
     load: Array,
     body: Array,
     kind: Whole,
-    used: Whole,
     pair: Whole,
     shape_body: Whole,
     hits: Whole,
@@ -80,8 +78,7 @@ def solve(
     weave: Array,
 ) -> None:
     """Take the substeps of all bodies with contacts, and let them bounce."""
-    active = mark_active(counts, kind, used, pair, shape_body, hits)
-    if active == 0:
+    if counts[ACTIVE] == 0:
         return
     substeps = counts[SUBSTEPS]
     blocks = counts[BLOCKS]
@@ -102,7 +99,7 @@ def solve(
         if bouncing > 0:
             note_velocities(UNBOUNCED, counts, motion, hits, energy)
             bounce(blocks, rows, lanes, motion, bench, slowest)
-        find_islands(counts, pair, shape_body, kind, hits, island)
+        know_islands(counts, pair, shape_body, kind, hits, island)
         bound_energy(
             settings, counts, pose, motion, load, body, kind, pair, shape_body, hits, island,
             energy, rows, lanes, bouncing,
@@ -125,7 +122,7 @@ def begin(
     """
     gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
     for k in range(counts[ACTIVE]):
-        i = hits[2, k]
+        i = hits[ACTIVE_ROW, k]
         note = carried[i]
         for n in range(3):
             note[CARRIED + n], note[NOTED + n] = 0.0, motion[i, n]
@@ -148,7 +145,7 @@ def hasten(again: bool, counts: Whole, motion: Array, hits: Whole, carried: Arra
     the velocities that were noted.
     """
     for k in range(counts[ACTIVE]):
-        i = hits[2, k]
+        i = hits[ACTIVE_ROW, k]
         note = carried[i]
         for n in range(3):
             note[CARRIED + n] += motion[i, n] - note[NOTED + n]
@@ -160,41 +157,7 @@ def hasten(again: bool, counts: Whole, motion: Array, hits: Whole, carried: Arra
 def shift(substep: float, counts: Whole, motion: Array, hits: Whole) -> None:
     """Move bodies along for a substep, s."""
     for k in range(counts[ACTIVE]):
-        i = hits[2, k]
+        i = hits[ACTIVE_ROW, k]
         motion[i, DX] += substep * motion[i, VX]
         motion[i, DY] += substep * motion[i, VY]
         motion[i, DTURN] += substep * motion[i, SPIN]
-
-
-def mark_active(
-    counts: Whole,
-    kind: Whole,
-    used: Whole,
-    pair: Whole,
-    shape_body: Whole,
-    hits: Whole,
-) -> int:
-    """List the moving bodies that have contacts; return how many.
-
-    The second row of `hits` has them in the order of touching, the third in that of memory. Their
-    colours, which are not needed any more, become marks.
-    """
-    for k in range(counts[HITS]):
-        p = hits[0, k]
-        used[shape_body[pair[p, 0]]] = used[shape_body[pair[p, 1]]] = 0
-    active = 0
-    for k in range(counts[HITS]):
-        p = hits[0, k]
-        for n in range(2):
-            i = shape_body[pair[p, n]]
-            if used[i] == 0 and kind[i] >= KINEMATIC:
-                used[i] = 1
-                hits[1, active] = i
-                active += 1
-    counts[ACTIVE] = active
-    listed = 0
-    for i in range(len(kind)):
-        if used[i] == 1:
-            hits[2, listed] = i
-            listed += 1
-    return active

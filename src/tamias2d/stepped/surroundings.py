@@ -10,8 +10,10 @@ from tamias2d.state import (
 from tamias2d.stepped.frame import choose_frame
 from tamias2d.stepped.homes import settle
 from tamias2d.stepped.layout import (
+    ARRANGED,
     FRAME_MOVES,
     HORIZON,
+    ISLANDED,
     MENDED,
     NEEDED,
     OUTRUN,
@@ -143,4 +145,5 @@ def look_around(
         counts[NEEDED] = size
         return MORE_PAIRS
     counts[STILL], counts[MENDED] = 1, 0
+    counts[ARRANGED] = counts[ISLANDED] = 0
     return DONE

@@ -7,7 +7,7 @@ first, so that almost nothing new comes to be connected.
 Source: Tarjan (1975), for grouping; Tinney and Walker (1967), for the order.
 """
 
-from tamias2d.stepped.layout import DYNAMIC, HITS, ISLAND, Whole
+from tamias2d.stepped.layout import DYNAMIC, HIT, HIT_COLOUR, HIT_PLACE, HITS, ISLAND, Whole
 from tamias2d.stepped.rows import COLOURS, LANES
 
 # isle (n+1, 6): of the root of an island how many bodies it has, and contacts between them, its
@@ -151,7 +151,7 @@ def join(
     web: Whole,
 ) -> int:
     """List a touching pair as a joint, with its knots and its link; return how many links."""
-    p, c, place = hits[0, k], hits[1, k], hits[2, k]
+    p, c, place = hits[HIT, k], hits[HIT_COLOUR, k], hits[HIT_PLACE, k]
     i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
     joint = web[number, LEAF]
     web[number, LEAF] += 1

@@ -225,10 +225,12 @@ def _order(coarse: float, fine: float) -> float | None:
 
 
 def _embedded(run: Run, _: Array | None) -> _Bound:
-    """Bound the error from the same method at a tighter tolerance, or from an independent one.
+    """Bound the error from the same method at tighter tolerances, or from an independent one.
 
     A tighter tolerance must have made the steps so much shorter that what is left of the error, by
-    the order of the method, is a small part of it: over few steps it may change nothing.
+    the order of the method, is a small part of it: over few steps it may change nothing. Where a
+    run meets something sharp its error may stay for a while as steps get shorter, and two runs
+    agree about it: a third one at a tolerance tighter still is asked, too.
     """
     rtol: float = run.method.rtol  # type: ignore[attr-defined]
     if isinstance(run.method, Reference) or rtol / _TIGHTER < _TIGHTEST:
@@ -238,12 +240,20 @@ def _embedded(run: Run, _: Array | None) -> _Bound:
     left = 1.0
     while left > _LEFT and rtol / _TIGHTER >= _TIGHTEST:
         rtol /= _TIGHTER
-        companion = _companion(run, method=replace(run.method, rtol=rtol))  # type: ignore[type-var]
+        companion = _at(run, rtol)
         left = _left(run, companion)
     if left > _LEFT:
         return _against(run, Reference(1e-13))
-    value = _TRUSTED * _difference(run, companion) / (1 - left) + rounding(run)
-    return _Bound("embedded", value, f"{run.method} against {companion.method}")
+    changed = _difference(run, companion)
+    if rtol / _TIGHTER >= _TIGHTEST:
+        changed = max(changed, _difference(run, _at(run, rtol / _TIGHTER)))
+    value = _TRUSTED * changed / (1 - left) + rounding(run)
+    return _Bound("embedded", value, f"{run.method} against {companion.method} and tighter")
+
+
+def _at(run: Run, rtol: float) -> Run:
+    """Return a run of the same scene by the same method at another tolerance."""
+    return _companion(run, method=replace(run.method, rtol=rtol))  # type: ignore[type-var]
 
 
 def _left(run: Run, companion: Run) -> float:

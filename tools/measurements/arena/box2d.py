@@ -39,9 +39,10 @@ class Box2D:
                 own.mass_data = _mass(pyb2d3, body)
                 self._moving.append(own.id)
 
-    def step(self) -> None:
-        """Go one time step ahead."""
-        self._world.step(self._time_step, SUBSTEPS)
+    def step(self, count: int = 1) -> None:
+        """Go so many time steps ahead, one by one."""
+        for _ in range(count):
+            self._world.step(self._time_step, SUBSTEPS)
 
     def read(self) -> Array:
         """Return the positions (n, 2) of what moves, m, in the way that is the fastest."""

@@ -43,9 +43,10 @@ class Chipmunk:
         self._buffer = batch.Buffer()
         self._places = batch.BodyFields.POSITION
 
-    def step(self) -> None:
-        """Go one time step ahead."""
-        self._space.step(self._time_step)
+    def step(self, count: int = 1) -> None:
+        """Go so many time steps ahead, one by one."""
+        for _ in range(count):
+            self._space.step(self._time_step)
 
     def read(self) -> Array:
         """Return the positions (n, 2) of what moves, m, in the way that is the fastest."""

@@ -11,12 +11,12 @@ from tamias2d.state import Array
 
 
 class Engine(Protocol):
-    """A scene in an engine, which goes one time step ahead at a time."""
+    """A scene in an engine, which goes ahead by time steps."""
 
     name: str
 
-    def step(self) -> None:
-        """Go one time step ahead."""
+    def step(self, count: int = 1) -> None:
+        """Go so many time steps ahead, in one call where the engine can."""
 
     def read(self) -> Array:
         """Return the positions (n, 2), m, of at least what moves, in the fastest way."""

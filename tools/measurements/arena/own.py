@@ -22,9 +22,9 @@ class Own:
             else t2.Simulator(scene, time_step=time_step, substeps=substeps)
         )
 
-    def step(self) -> None:
-        """Go one time step ahead."""
-        self.simulator.step()
+    def step(self, count: int = 1) -> None:
+        """Go so many time steps ahead."""
+        self.simulator.step(count)
 
     def read(self) -> Array:
         """Return the positions (n, 2), m: a view, which nobody has to fill."""

@@ -39,34 +39,37 @@ class Times:
         return self.of_a_step(name) / self.of_a_step(to)
 
 
-def race(makers: Sequence[Maker], scene: Scene, *, steps: int, repeats: int) -> Times:
+def race(
+    makers: Sequence[Maker], scene: Scene, *, steps: int, repeats: int, call: int = 1
+) -> Times:
     """Let engines take steps in turns, each repetition from the start of the scene.
 
-    A first repetition of one turn is not counted.
+    They are asked for `call` steps at once. A first repetition of one turn is not counted.
     """
-    _run(makers, scene, _TURN)
+    _run(makers, scene, max(_TURN, call), call)
     turns: dict[str, list[list[float]]] = {}
     for _ in range(repeats):
-        for name, times in _run(makers, scene, steps).items():
+        for name, times in _run(makers, scene, steps, call).items():
             turns.setdefault(name, []).append(times)
     return Times(turns, steps)
 
 
-def _run(makers: Sequence[Maker], scene: Scene, steps: int) -> dict[str, list[float]]:
+def _run(makers: Sequence[Maker], scene: Scene, steps: int, call: int) -> dict[str, list[float]]:
     engines = [make(scene, TIME_STEP) for make in makers]
     times: dict[str, list[float]] = {engine.name: [] for engine in engines}
     with undisturbed():
-        for start in range(0, steps, _TURN):
+        turn = max(_TURN, call)
+        for start in range(0, steps, turn):
             engines.append(engines.pop(0))  # nobody is always the first
             for engine in engines:
-                times[engine.name].append(_advance(engine, min(_TURN, steps - start)))
+                times[engine.name].append(_advance(engine, min(turn, steps - start), call))
     return times
 
 
-def _advance(engine: Engine, steps: int) -> float:
+def _advance(engine: Engine, steps: int, call: int) -> float:
     start = process_time()
-    for _ in range(steps):
-        engine.step()
+    for _ in range(0, steps, call):
+        engine.step(call)
     return process_time() - start
 
 

@@ -25,6 +25,8 @@ class Entry:
     """Steps to the end at which it is judged."""
     stands: bool = False
     """Whether its highest body belongs where it is at the start."""
+    call: int = 1
+    """Steps that are asked for at once, as where nobody looks at each frame."""
 
 
 def _listed(name: str, *, timed: int, steps: int, stands: bool = False) -> Entry:
@@ -79,6 +81,7 @@ SCENES = {
     "disc-pile": _listed("disc-pile", timed=600, steps=1200),
     "tumbler": _listed("tumbler", timed=600, steps=600),
     "free-discs": _listed("free-discs", timed=300, steps=300),
+    "free-discs-ahead": Entry(partial(catalogue.load, "free-discs"), 300, 300, call=60),
     "stack-100": Entry(partial(column, 100), timed=300, steps=600, stands=True),
     "stack-10-heavy": _listed("stack-10-heavy", timed=600, steps=600, stands=True),
     "arch": _listed("arch", timed=600, steps=600, stands=True),

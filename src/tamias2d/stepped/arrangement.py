@@ -1,0 +1,92 @@
+"""The arrangement of contacts: blocks, thin islands, and which bodies take part.
+
+Serves: a step. Hides: that all of it stays from step to step while the same pairs touch.
+"""
+
+from tamias2d.state import Array
+from tamias2d.stepped.islands import know_islands
+from tamias2d.stepped.layout import (
+    ACTIVE,
+    ACTIVE_BODY,
+    ACTIVE_ROW,
+    ARRANGED,
+    HIT,
+    HITS,
+    KINEMATIC,
+    NEEDED,
+    THIN,
+    Whole,
+)
+from tamias2d.stepped.rows import clear_lanes, colour
+from tamias2d.stepped.surroundings import DONE, MORE_BLOCKS, MORE_WEB
+from tamias2d.stepped.thin import has_leaf, plan
+
+
+def arrange(
+    counts: Whole,
+    pair: Whole,
+    trace: Whole,
+    shape_body: Whole,
+    kind: Whole,
+    used: Whole,
+    hits: Whole,
+    fill: Whole,
+    rows: Array,
+    lanes: Whole,
+    island: Whole,
+    isle: Whole,
+    web: Whole,
+) -> int:
+    """Arrange what touches, and mark the bodies that take part; or say what has too little room."""
+    if counts[ARRANGED] == 1:
+        for k in range(counts[ACTIVE]):
+            used[hits[ACTIVE_BODY, k]] = 1
+    else:
+        needed = colour(counts, pair, trace, shape_body, kind, hits, used, fill)
+        if needed > len(rows):
+            counts[NEEDED] = needed
+            return MORE_BLOCKS
+        counts[THIN] = 0
+        if has_leaf(kind, used):
+            know_islands(counts, pair, shape_body, kind, hits, island)
+            counts[THIN] = plan(counts, pair, shape_body, kind, used, hits, fill, island, isle, web)
+        if counts[THIN] < 0:
+            counts[NEEDED] = -counts[THIN]
+            return MORE_WEB
+        mark_active(counts, kind, used, pair, shape_body, hits)
+        counts[ARRANGED] = 1
+    clear_lanes(len(used) - 1, fill, rows, lanes)
+    return DONE
+
+
+def mark_active(
+    counts: Whole,
+    kind: Whole,
+    used: Whole,
+    pair: Whole,
+    shape_body: Whole,
+    hits: Whole,
+) -> int:
+    """List the moving bodies that have contacts; return how many.
+
+    Their colours, which are not needed any more, become marks.
+    """
+    for k in range(counts[HITS]):
+        p = hits[HIT, k]
+        used[shape_body[pair[p, 0]]] = used[shape_body[pair[p, 1]]] = 0
+    active = 0
+    for k in range(counts[HITS]):
+        p = hits[HIT, k]
+        for n in range(2):
+            i = shape_body[pair[p, n]]
+            if used[i] == 0 and kind[i] >= KINEMATIC:
+                used[i] = 1
+                hits[ACTIVE_BODY, active] = i
+                active += 1
+    counts[ACTIVE] = active
+    listed = 0
+    for i in range(len(kind)):
+        if used[i] == 1:
+            hits[ACTIVE_ROW, listed] = i
+            listed += 1
+    return active
