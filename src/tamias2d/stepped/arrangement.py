@@ -4,7 +4,6 @@ Serves: a step. Hides: that all of it stays from step to step while the same pai
 """
 
 from tamias2d.state import Array
-from tamias2d.stepped.islands import know_islands
 from tamias2d.stepped.layout import (
     ACTIVE,
     ACTIVE_BODY,
@@ -19,7 +18,7 @@ from tamias2d.stepped.layout import (
 )
 from tamias2d.stepped.rows import clear_lanes, colour
 from tamias2d.stepped.surroundings import DONE, MORE_BLOCKS, MORE_WEB
-from tamias2d.stepped.thin import has_leaf, plan
+from tamias2d.stepped.thin import plan
 
 
 def arrange(
@@ -33,7 +32,6 @@ def arrange(
     fill: Whole,
     rows: Array,
     lanes: Whole,
-    island: Whole,
     isle: Whole,
     web: Whole,
 ) -> int:
@@ -46,10 +44,7 @@ def arrange(
         if needed > len(rows):
             counts[NEEDED] = needed
             return MORE_BLOCKS
-        counts[THIN] = 0
-        if has_leaf(kind, used):
-            know_islands(counts, pair, shape_body, kind, hits, island)
-            counts[THIN] = plan(counts, pair, shape_body, kind, used, hits, fill, island, isle, web)
+        counts[THIN] = plan(counts, pair, shape_body, kind, hits, fill, isle, web)
         if counts[THIN] < 0:
             counts[NEEDED] = -counts[THIN]
             return MORE_WEB

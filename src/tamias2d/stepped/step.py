@@ -256,7 +256,7 @@ def step_once(
                 shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
             )  # fmt: skip
         status = arrange(
-            counts, pair, trace, shape_body, kind, used, hits, fill, rows, lanes, island, isle, web
+            counts, pair, trace, shape_body, kind, used, hits, fill, rows, lanes, isle, web
         )
         if status != DONE:
             return status

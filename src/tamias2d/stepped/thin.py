@@ -7,13 +7,24 @@ first, so that almost nothing new comes to be connected.
 Source: Tarjan (1975), for grouping; Tinney and Walker (1967), for the order.
 """
 
-from tamias2d.stepped.layout import DYNAMIC, HIT, HIT_COLOUR, HIT_PLACE, HITS, ISLAND, Whole
+from tamias2d.stepped.layout import (
+    DYNAMIC,
+    HIT,
+    HIT_COLOUR,
+    HIT_PEELED,
+    HIT_PEELED_OFF,
+    HIT_PLACE,
+    HIT_THIN,
+    HITS,
+    Whole,
+)
 from tamias2d.stepped.rows import COLOURS, LANES
 
-# isle (n+1, 6): of the root of an island how many bodies it has, and contacts between them, its
-# number among the thin ones, how many leaves, and contacts with the ground; of a body its knot
-BODIES, CONTACTS, NUMBER, KNOT, LEAVES_OF, GROUNDED = 0, 1, 2, 3, 4, 5
-ISLE = 6
+# isle (n+1, 7), of a body: how many contacts with moving bodies are left to it, and these as one
+# number, by exclusive or; the body that stands for its tree, or -1; its knot; and of that body how
+# many are in the tree, its contacts with the ground, and its number among the thin ones
+DEGREE, THREAD, TREE, KNOT, BODIES, GROUNDED, NUMBER = 0, 1, 2, 3, 4, 5, 6
+ISLE = 7
 
 # web: columns of lists that have nothing else to do with each other
 K_BODY, K_HEAD, K_DEGREE, K_TURN = 0, 1, 2, 3  # a knot: a moving body of a thin island
@@ -27,64 +38,82 @@ J_BUILT = 23  # the state with which a joint was eliminated
 WEB = 24
 
 
-def island_of(
-    k: int, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, island: Whole
+def find_trees(
+    counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, isle: Whole
 ) -> int:
-    """Return the root of the island to which a touching pair belongs."""
-    p = hits[0, k]
-    i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
-    return island[i if kind[i] == DYNAMIC else j, ISLAND]
+    """List the touching pairs of thin islands in `hits`; return how many.
 
-
-def is_leaf(i: int, kind: Whole, used: Whole) -> bool:
-    """Return whether a moving body has one contact, which is one colour."""
-    return kind[i] == DYNAMIC and used[i] != 0 and used[i] & (used[i] - 1) == 0
-
-
-def has_leaf(kind: Whole, used: Whole) -> bool:
-    """Return whether any body is a leaf: without one there is no thin island to be looked for."""
-    leaves = 0
-    for i in range(len(kind)):
-        leaves += 1 if is_leaf(i, kind, used) else 0
-    return leaves > 0
-
-
-def is_thin(i: int, isle: Whole) -> bool:
-    """Return whether an island hangs together like a tree, the ground being one of its bodies.
-
+    A thin island hangs together like a tree, and touches what does not move in one place at most.
     Then its contacts ask for no more than its bodies can do, and there is one answer.
     """
-    tree = isle[i, BODIES] > 1 and isle[i, CONTACTS] < isle[i, BODIES] and isle[i, GROUNDED] <= 1
-    return tree and isle[i, LEAVES_OF] > 0
-
-
-def count_islands(
-    counts: Whole,
-    pair: Whole,
-    shape_body: Whole,
-    kind: Whole,
-    used: Whole,
-    hits: Whole,
-    island: Whole,
-    isle: Whole,
-) -> int:
-    """Count bodies and contacts of all islands; return how many contacts are in thin ones."""
-    for i in range(len(kind)):
-        isle[i, BODIES] = isle[i, CONTACTS] = isle[i, LEAVES_OF] = isle[i, GROUNDED] = 0
-        isle[i, NUMBER] = isle[i, KNOT] = -1
-    for i in range(len(kind)):
-        isle[island[i, ISLAND], BODIES] += 1
-        isle[island[i, ISLAND], LEAVES_OF] += 1 if is_leaf(i, kind, used) else 0
+    thread_contacts(counts, pair, shape_body, kind, hits, isle)
+    peeled = peel(counts, pair, shape_body, hits, isle)
     for k in range(counts[HITS]):
-        p = hits[0, k]
-        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
-        free = kind[i] == DYNAMIC and kind[j] == DYNAMIC
-        at = CONTACTS if free else GROUNDED
-        isle[island_of(k, pair, shape_body, kind, hits, island), at] += 1
-    joints = 0
-    for i in range(len(kind)):
-        joints += isle[i, CONTACTS] + isle[i, GROUNDED] if is_thin(i, isle) else 0
-    return joints
+        for n in range(2):
+            i = shape_body[pair[hits[HIT, k], n]]
+            isle[i, TREE] = i if isle[i, DEGREE] == 0 and kind[i] == DYNAMIC else -1
+    for t in range(peeled - 1, -1, -1):
+        i = hits[HIT_PEELED, t]
+        root = isle[hits[HIT_PEELED_OFF, t], TREE]
+        isle[i, TREE] = root
+        if root >= 0:
+            isle[root, BODIES] += 1
+    for k in range(counts[HITS]):
+        i, j = shape_body[pair[hits[HIT, k], 0]], shape_body[pair[hits[HIT, k], 1]]
+        root = isle[i, TREE] if kind[i] == DYNAMIC else isle[j, TREE]
+        if root >= 0 and (kind[i] != DYNAMIC or kind[j] != DYNAMIC):
+            isle[root, GROUNDED] += 1
+    listed = 0
+    for k in range(counts[HITS]):
+        root = tree_of(k, pair, shape_body, kind, hits, isle)
+        if root >= 0 and isle[root, BODIES] > 1 and isle[root, GROUNDED] <= 1:
+            hits[HIT_THIN, listed] = k
+            listed += 1
+    return listed
+
+
+def thread_contacts(
+    counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, isle: Whole
+) -> None:
+    """Count the contacts of each body with moving ones, and join their numbers to one."""
+    for k in range(counts[HITS]):
+        for n in range(2):
+            i = shape_body[pair[hits[HIT, k], n]]
+            isle[i, DEGREE] = isle[i, THREAD] = isle[i, GROUNDED] = 0
+            isle[i, BODIES], isle[i, KNOT], isle[i, NUMBER] = 1, -1, -1
+    for k in range(counts[HITS]):
+        i, j = shape_body[pair[hits[HIT, k], 0]], shape_body[pair[hits[HIT, k], 1]]
+        if kind[i] == DYNAMIC and kind[j] == DYNAMIC:
+            isle[i, DEGREE], isle[j, DEGREE] = isle[i, DEGREE] + 1, isle[j, DEGREE] + 1
+            isle[i, THREAD], isle[j, THREAD] = isle[i, THREAD] ^ k, isle[j, THREAD] ^ k
+
+
+def peel(counts: Whole, pair: Whole, shape_body: Whole, hits: Whole, isle: Whole) -> int:
+    """Take away bodies with one contact left, until there is none; return how many these are.
+
+    Of a tree one body is left, without a contact; of all else some that have two or more.
+    """
+    peeled = 0
+    for k in range(counts[HITS]):
+        for n in range(2):
+            i = shape_body[pair[hits[HIT, k], n]]
+            while isle[i, DEGREE] == 1:
+                link = isle[i, THREAD]
+                p = hits[HIT, link]
+                other = shape_body[pair[p, 0]] + shape_body[pair[p, 1]] - i
+                isle[i, DEGREE] = 0
+                isle[other, DEGREE] -= 1
+                isle[other, THREAD] ^= link
+                hits[HIT_PEELED, peeled], hits[HIT_PEELED_OFF, peeled] = i, other
+                peeled += 1
+                i = other
+    return peeled
+
+
+def tree_of(k: int, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, isle: Whole) -> int:
+    """Return the body that stands for the tree to which a touching pair belongs, or -1."""
+    i, j = shape_body[pair[hits[HIT, k], 0]], shape_body[pair[hits[HIT, k], 1]]
+    return isle[i, TREE] if kind[i] == DYNAMIC else isle[j, TREE]
 
 
 def plan(
@@ -92,10 +121,8 @@ def plan(
     pair: Whole,
     shape_body: Whole,
     kind: Whole,
-    used: Whole,
     hits: Whole,
     fill: Whole,
-    island: Whole,
     isle: Whole,
     web: Whole,
 ) -> int:
@@ -103,21 +130,20 @@ def plan(
 
     Or less than zero: for how much room `web` has too little.
     """
-    joints = count_islands(counts, pair, shape_body, kind, used, hits, island, isle)
-    if joints == 0:
+    listed = find_trees(counts, pair, shape_body, kind, hits, isle)
+    if listed == 0:
         return 0
-    if 5 * joints + 16 > len(web):
-        return -(5 * joints + 16)
+    if 5 * listed + 16 > len(web):
+        return -(5 * listed + 16)
     islands = knots = 0
-    for k in range(counts[HITS]):
-        i = island_of(k, pair, shape_body, kind, hits, island)
-        if is_thin(i, isle):
-            if isle[i, NUMBER] < 0:
-                isle[i, NUMBER] = islands
-                web[islands, I_KNOT], web[islands, I_JOINT] = knots, 0
-                knots += isle[i, BODIES]
-                islands += 1
-            web[isle[i, NUMBER], I_JOINT] += 1
+    for m in range(listed):
+        i = tree_of(hits[HIT_THIN, m], pair, shape_body, kind, hits, isle)
+        if isle[i, NUMBER] < 0:
+            isle[i, NUMBER] = islands
+            web[islands, I_KNOT], web[islands, I_JOINT] = knots, 0
+            knots += isle[i, BODIES]
+            islands += 1
+        web[isle[i, NUMBER], I_JOINT] += 1
     joints = 0
     for n in range(islands):
         count = web[n, I_JOINT]
@@ -126,10 +152,10 @@ def plan(
         joints += count
     web[islands, I_KNOT], web[islands, I_JOINT] = knots, joints
     links = 0
-    for k in range(counts[HITS]):
-        number = isle[island_of(k, pair, shape_body, kind, hits, island), NUMBER]
-        if number >= 0:
-            links = join(k, links, number, pair, shape_body, kind, hits, fill, isle, web)
+    for m in range(listed):
+        k = hits[HIT_THIN, m]
+        number = isle[tree_of(k, pair, shape_body, kind, hits, isle), NUMBER]
+        links = join(k, links, number, pair, shape_body, kind, hits, fill, isle, web)
     tape = 0
     for n in range(islands):
         links, tape = eliminate(n, links, tape, web)
