@@ -9,7 +9,8 @@ from tamias2d.stepped.layout import (
     ACTIVE_BODY,
     ACTIVE_ROW,
     ARRANGED,
-    HIT,
+    HIT_A,
+    HIT_B,
     HITS,
     KINEMATIC,
     NEEDED,
@@ -23,9 +24,7 @@ from tamias2d.stepped.thin import plan
 
 def arrange(
     counts: Whole,
-    pair: Whole,
     trace: Whole,
-    shape_body: Whole,
     kind: Whole,
     used: Whole,
     hits: Whole,
@@ -40,15 +39,15 @@ def arrange(
         for k in range(counts[ACTIVE]):
             used[hits[ACTIVE_BODY, k]] = 1
     else:
-        needed = colour(counts, pair, trace, shape_body, kind, hits, used, fill)
+        needed = colour(counts, trace, kind, hits, used, fill)
         if needed > len(rows):
             counts[NEEDED] = needed
             return MORE_BLOCKS
-        counts[THIN] = plan(counts, pair, shape_body, kind, hits, fill, isle, web)
+        counts[THIN] = plan(counts, kind, hits, fill, isle, web)
         if counts[THIN] < 0:
             counts[NEEDED] = -counts[THIN]
             return MORE_WEB
-        mark_active(counts, kind, used, pair, shape_body, hits)
+        mark_active(counts, kind, used, hits)
         counts[ARRANGED] = 1
     clear_lanes(len(used) - 1, fill, rows, lanes)
     return DONE
@@ -58,22 +57,17 @@ def mark_active(
     counts: Whole,
     kind: Whole,
     used: Whole,
-    pair: Whole,
-    shape_body: Whole,
     hits: Whole,
 ) -> int:
     """List the moving bodies that have contacts; return how many.
 
     Their colours, which are not needed any more, become marks.
     """
-    for k in range(counts[HITS]):
-        p = hits[HIT, k]
-        used[shape_body[pair[p, 0]]] = used[shape_body[pair[p, 1]]] = 0
+    for i in range(len(used)):
+        used[i] = 0
     active = 0
     for k in range(counts[HITS]):
-        p = hits[HIT, k]
-        for n in range(2):
-            i = shape_body[pair[p, n]]
+        for i in (hits[HIT_A, k], hits[HIT_B, k]):
             if used[i] == 0 and kind[i] >= KINEMATIC:
                 used[i] = 1
                 hits[ACTIVE_BODY, active] = i

@@ -56,6 +56,8 @@ from tamias2d.stepped.layout import (
     EARLIER,
     GRAVITY_X,
     GRAVITY_Y,
+    HIT_A,
+    HIT_B,
     HITS,
     INVERSE_INERTIA,
     INVERSE_MASS,
@@ -156,8 +158,6 @@ def bound_energy(
     load: Array,
     body: Array,
     kind: Whole,
-    pair: Whole,
-    shape_body: Whole,
     hits: Whole,
     island: Whole,
     energy: Array,
@@ -166,7 +166,7 @@ def bound_energy(
     bouncing: int,
 ) -> None:
     """Take back of the bounce and of the motion of each island what makes energy."""
-    look_from_supports(counts, pose, motion, body, kind, pair, shape_body, hits, island, energy)
+    look_from_supports(counts, pose, motion, body, kind, hits, island, energy)
     sum_energies(settings, counts, pose, motion, load, body, kind, hits, island, energy, bouncing)
     if share_bounces(counts, kind, hits, island, energy, bouncing):
         take_back(counts, motion, kind, hits, island, energy)
@@ -182,8 +182,6 @@ def look_from_supports(
     motion: Array,
     body: Array,
     kind: Whole,
-    pair: Whole,
-    shape_body: Whole,
     hits: Whole,
     island: Whole,
     energy: Array,
@@ -214,8 +212,7 @@ def look_from_supports(
             whole = (energy[i, SEEN], energy[i, SEEN + 1])
             energy[i, SEEN], energy[i, SEEN + 1] = velocity_island(whole, energy[i, SUMS])
     for k in range(counts[HITS]):
-        p = hits[0, k]
-        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+        i, j = hits[HIT_A, k], hits[HIT_B, k]
         if kind[i] != DYNAMIC:
             i, j = j, i
         if kind[j] != DYNAMIC:

@@ -7,14 +7,22 @@ Cost: about as many visits as there are contacts. Source: Tarjan and van Leeuwen
 path halving.
 """
 
-from tamias2d.stepped.layout import DYNAMIC, HITS, ISLAND, ISLANDED, PATIENCE, TURN_IN, Whole
+from tamias2d.stepped.layout import (
+    DYNAMIC,
+    HIT_A,
+    HIT_B,
+    HITS,
+    ISLAND,
+    ISLANDED,
+    PATIENCE,
+    TURN_IN,
+    Whole,
+)
 
 LAST = 2**62
 
 
-def find_islands(
-    counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, island: Whole
-) -> None:
+def find_islands(counts: Whole, kind: Whole, hits: Whole, island: Whole) -> None:
     """Give each body that moves freely the row of that body of its island which touches first.
 
     `hits` holds the touching pairs in its first row, in canonical order: so it is not the order of
@@ -23,8 +31,7 @@ def find_islands(
     for i in range(len(kind)):
         island[i, ISLAND], island[i, TURN_IN] = i, LAST
     for k in range(counts[HITS]):
-        p = hits[0, k]
-        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+        i, j = hits[HIT_A, k], hits[HIT_B, k]
         island[i, TURN_IN] = min(island[i, TURN_IN], 2 * k)
         island[j, TURN_IN] = min(island[j, TURN_IN], 2 * k + 1)
         if kind[i] == DYNAMIC and kind[j] == DYNAMIC:
@@ -36,12 +43,10 @@ def find_islands(
         island[i, ISLAND] = root_of(i, island)
 
 
-def know_islands(
-    counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, island: Whole
-) -> None:
+def know_islands(counts: Whole, kind: Whole, hits: Whole, island: Whole) -> None:
     """Find the islands, unless they are known; where bodies may sleep, sleep writes them too."""
     if counts[ISLANDED] == 0 or counts[PATIENCE] > 0:
-        find_islands(counts, pair, shape_body, kind, hits, island)
+        find_islands(counts, kind, hits, island)
         counts[ISLANDED] = 1
 
 

@@ -29,11 +29,13 @@ PATIENCE, DORMANT = 18, 19  # steps of quiet until sleep, 0 for never; how many 
 SORTED, MENDED = 20, 21  # pairs of the first run of the list; bodies that left since it was made
 ARRANGED, ISLANDED = 22, 23  # whether blocks, and islands, are those of what touches now
 
-# hits (8, 2p): pairs that touch, in canonical order, with their colours and places in them; then
+# hits (10, 2p): pairs that touch, in canonical order, with their colours and places in them; then
 # moving bodies that they touch, in the order of touching, and in that of their rows; those of the
-# pairs that are in thin islands; and for finding them what is peeled, and off which body
+# pairs that are in thin islands; and for finding them what is peeled, and off which body; and the
+# bodies of the pairs
 HIT, HIT_COLOUR, HIT_PLACE, ACTIVE_BODY, ACTIVE_ROW = 0, 1, 2, 3, 4
 HIT_THIN, HIT_PEELED, HIT_PEELED_OFF = 5, 6, 7
+HIT_A, HIT_B = 8, 9
 
 # what is known of a step that has begun (PHASE)
 BEGUN, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5

@@ -12,6 +12,8 @@ from tamias2d.stepped.layout import (
     DORMANT,
     GAP,
     HIT,
+    HIT_A,
+    HIT_B,
     HIT_COLOUR,
     HITS,
     ISLANDED,
@@ -105,7 +107,7 @@ def meet(
             continue
         if filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
             same = same & (hits[HIT, total] == p) & (hits[HIT_COLOUR, total] % 2 == count - 1)
-            hits[HIT, total] = p
+            hits[HIT, total], hits[HIT_A, total], hits[HIT_B, total] = p, i, j
             total += 1
         elif touch[p, GAP] <= 0.0 or (count == 2 and touch[p, GAP + POINT] <= 0.0):
             trace[p, TOUCHED] |= SENSED

@@ -24,6 +24,8 @@ from tamias2d.stepped.layout import (
     DYNAMIC,
     GAP,
     HIT,
+    HIT_A,
+    HIT_B,
     HIT_COLOUR,
     HIT_PLACE,
     HITS,
@@ -86,9 +88,7 @@ WIDTH = SECOND + SIZE
 
 def colour(
     counts: Whole,
-    pair: Whole,
     trace: Whole,
-    shape_body: Whole,
     kind: Whole,
     hits: Whole,
     used: Whole,
@@ -101,13 +101,10 @@ def colour(
     """
     for k in range(128):
         fill[0, k] = 0
+    for i in range(len(used)):
+        used[i] = 0
     for k in range(counts[HITS]):
-        p = hits[0, k]
-        used[shape_body[pair[p, 0]]] = 0
-        used[shape_body[pair[p, 1]]] = 0
-    for k in range(counts[HITS]):
-        p = hits[0, k]
-        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+        p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
         one, other = kind[i] == DYNAMIC, kind[j] == DYNAMIC
         taken = (used[i] if one else 0) | (used[j] if other else 0)
         c = 0 if one and other else MOVING
@@ -151,7 +148,6 @@ def fill_rows(
     counts: Whole,
     pair: Whole,
     touch: Array,
-    shape_body: Whole,
     shape_radius: Array,
     surface: Array,
     pose: Array,
@@ -171,7 +167,7 @@ def fill_rows(
         else:
             b, m = fill[1, c] + place // LANES, place % LANES
         s, t = pair[p, 0], pair[p, 1]
-        i, j = shape_body[s], shape_body[t]
+        i, j = hits[HIT_A, k], hits[HIT_B, k]
         lanes[b, BODY_A + m], lanes[b, BODY_B + m], lanes[b, SLOT + m] = i, j, p
         row = rows[b]
         normal_x, normal_y = touch[p, NX], touch[p, NY]

@@ -149,7 +149,7 @@ def note_company(
     counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, island: Whole
 ) -> None:
     """Note of each body whether it touches anything, and whether that is moved by nobody's push."""
-    find_islands(counts, pair, shape_body, kind, hits, island)
+    find_islands(counts, kind, hits, island)
     for i in range(len(kind)):
         island[i, COMPANY] = ALONE
     for k in range(counts[HITS]):

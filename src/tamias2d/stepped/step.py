@@ -255,19 +255,17 @@ def step_once(
                 settings, counts, pose, motion, shape_body, shape_kind, shape_first, shape_count,
                 shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
             )  # fmt: skip
-        status = arrange(
-            counts, pair, trace, shape_body, kind, used, hits, fill, rows, lanes, isle, web
-        )
+        status = arrange(counts, trace, kind, used, hits, fill, rows, lanes, isle, web)
         if status != DONE:
             return status
         bouncing = fill_rows(
-            counts, pair, touch, shape_body, shape_radius, surface, pose, motion, body,
+            counts, pair, touch, shape_radius, surface, pose, motion, body,
             hits, fill, rows, lanes,
         )  # fmt: skip
         finish_rows(settings, counts, rows, lanes)
         solve(
-            settings, counts, pose, motion, load, body, kind, pair, shape_body, hits, rows,
-            lanes, bench, carried, island, energy, bouncing, web, weave,
+            settings, counts, pose, motion, load, body, kind, hits, rows, lanes, bench, carried,
+            island, energy, bouncing, web, weave,
         )  # fmt: skip
         age_touches(counts, trace)
         keep_impulses(counts, pair, shape_body, pose, rows, lanes, touch, trace)

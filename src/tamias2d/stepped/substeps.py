@@ -64,8 +64,6 @@ def solve(
     load: Array,
     body: Array,
     kind: Whole,
-    pair: Whole,
-    shape_body: Whole,
     hits: Whole,
     rows: Array,
     lanes: Whole,
@@ -99,9 +97,9 @@ def solve(
         if bouncing > 0:
             note_velocities(UNBOUNCED, counts, motion, hits, energy)
             bounce(blocks, rows, lanes, motion, bench, slowest)
-        know_islands(counts, pair, shape_body, kind, hits, island)
+        know_islands(counts, kind, hits, island)
         bound_energy(
-            settings, counts, pose, motion, load, body, kind, pair, shape_body, hits, island,
+            settings, counts, pose, motion, load, body, kind, hits, island,
             energy, rows, lanes, bouncing,
         )  # fmt: skip
 

@@ -9,7 +9,8 @@ Source: Tarjan (1975), for grouping; Tinney and Walker (1967), for the order.
 
 from tamias2d.stepped.layout import (
     DYNAMIC,
-    HIT,
+    HIT_A,
+    HIT_B,
     HIT_COLOUR,
     HIT_PEELED,
     HIT_PEELED_OFF,
@@ -38,19 +39,16 @@ J_BUILT = 23  # the state with which a joint was eliminated
 WEB = 24
 
 
-def find_trees(
-    counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, isle: Whole
-) -> int:
+def find_trees(counts: Whole, kind: Whole, hits: Whole, isle: Whole) -> int:
     """List the touching pairs of thin islands in `hits`; return how many.
 
     A thin island hangs together like a tree, and touches what does not move in one place at most.
     Then its contacts ask for no more than its bodies can do, and there is one answer.
     """
-    thread_contacts(counts, pair, shape_body, kind, hits, isle)
-    peeled = peel(counts, pair, shape_body, hits, isle)
+    thread_contacts(counts, kind, hits, isle)
+    peeled = peel(counts, hits, isle)
     for k in range(counts[HITS]):
-        for n in range(2):
-            i = shape_body[pair[hits[HIT, k], n]]
+        for i in (hits[HIT_A, k], hits[HIT_B, k]):
             isle[i, TREE] = i if isle[i, DEGREE] == 0 and kind[i] == DYNAMIC else -1
     for t in range(peeled - 1, -1, -1):
         i = hits[HIT_PEELED, t]
@@ -59,67 +57,61 @@ def find_trees(
         if root >= 0:
             isle[root, BODIES] += 1
     for k in range(counts[HITS]):
-        i, j = shape_body[pair[hits[HIT, k], 0]], shape_body[pair[hits[HIT, k], 1]]
+        i, j = hits[HIT_A, k], hits[HIT_B, k]
         root = isle[i, TREE] if kind[i] == DYNAMIC else isle[j, TREE]
         if root >= 0 and (kind[i] != DYNAMIC or kind[j] != DYNAMIC):
             isle[root, GROUNDED] += 1
     listed = 0
     for k in range(counts[HITS]):
-        root = tree_of(k, pair, shape_body, kind, hits, isle)
+        root = tree_of(k, kind, hits, isle)
         if root >= 0 and isle[root, BODIES] > 1 and isle[root, GROUNDED] <= 1:
             hits[HIT_THIN, listed] = k
             listed += 1
     return listed
 
 
-def thread_contacts(
-    counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, isle: Whole
-) -> None:
+def thread_contacts(counts: Whole, kind: Whole, hits: Whole, isle: Whole) -> None:
     """Count the contacts of each body with moving ones, and join their numbers to one."""
     for k in range(counts[HITS]):
-        for n in range(2):
-            i = shape_body[pair[hits[HIT, k], n]]
+        for i in (hits[HIT_A, k], hits[HIT_B, k]):
             isle[i, DEGREE] = isle[i, THREAD] = isle[i, GROUNDED] = 0
             isle[i, BODIES], isle[i, KNOT], isle[i, NUMBER] = 1, -1, -1
     for k in range(counts[HITS]):
-        i, j = shape_body[pair[hits[HIT, k], 0]], shape_body[pair[hits[HIT, k], 1]]
+        i, j = hits[HIT_A, k], hits[HIT_B, k]
         if kind[i] == DYNAMIC and kind[j] == DYNAMIC:
             isle[i, DEGREE], isle[j, DEGREE] = isle[i, DEGREE] + 1, isle[j, DEGREE] + 1
             isle[i, THREAD], isle[j, THREAD] = isle[i, THREAD] ^ k, isle[j, THREAD] ^ k
 
 
-def peel(counts: Whole, pair: Whole, shape_body: Whole, hits: Whole, isle: Whole) -> int:
+def peel(counts: Whole, hits: Whole, isle: Whole) -> int:
     """Take away bodies with one contact left, until there is none; return how many these are.
 
     Of a tree one body is left, without a contact; of all else some that have two or more.
     """
     peeled = 0
     for k in range(counts[HITS]):
-        for n in range(2):
-            i = shape_body[pair[hits[HIT, k], n]]
-            while isle[i, DEGREE] == 1:
-                link = isle[i, THREAD]
-                p = hits[HIT, link]
-                other = shape_body[pair[p, 0]] + shape_body[pair[p, 1]] - i
-                isle[i, DEGREE] = 0
+        for i in (hits[HIT_A, k], hits[HIT_B, k]):
+            leaf = i
+            while isle[leaf, DEGREE] == 1:
+                link = isle[leaf, THREAD]
+                other = hits[HIT_A, link] + hits[HIT_B, link] - leaf
+                isle[leaf, DEGREE] = 0
                 isle[other, DEGREE] -= 1
                 isle[other, THREAD] ^= link
-                hits[HIT_PEELED, peeled], hits[HIT_PEELED_OFF, peeled] = i, other
+                hits[HIT_PEELED, peeled], hits[HIT_PEELED_OFF, peeled] = leaf, other
                 peeled += 1
-                i = other
+                leaf = other
     return peeled
 
 
-def tree_of(k: int, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, isle: Whole) -> int:
+def tree_of(k: int, kind: Whole, hits: Whole, isle: Whole) -> int:
     """Return the body that stands for the tree to which a touching pair belongs, or -1."""
-    i, j = shape_body[pair[hits[HIT, k], 0]], shape_body[pair[hits[HIT, k], 1]]
+    i, j = hits[HIT_A, k], hits[HIT_B, k]
     return isle[i, TREE] if kind[i] == DYNAMIC else isle[j, TREE]
 
 
 def plan(
     counts: Whole,
-    pair: Whole,
-    shape_body: Whole,
     kind: Whole,
     hits: Whole,
     fill: Whole,
@@ -130,14 +122,14 @@ def plan(
 
     Or less than zero: for how much room `web` has too little.
     """
-    listed = find_trees(counts, pair, shape_body, kind, hits, isle)
+    listed = find_trees(counts, kind, hits, isle)
     if listed == 0:
         return 0
     if 5 * listed + 16 > len(web):
         return -(5 * listed + 16)
     islands = knots = 0
     for m in range(listed):
-        i = tree_of(hits[HIT_THIN, m], pair, shape_body, kind, hits, isle)
+        i = tree_of(hits[HIT_THIN, m], kind, hits, isle)
         if isle[i, NUMBER] < 0:
             isle[i, NUMBER] = islands
             web[islands, I_KNOT], web[islands, I_JOINT] = knots, 0
@@ -154,8 +146,8 @@ def plan(
     links = 0
     for m in range(listed):
         k = hits[HIT_THIN, m]
-        number = isle[tree_of(k, pair, shape_body, kind, hits, isle), NUMBER]
-        links = join(k, links, number, pair, shape_body, kind, hits, fill, isle, web)
+        number = isle[tree_of(k, kind, hits, isle), NUMBER]
+        links = join(k, links, number, kind, hits, fill, isle, web)
     tape = 0
     for n in range(islands):
         links, tape = eliminate(n, links, tape, web)
@@ -168,8 +160,6 @@ def join(
     k: int,
     links: int,
     number: int,
-    pair: Whole,
-    shape_body: Whole,
     kind: Whole,
     hits: Whole,
     fill: Whole,
@@ -177,8 +167,8 @@ def join(
     web: Whole,
 ) -> int:
     """List a touching pair as a joint, with its knots and its link; return how many links."""
-    p, c, place = hits[HIT, k], hits[HIT_COLOUR, k], hits[HIT_PLACE, k]
-    i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+    c, place = hits[HIT_COLOUR, k], hits[HIT_PLACE, k]
+    i, j = hits[HIT_A, k], hits[HIT_B, k]
     joint = web[number, LEAF]
     web[number, LEAF] += 1
     single = c >= 2 * COLOURS

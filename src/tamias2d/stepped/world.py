@@ -91,7 +91,7 @@ class World:
         self.pairs = np.zeros((2, 16, 2), dtype=np.int32)
         self.touches = np.zeros((2, 16, TOUCH))
         self.traces = np.zeros((2, 16, 6), dtype=np.int32)
-        self.hits = np.zeros((8, 32), dtype=np.int64)
+        self.hits = np.zeros((10, 32), dtype=np.int64)
         self.fill = np.zeros((3, 128), dtype=np.int64)
         self.rows = np.zeros((4, WIDTH))
         self.lanes = np.zeros((4, 50), dtype=np.uint32)
@@ -188,7 +188,7 @@ class World:
         return DONE
 
     def _more_pairs(self, room: int) -> None:
-        self.hits = np.zeros((8, 2 * room), dtype=np.int64)  # a pair has two bodies
+        self.hits = np.zeros((10, 2 * room), dtype=np.int64)  # a pair has two bodies
         self.times = np.zeros(room)
         for name in ("pairs", "touches", "traces"):
             old = getattr(self, name)

@@ -81,7 +81,7 @@ SCENES = {
     "disc-pile": _listed("disc-pile", timed=600, steps=1200),
     "tumbler": _listed("tumbler", timed=600, steps=600),
     "free-discs": _listed("free-discs", timed=300, steps=300),
-    "free-discs-ahead": Entry(partial(catalogue.load, "free-discs"), 300, 300, call=60),
+    "free-discs-ahead": Entry(partial(catalogue.load, "free-discs"), 600, 300, call=60),
     "stack-100": Entry(partial(column, 100), timed=300, steps=600, stands=True),
     "stack-10-heavy": _listed("stack-10-heavy", timed=600, steps=600, stands=True),
     "arch": _listed("arch", timed=600, steps=600, stands=True),
