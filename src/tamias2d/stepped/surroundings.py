@@ -31,7 +31,7 @@ from tamias2d.stepped.pairs import fatten, find_pairs, sort_pairs
 from tamias2d.stepped.turning import turn_corners
 
 LONGEST = 64  # steps ahead that a list is made for, at most
-CROWD = 4  # pairs to a shape: where there are more, a list is made for less long
+CROWD = 3  # pairs to a shape: where there are more, a list is made for less long
 MENDABLE = 0.125  # of all bodies: so many may leave their rooms until all look around again
 
 DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND, MORE_WEB = 0, 1, 2, 3, 4, 5  # of a step
