@@ -7,7 +7,7 @@ import numpy as np
 
 from tamias2d.scene import Disc, HalfPlane, Scene
 
-SEED = 2718  # nothing was tuned on these but the last margin of bounds, from 1.25 to 1.5
+SEED = 1618  # nothing was tuned on these; 2718 and 31415 showed what had to be mended
 _EACH = 6
 _G = (0.0, -9.81)
 
