@@ -180,13 +180,13 @@ def fly(
         out_i = bent and leaves(i, settings, kind, pose, motion, body, home)
         out_j = bent and leaves(j, settings, kind, pose, motion, body, home)
         if out_i or out_j:
-            pushed = kind[i] == KINEMATIC or kind[j] == KINEMATIC
+            pushed = cannot_wait(i, gained, kind) or cannot_wait(j, gained, kind)
             if looks > (-LOOKS_AROUND if pushed else 0):
                 return now
             if out_i:
-                stop(i, now, pose, motion, kind)
+                stop(i, now, pose, motion)
             if out_j:
-                stop(j, now, pose, motion, kind)
+                stop(j, now, pose, motion)
         if not bent and left < 0:
             times[p] = MISSED
             continue
@@ -248,21 +248,23 @@ def stand_by(
     What has met something that cannot wait, or something that goes along with that, goes along,
     too; `again` says that this may happen to a body more than once.
     """
-    held_i = kind[i] != DYNAMIC or gained[i, BENT] == PUSHED_ON
-    held_j = kind[j] != DYNAMIC or gained[j, BENT] == PUSHED_ON
+    held_i, held_j = cannot_wait(i, gained, kind), cannot_wait(j, gained, kind)
     if not held_i and not held_j:
-        stop(i, now, pose, motion, kind)
-        stop(j, now, pose, motion, kind)
+        stop(i, now, pose, motion)
+        stop(j, now, pose, motion)
         return True
     if held_i and held_j and not again:
         return False
     if kind[j] != DYNAMIC or (held_j and kind[i] == DYNAMIC):
         i, j = j, i
-    if kind[j] != DYNAMIC:
-        return False
     go_along(i, j, now, pose, motion)
     gained[j, BENT] = PUSHED_ON
     return True
+
+
+def cannot_wait(i: int, gained: Array, kind: Whole) -> bool:
+    """Return whether a body stays on its line whatever it meets, or goes along with such a one."""
+    return bool(kind[i] != DYNAMIC or gained[i, BENT] == PUSHED_ON)
 
 
 def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:

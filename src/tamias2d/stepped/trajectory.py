@@ -15,11 +15,9 @@ from tamias2d.stepped.layout import (
     DTURN,
     DX,
     DY,
-    DYNAMIC,
     INVERSE_INERTIA,
     INVERSE_MASS,
     TURN,
-    Whole,
     X,
     Y,
 )
@@ -60,10 +58,9 @@ def bend_line(i: int, now: float, by: Vector, turn: float, pose: Array, motion: 
     motion[i, DTURN] += turn
 
 
-def stop(i: int, now: float, pose: Array, motion: Array, kind: Whole) -> None:
+def stop(i: int, now: float, pose: Array, motion: Array) -> None:
     """Let a body stay where it is at a fraction of the step; it keeps its velocity."""
-    if kind[i] == DYNAMIC:
-        bend_line(i, now, (-motion[i, DX], -motion[i, DY]), -motion[i, DTURN], pose, motion)
+    bend_line(i, now, (-motion[i, DX], -motion[i, DY]), -motion[i, DTURN], pose, motion)
 
 
 def go_along(i: int, j: int, now: float, pose: Array, motion: Array) -> None:
