@@ -293,6 +293,26 @@ def test_a_fall_ends_on_the_floor_however_long_steps_are(
     assert depths[2] < 1e-4  # at 60 Hz
 
 
+@pytest.mark.parametrize("time_step", [0.1, 0.2, 0.5])
+@pytest.mark.parametrize("turn", [0.3, 0.7])
+@pytest.mark.parametrize("height", [1.0, 1.7, 3.0])
+def test_what_tips_over_in_a_long_step_stays_on_a_thin_floor(
+    height: float, turn: float, time_step: float
+) -> None:
+    """The corner that the solver knows holds; others come down within the step."""
+    scene = t2.Scene(gravity=(0.0, -GRAVITY))
+    scene.add_static(t2.Box(width=20.0, height=0.1), position=(0.0, -0.05), restitution=0.0)
+    square = t2.Box(width=1.0, height=1.0)
+    scene.add_body(
+        square, mass=1.0, position=(0.0, height + 0.5), orientation=turn, restitution=0.0
+    )
+    sim = Simulator(scene, time_step=time_step)
+    for _ in range(round(20.0 / time_step)):
+        sim.step()
+        assert sim.position[1, 1] > 0.25  # a corner may go in by 0.7 of half the widths of both
+    assert sim.position[1, 1] == pytest.approx(0.5, abs=0.02)
+
+
 # -- X5, X6: far away, and of any size
 
 
