@@ -31,10 +31,13 @@ from tamias2d.stepped.layout import (
     LOW_Y,
     SPIN,
     STATIC,
+    TURN,
     TURN_ROOM,
     VX,
     VY,
     Whole,
+    X,
+    Y,
 )
 from tamias2d.stepped.rows import LANES
 from tamias2d.stepped.tree import FAR
@@ -64,6 +67,9 @@ def coast(
     `carried` (n+1, 12) is for where they get to.
     """
     frame = (settings[FRAME_X], settings[FRAME_Y], settings[FRAME_VX], settings[FRAME_VY])
+    pull = settings[GRAVITY_X] + settings[GRAVITY_Y]
+    if pull - pull != 0.0:
+        return 0
     while steps > 0:
         left = steps
         for first in range(0, len(kind), LANES):
@@ -108,15 +114,18 @@ def load_lanes(
             rest(m, bench)
             for n in range(3):
                 bench[L_LOW + LANES * n + m], bench[L_HIGH + LANES * n + m] = -FAR, FAR
+            if i < len(kind) and not is_sound(i, pose, motion, load):
+                bench[L_LOW + m] = FAR
             continue
         bench[L_LOW + m], bench[L_HIGH + m] = home[i, LOW_X], home[i, HIGH_X]
         bench[L_LOW + LANES + m], bench[L_HIGH + LANES + m] = home[i, LOW_Y], home[i, HIGH_Y]
         turn, room = home[i, HOME_TURN], home[i, TURN_ROOM]
         bench[L_LOW + 2 * LANES + m], bench[L_HIGH + 2 * LANES + m] = turn - room, turn + room
+        moves = motion[i, VX] != 0.0 or motion[i, VY] != 0.0 or motion[i, SPIN] != 0.0
         if kind[i] == STATIC:
             rest(m, bench)
-            if motion[i, VX] != 0.0 or motion[i, VY] != 0.0 or motion[i, SPIN] != 0.0:
-                bench[L_LOW + m] = FAR  # which is for an ordinary step to tell
+        if not is_sound(i, pose, motion, load) or (kind[i] == STATIC and moves):
+            bench[L_LOW + m] = FAR  # out of its room: it is for an ordinary step to tell
         by_x = by_y = turn = 0.0
         if kind[i] == DYNAMIC:
             by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
@@ -131,6 +140,13 @@ def load_lanes(
                 bench[L_DECAY + LANES * n + m] = body[i, at + DECAY]
                 bench[L_GAIN + LANES * n + m] = body[i, at + GAIN]
                 bench[L_LIFT + LANES * n + m] = body[i, at + LIFT]
+
+
+def is_sound(i: int, pose: Array, motion: Array, load: Array) -> bool:
+    """Return whether all that users can set of a body are numbers, and not too large."""
+    total = pose[i, X] + pose[i, Y] + pose[i, TURN] + load[i, 0] + load[i, 1] + load[i, 2]
+    total += motion[i, VX] + motion[i, VY] + motion[i, SPIN]
+    return bool(total - total == 0.0)
 
 
 def rest(m: int, bench: Array) -> None:
@@ -166,7 +182,7 @@ def leave(settings: Array, bench: Array) -> bool:
     out = 0
     for m in range(LANES):
         x, y = bench[L_AT + m] - settings[FRAME_X], bench[L_AT + LANES + m] - settings[FRAME_Y]
-        turn, speed = bench[L_AT + 2 * LANES + m], bench[L_SPEED + m]
+        turn = bench[L_AT + 2 * LANES + m]
         inside = (
             (x >= bench[L_LOW + m])
             & (x <= bench[L_HIGH + m])
@@ -174,7 +190,6 @@ def leave(settings: Array, bench: Array) -> bool:
             & (y <= bench[L_HIGH + LANES + m])
             & (turn >= bench[L_LOW + 2 * LANES + m])
             & (turn <= bench[L_HIGH + 2 * LANES + m])
-            & (speed - speed == 0.0)
         )
         out += 0 if inside else 1
     return out > 0

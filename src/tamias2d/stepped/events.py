@@ -45,6 +45,7 @@ from tamias2d.stepped.sweep import (
 
 THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back,
 # but not farther than the smaller one reaches
+SWUNG = 0.35  # of the smaller reach: how far one may turn about a contact, which the solver follows
 
 
 def find_meetings(
@@ -85,11 +86,12 @@ def find_meetings(
             continue
         by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
         way = abs(by_x) + abs(by_y)
+        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        deep = min(THROUGH * width(body[i, INNER], body[j, INNER]), reach)
         if trace[p, COUNT] > 0:
             way = max(0.0, -touch[p, NX] * by_x - touch[p, NY] * by_y)
+            deep = max(deep, SWUNG * reach)
         way += abs(motion[i, DTURN]) * body[i, ARM] + abs(motion[j, DTURN]) * body[j, ARM]
-        deep = THROUGH * width(body[i, INNER], body[j, INNER])
-        deep = min(deep, surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
         if bent or way > deep:
             times[p] = next_meeting(
                 s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,

@@ -14,6 +14,7 @@ from tamias2d.stepped.events import (
     earliest,
     find_meetings,
     meet_at,
+    next_meeting,
     renew_meetings,
 )
 from tamias2d.stepped.impact import (
@@ -162,8 +163,11 @@ def fly(
         shape_count, shape_radius, surface, filters, corner, turned, pair, touch, trace, times,
         scratch,
     )  # fmt: skip
+    if found == 0:
+        return MISSED
     left = IMPACTS + 4 * found
-    while True:
+    last = -IMPACTS - 8 * counts[PAIRS]  # what waits changes its state only so often
+    while left > last:
         p = earliest(counts[PAIRS], times)
         now = times[p]
         if now > 1.0:
@@ -184,16 +188,22 @@ def fly(
             if looks > (-LOOKS_AROUND if pushed else 0):
                 return now
             if out_i:
-                stop(i, now, pose, motion)
+                wait(i, now, pose, motion, gained)
             if out_j:
-                stop(j, now, pose, motion)
-        if not bent and left < 0:
-            times[p] = MISSED
+                wait(j, now, pose, motion, gained)
+        if not bent:
+            later = now if left < 0 else next_meeting(
+                pair[p, 0], pair[p, 1], now, settings[TIME_STEP], pose, motion, shape_body,
+                shape_kind, shape_first, shape_count, shape_radius, surface, corner, turned,
+                scratch,
+            )  # fmt: skip
+            times[p] = later if later > now else MISSED  # it does not close in where it is
             continue
         renew_meetings(
             i, j, now, settings, counts, pose, motion, kind, shape_body, shape_kind, shape_first,
             shape_count, shape_radius, surface, filters, corner, turned, pair, times, scratch,
         )  # fmt: skip
+    return MISSED
 
 
 def happen(
@@ -250,8 +260,8 @@ def stand_by(
     """
     held_i, held_j = cannot_wait(i, gained, kind), cannot_wait(j, gained, kind)
     if not held_i and not held_j:
-        stop(i, now, pose, motion)
-        stop(j, now, pose, motion)
+        wait(i, now, pose, motion, gained)
+        wait(j, now, pose, motion, gained)
         return True
     if held_i and held_j and not again:
         return False
@@ -260,6 +270,15 @@ def stand_by(
     go_along(i, j, now, pose, motion)
     gained[j, BENT] = PUSHED_ON
     return True
+
+
+def wait(i: int, now: float, pose: Array, motion: Array, gained: Array) -> None:
+    """Let a body stay where it is for the rest of the step, in which no forces act on it either."""
+    if gained[i, BENT] != PUSHED_ON:
+        for n in range(3):
+            motion[i, n] -= (1.0 - now) * gained[i, 3 + n]
+            gained[i, 3 + n] = 0.0
+    stop(i, now, pose, motion)
 
 
 def cannot_wait(i: int, gained: Array, kind: Whole) -> bool:
