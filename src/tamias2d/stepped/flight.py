@@ -29,6 +29,7 @@ from tamias2d.stepped.layout import (
     DX,
     DY,
     DYNAMIC,
+    EARLIER,
     FRAME_X,
     FRAME_Y,
     GRAVITY_X,
@@ -45,9 +46,12 @@ from tamias2d.stepped.layout import (
     PAIR_RESTITUTION,
     PAIRS,
     REACH,
+    SUBSTEPS,
     TIME_STEP,
     TURN,
     TURN_ROOM,
+    VX,
+    VY,
     Whole,
     X,
     Y,
@@ -55,6 +59,7 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.pairs import (
     AROUND,
 )
+from tamias2d.stepped.substeps import GIVEN
 from tamias2d.stepped.sweep import (
     MISSED,
 )
@@ -63,6 +68,7 @@ from tamias2d.stepped.trajectory import (
     stop,
 )
 
+GAINED = 3  # column of what forces add in this step to the velocities of bodies without contacts
 FAST = 0.35  # of half its width: how far a body goes before it is looked after
 PUSHED_ON = 2.0  # instead of 1 where a line is bent: as that of something that does not wait
 IMPACTS = 64  # in one step, and four more for every pair that meets
@@ -131,6 +137,7 @@ def fly(
     home: Array,
     kind: Whole,
     gained: Array,
+    energy: Array,
     shape_body: Whole,
     shape_kind: Whole,
     shape_first: Whole,
@@ -150,14 +157,14 @@ def fly(
 ) -> float:
     """Let all impacts of a step happen that the solver has not seen, in their order.
 
-    `gained` (n+1, 6) holds in its last columns what forces add to velocities in this step; `times`
+    `gained` (n+1, 12) holds what forces add to velocities in this step; `times`
     (p,) is for when pairs meet, `scratch` (k, 8) for the corners of two shapes. Returns the
     fraction of the step from which pairs are to be looked for and this is to be called again, as
     `since`, if `looks` are left; else `MISSED`. Until its next meeting a body is where nothing is:
     there it waits for the next step, when there have been too many impacts or looks in this one.
     """
     if since == 0.0:
-        begin_flight(settings, kind, gained)
+        begin_flight(settings, counts, kind, motion, gained, energy)
     found = find_meetings(
         since, settings, counts, pose, motion, body, gained, shape_body, shape_kind, shape_first,
         shape_count, shape_radius, surface, filters, corner, turned, pair, touch, trace, times,
@@ -274,10 +281,10 @@ def stand_by(
 
 def wait(i: int, now: float, pose: Array, motion: Array, gained: Array) -> None:
     """Let a body stay where it is for the rest of the step, in which no forces act on it either."""
-    if gained[i, BENT] != PUSHED_ON:
-        for n in range(3):
-            motion[i, n] -= (1.0 - now) * gained[i, 3 + n]
-            gained[i, 3 + n] = 0.0
+    at = GIVEN if gained[i, LEANT] > 0.0 else GAINED
+    for n in range(3):
+        motion[i, n] -= (1.0 - now) * gained[i, at + n]
+        gained[i, at + n] = 0.0
     stop(i, now, pose, motion)
 
 
@@ -286,10 +293,25 @@ def cannot_wait(i: int, gained: Array, kind: Whole) -> bool:
     return bool(kind[i] != DYNAMIC or gained[i, BENT] == PUSHED_ON)
 
 
-def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:
-    """Mark what has contacts: nothing is noted that gravity has added to its velocity."""
+def begin_flight(
+    settings: Array, counts: Whole, kind: Whole, motion: Array, gained: Array, energy: Array
+) -> None:
+    """Mark what has contacts: nothing is noted that gravity has added to its velocity.
+
+    Of what forces gave it that counts which contacts did not take away again.
+    """
     pulled = settings[GRAVITY_X] != 0.0 or settings[GRAVITY_Y] != 0.0
     for i in range(len(kind)):
-        still = gained[i, 3] == 0.0 and gained[i, 4] == 0.0
-        gained[i, BENT] = 0.0
-        gained[i, LEANT] = 1.0 if pulled and still and kind[i] == DYNAMIC else 0.0
+        still = gained[i, GAINED] == 0.0 and gained[i, GAINED + 1] == 0.0
+        gained[i, BENT] = gained[i, LEANT] = 0.0
+        if pulled and still and kind[i] == DYNAMIC:
+            gained[i, LEANT] = 1.0
+            by_x = counts[SUBSTEPS] * gained[i, GIVEN]
+            by_y = counts[SUBSTEPS] * gained[i, GIVEN + 1]
+            square = by_x * by_x + by_y * by_y
+            change_x = motion[i, VX] - energy[i, EARLIER]
+            change_y = motion[i, VY] - energy[i, EARLIER + 1]
+            share = (change_x * by_x + change_y * by_y) / square if square > 0.0 else 0.0
+            share = min(max(share, 0.0), 1.0)
+            gained[i, GIVEN], gained[i, GIVEN + 1] = share * by_x, share * by_y
+            gained[i, GIVEN + 2] = 0.0
