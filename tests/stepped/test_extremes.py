@@ -13,6 +13,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.scene import catalogue
 from tamias2d.simulator import Simulator
+from tamias2d.stepped.layout import PAIRS
 from tamias2d.state import Array
 from tamias2d.stepped.layout import INVERSE_INERTIA, INVERSE_MASS
 
@@ -362,5 +363,5 @@ def test_pairs_grow_with_bodies_and_momentum_stays() -> None:
         after = totals(sim)[0] + np.array((0.0, 10.0 * count * 20 / 60))
         # 1e-12 of the sum of all that is exchanged
         assert abs(after - before).max() < 1e-12 * count * 10.0
-        per_body.append(sim._world.counts[2] / count)
+        per_body.append(sim._world.counts[PAIRS] / count)
     assert max(per_body) < 1.2 * min(per_body) < 8.0

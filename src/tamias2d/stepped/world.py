@@ -99,7 +99,7 @@ class World:
         self.times = np.zeros(16)
         self.scratch = np.zeros((8, 8))
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
-        self.counts = np.zeros(24, dtype=np.int64)
+        self.counts = np.zeros(22, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()

@@ -1,0 +1,164 @@
+"""When two bodies on their ways meet.
+
+Serves: flight. Hides: how shapes are turned to where they are at an instant.
+"""
+
+from tamias2d.state import Array
+from tamias2d.stepped.flight_impact import contact_of, rate_along, seen_from_b
+from tamias2d.stepped.layout import (
+    DTURN,
+    DX,
+    DY,
+    GAP,
+    HALF_PLANE,
+    NX,
+    NY,
+    POINT,
+    SHAPE_REACH,
+    TURN,
+    Whole,
+    X,
+    Y,
+)
+from tamias2d.stepped.manifold import touch_pair
+from tamias2d.stepped.sweep import MISSED, NEAR, WIDE, place, time_of_impact
+
+
+def earliest(pairs: int, times: Array) -> int:
+    """Return the pair that meets first."""
+    first = 0
+    for p in range(1, pairs):
+        if times[p] < times[first]:
+            first = p
+    return first
+
+
+def meet_at(
+    s: int,
+    t: int,
+    now: float,
+    pose: Array,
+    motion: Array,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    corner: Array,
+    turned: Array,
+    scratch: Array,
+) -> float:
+    """Write the manifold of two shapes at a fraction of the step; return their gap, m."""
+    i, j = shape_body[s], shape_body[t]
+    half_plane = shape_kind[s] == HALF_PLANE
+    turn_to(s, i, now, half_plane, pose, motion, shape_first, shape_count, corner, turned)
+    turn_to(t, j, now, False, pose, motion, shape_first, shape_count, corner, turned)
+    x = pose[j, X] - pose[i, X] + now * (motion[j, DX] - motion[i, DX])
+    y = pose[j, Y] - pose[i, Y] + now * (motion[j, DY] - motion[i, DY])
+    row = scratch[0]
+    _, second = touch_pair(
+        row,
+        int(shape_kind[s]),
+        int(shape_kind[t]),
+        int(shape_first[s]),
+        int(shape_count[s]),
+        int(shape_first[t]),
+        int(shape_count[t]),
+        x,
+        y,
+        float(shape_radius[s]),
+        float(shape_radius[t]),
+        WIDE,
+        turned,
+    )
+    if second == 0:
+        row[GAP + POINT] = WIDE
+    return min(row[GAP], row[GAP + POINT])
+
+
+def turn_to(
+    s: int,
+    i: int,
+    now: float,
+    fixed: bool,
+    pose: Array,
+    motion: Array,
+    shape_first: Whole,
+    shape_count: Whole,
+    corner: Array,
+    turned: Array,
+) -> None:
+    """Turn the corners of a shape to where they are at a fraction of the step."""
+    first = int(shape_first[s])
+    turn = pose[i, TURN] + now * motion[i, DTURN]
+    place(first, int(shape_count[s]), turn, fixed, corner, first, turned)
+
+
+def next_meeting(
+    s: int,
+    t: int,
+    now: float,
+    time_step: float,
+    pose: Array,
+    motion: Array,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    surface: Array,
+    corner: Array,
+    turned: Array,
+    scratch: Array,
+) -> float:
+    """Return the fraction of the step, from `now` on, at which two shapes meet, or `MISSED`.
+
+    A pair that is close now meets now if it approaches by more than counts as close.
+    """
+    if shape_kind[t] == HALF_PLANE:
+        s, t = t, s
+    i, j = shape_body[s], shape_body[t]
+    near = NEAR * min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+    if pass_by(i, j, now, surface[s, SHAPE_REACH] + surface[t, SHAPE_REACH] + near, pose, motion):
+        return MISSED
+    gap = meet_at(
+        s, t, now, pose, motion, shape_body, shape_kind, shape_first, shape_count, shape_radius,
+        corner, turned, scratch,
+    )  # fmt: skip
+    rest = 1.0 - now
+    if gap <= near:
+        at_a = contact_of(scratch[0])
+        at_b = seen_from_b(i, j, now, at_a, pose, motion)
+        line = (scratch[0, NX], scratch[0, NY])
+        closing = time_step * rate_along(i, j, time_step, at_a, at_b, line, motion)
+        if closing * rest < -near:
+            return now
+    ahead = time_of_impact(
+        s,
+        t,
+        pose[j, X] - pose[i, X] + now * (motion[j, DX] - motion[i, DX]),
+        pose[j, Y] - pose[i, Y] + now * (motion[j, DY] - motion[i, DY]),
+        rest * (motion[j, DX] - motion[i, DX]),
+        rest * (motion[j, DY] - motion[i, DY]),
+        rest * motion[i, DTURN],
+        rest * motion[j, DTURN],
+        shape_kind,
+        shape_first,
+        shape_count,
+        shape_radius,
+        turned,
+        scratch,
+    )
+    return now + ahead * rest if ahead <= 1.0 else MISSED
+
+
+def pass_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Array) -> bool:
+    """Return whether the centres of two bodies come no nearer to each other than a reach, m."""
+    by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    x, y = pose[j, X] - pose[i, X] + now * by_x, pose[j, Y] - pose[i, Y] + now * by_y
+    ahead = -(x * by_x + y * by_y)
+    square = by_x * by_x + by_y * by_y
+    if ahead > 0.0:  # to where they are nearest, but not beyond the step
+        until = min(ahead / square, 1.0 - now)
+        x, y = x + until * by_x, y + until * by_y
+    return bool(x * x + y * y > reach * reach)

@@ -1,0 +1,92 @@
+"""The lines along which bodies go through a step, and how they are bent.
+
+Serves: flight. Hides: that a line is kept as where it would have begun, and how far it goes in all.
+"""
+
+from tamias2d.generated.soft_contact import (
+    angular_velocity_a_kicked,
+    angular_velocity_b_kicked,
+    turning_arm,
+    velocity_a_kicked,
+    velocity_b_kicked,
+)
+from tamias2d.state import Array, Vector
+from tamias2d.stepped.layout import (
+    DTURN,
+    DX,
+    DY,
+    DYNAMIC,
+    FRAME_X,
+    HIGH_X,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    LOW_X,
+    TURN,
+    Whole,
+    X,
+    Y,
+)
+
+
+def bend(
+    i: int,
+    j: int,
+    now: float,
+    amount: float,
+    at_a: Vector,
+    at_b: Vector,
+    line: Vector,
+    pose: Array,
+    motion: Array,
+    body: Array,
+) -> None:
+    """Bend the lines of both bodies as an impulse does, in N s times the time step, s."""
+    none = (0.0, 0.0)
+    by = velocity_a_kicked(none, amount, line, body[i, INVERSE_MASS])
+    turn = angular_velocity_a_kicked(0.0, amount, turning_arm(at_a, line), body[i, INVERSE_INERTIA])
+    bend_line(i, now, by, turn, pose, motion)
+    by = velocity_b_kicked(none, amount, line, body[j, INVERSE_MASS])
+    turn = angular_velocity_b_kicked(0.0, amount, turning_arm(at_b, line), body[j, INVERSE_INERTIA])
+    bend_line(j, now, by, turn, pose, motion)
+
+
+def bend_line(i: int, now: float, by: Vector, turn: float, pose: Array, motion: Array) -> None:
+    """Let a line go on from where it is now with another way over a whole step, m and rad.
+
+    It is kept as where it would have begun, and how far it goes in all.
+    """
+    pose[i, X] -= now * by[0]
+    pose[i, Y] -= now * by[1]
+    pose[i, TURN] -= now * turn
+    motion[i, DX] += by[0]
+    motion[i, DY] += by[1]
+    motion[i, DTURN] += turn
+
+
+def wait_at_border(
+    settings: Array, i: int, now: float, pose: Array, motion: Array, home: Array, kind: Whole
+) -> None:
+    """Stop a body where its line leaves the room in which its neighbours are known."""
+    if kind[i] != DYNAMIC:
+        return
+    until = 1.0
+    for k in range(2):
+        start, way = pose[i, k] - settings[FRAME_X + k], motion[i, DX + k]
+        if way > 0.0 and start + way > home[i, HIGH_X + k]:
+            until = min(until, (home[i, HIGH_X + k] - start) / way)
+        elif way < 0.0 and start + way < home[i, LOW_X + k]:
+            until = min(until, (home[i, LOW_X + k] - start) / way)
+    if until < 1.0:
+        until = max(until, now)
+        for k in range(3):
+            here = pose[i, k] + now * motion[i, DX + k]
+            motion[i, DX + k] *= (until - now) / (1.0 - now)
+            pose[i, k] = here - now * motion[i, DX + k]
+
+
+def stop_at(i: int, now: float, pose: Array, motion: Array, kind: Whole) -> None:
+    """Let a body stay where it is at a fraction of the step; it keeps its velocity."""
+    if kind[i] == DYNAMIC:
+        for k in range(3):
+            pose[i, k] += now * motion[i, DX + k]
+            motion[i, DX + k] = 0.0
