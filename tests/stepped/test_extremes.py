@@ -13,9 +13,8 @@ import pytest
 import tamias2d as t2
 from tamias2d.scene import catalogue
 from tamias2d.simulator import Simulator
-from tamias2d.stepped.layout import PAIRS
 from tamias2d.state import Array
-from tamias2d.stepped.layout import INVERSE_INERTIA, INVERSE_MASS
+from tamias2d.stepped.layout import INVERSE_INERTIA, INVERSE_MASS, PAIRS
 
 GRAVITY = 9.81
 SPEEDS = (10.0, 33.7, 100.0, 12345.6, 1e6)
