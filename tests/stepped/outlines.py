@@ -14,6 +14,8 @@ from tamias2d.stepped.layout import (
     HALF_PLANE,
     POINT,
     POLYGON,
+    PX,
+    PY,
     TOUCH,
 )
 from tamias2d.stepped.manifold import collide
@@ -132,7 +134,7 @@ class Pairing:
 
     @property
     def points(self) -> Array:
-        return self.touch[0, 2:8].reshape(2, 3)[: self.count, :2]
+        return self.touch[0].reshape(2, POINT)[: self.count, PX : PY + 1]
 
     @property
     def gaps(self) -> Array:

@@ -10,7 +10,7 @@ from tamias2d.kernels import Engine
 from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, IndexRows, Indices
 from tamias2d.stepped import polygons
 from tamias2d.stepped.clip import PARALLEL
-from tamias2d.stepped.layout import PUSH, TOUCH
+from tamias2d.stepped.layout import CACHE, POINT, PUSH, RUB, TOUCH
 from tamias2d.stepped.manifold import collide
 from tests.stepped.outlines import (
     Outline,
@@ -146,9 +146,9 @@ def test_a_hint_finds_what_a_search_finds(seed: int) -> None:
             a, b, delta = a.turned(far[2]), b.turned(far[3]), delta + far[:2]
             searches = Pairing()
             searches(a, b, delta, margin)
-            before = remembers.touch[0, 12:16].copy()
+            before = remembers.touch[0, CACHE : CACHE + 4].copy()
             remembers(a, b, delta, margin)
-            hinted += (remembers.touch[0, 12:16] == before).all()
+            hinted += (remembers.touch[0, CACHE : CACHE + 4] == before).all()
             assert remembers.features == searches.features
             assert remembers.points == pytest.approx(searches.points, abs=1e-12)
             assert remembers.gaps == pytest.approx(searches.gaps, abs=1e-12)
@@ -163,12 +163,12 @@ def test_shapes_that_come_together_are_seen() -> None:
         found, searches = Pairing(), Pairing()
         turned = rng.uniform(0, 6)
         found(box(1, 1), box(1, 1).turned(turned), (0.0, 3.0), 0.1)
-        start = found.touch[0, 12:16].copy()
+        start = found.touch[0, CACHE : CACHE + 4].copy()
         for height in np.arange(3.0, 1.0, -0.02):
             count = found(box(1, 1), box(1, 1).turned(turned), (0.0, height), 0.1)
             assert count == searches(box(1, 1), box(1, 1).turned(turned), (0.0, height), 0.1)
             searches = Pairing()
-        assert (start != found.touch[0, 12:16]).any()
+        assert (start != found.touch[0, CACHE : CACHE + 4]).any()
 
 
 def test_pairs_that_rest_are_not_searched(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -202,17 +202,16 @@ def test_impulses_stay_with_points_that_stay(a: Outline, b: Outline) -> None:
         delta = rng.uniform(-1, 1, 2)
         found = Pairing()
         found(first, second, delta)
-        found.touch[0, PUSH : PUSH + 4] = [1, 2, 3, 4][: 2 * found.count] + [0, 0] * (
-            2 - found.count
-        )
+        for k in range(found.count):
+            found.touch[0, PUSH + POINT * k : PUSH + POINT * k + 2] = 1 + 2 * k, 2 + 2 * k
         kept = dict(zip(found.features, [(1, 2), (3, 4)], strict=False))
         found(first, second, delta + 1e-9)
         for k, name in enumerate(found.features):
-            at = PUSH + 2 * k
+            at = PUSH + POINT * k
             assert tuple(found.touch[0, at : at + 2]) == kept.get(name, (0, 0))
         found(first, second, delta + 100, 0.1)
         assert found.count == 0
-        assert not found.touch[0, PUSH : PUSH + 4].any()
+        assert not found.touch[0].reshape(2, POINT)[:, PUSH : RUB + 1].any()
 
 
 def test_names_stay_when_the_leading_side_changes() -> None:

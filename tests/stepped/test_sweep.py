@@ -9,6 +9,7 @@ from hypothesis import given, settings, strategies as st
 from tamias2d.kernels import Engine
 from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, IndexRows, Indices
 from tamias2d.stepped.clip import PARALLEL
+from tamias2d.stepped.layout import TOUCH
 from tamias2d.stepped.sweep import MISSED, NEAR, time_of_impact
 from tests.stepped.outlines import Outline, Pairing, box, capsule, disc, half_plane
 from tests.stepped.test_manifold import ANGLES, SHAPES, placed, plainly_placed
@@ -35,7 +36,7 @@ def swept(
             np.array([count, len(rows) - count], np.int32),
             np.array([a.radius, b.radius]),
             rows,
-            np.zeros((1 + len(rows), 8)),
+            np.zeros((1 + len(rows), TOUCH)),
         )
     )
 
@@ -197,7 +198,7 @@ def test_compiled_and_plain_sweeps_have_the_same_bits() -> None:
             counts,
             np.array([shape.radius for shape in shapes]),
             np.vstack(rows),
-            np.zeros((32, 8)),
+            np.zeros((32, TOUCH)),
             found,
         )
         results.append(found.tolist())

@@ -120,7 +120,7 @@ def touching(world: World) -> Touching:
 
 def _pushed(touch: Array, count: Whole, noted: Whole) -> _Points:
     """Return all points that were pushed, in the order of the pairs; in flight a pair has one."""
-    total = touch[:, TOTAL : TOTAL + 2]
+    total = touch[:, [TOTAL, TOTAL + POINT]]
     there = np.arange(2) < np.maximum(count, 1)[:, None]
     pair, number = np.nonzero(there & (total > 0.0) & (noted & 1 != 0)[:, None])
     return _Points(pair, number, total[pair, number])
@@ -145,7 +145,7 @@ def _contacts(bodies: Whole, touch: Array, count: Whole, points: _Points) -> Con
     flown = count[pair] == 0
     row = touch[pair]
     at = np.arange(len(pair))
-    place = WHERE + 2 * number
+    place = WHERE + POINT * number
     normal = np.where(flown[:, None], row[:, FLOWN_NORMAL : FLOWN_NORMAL + 2], row[:, NX : NY + 1])
     return Contacts(
         bodies=bodies[pair],

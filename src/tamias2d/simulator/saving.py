@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.errors import RecordingError
+from tamias2d.stepped.alignment import aligned_copy
 from tamias2d.stepped.world import World
 from tamias2d.storage import aside
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 2  # of what the arrays hold; of the engine's columns too
+VERSION = 3  # of what the arrays hold; of the engine's columns too
 _MARK = "tamias2d simulator"
 
 
@@ -90,4 +91,4 @@ def fill(world: World, found: Arrays, where: str) -> None:
                 f"{where}: {name}: found {what}: must be {own.dtype} of {own.ndim} axes. It is "
                 "damaged, or was saved by another version. Save it again."
             )
-        setattr(world, name, int(there) if name == "size" else there.copy())
+        setattr(world, name, int(there) if name == "size" else aligned_copy(there))

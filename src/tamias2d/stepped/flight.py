@@ -131,7 +131,7 @@ def fly(
     """Let all impacts of a step happen that the solver has not seen, in their order.
 
     `gained` (n+1, 6) holds in its last columns what forces add to velocities in this step; `times`
-    (p,) is for when pairs meet, `scratch` (k, 8) for the corners of two shapes. Returns the
+    (p,) is for when pairs meet, `scratch` (k, 32) for the corners of two shapes. Returns the
     fraction of the step from which pairs are to be looked for and this is to be called again, as
     `since`, if `looks` are left; else `MISSED`.
     """

@@ -91,20 +91,19 @@ PLACE = 1
 # with the room that its body has
 FAT = 4
 
-# touch (p, 26): normal from a to b; two points from the centre of body A, m, with their
-# separations, m, and accumulated impulses, N s; the cache of the narrow phase; the pair's surfaces;
-# then what is told of the last step: the impulses of both points over all of it, N s, and where
-# they were in the world, m (of what met in flight one impulse, one place, and the normal); then the
-# preloads of both points, m
-TOUCH = 26
+# touch (p, 32): normal from a to b; a point from the centre of body A, m, with its separation, m,
+# accumulated impulses, N s, and preload, m; the pair's surfaces; what is told of the last step: the
+# point's impulse over all of it, N s, and where it was in the world, m; the cache of the narrow
+# phase, 4 columns; then all of the second point; and the normal of what met in flight, with one
+# impulse and one place. A pair with one point takes half of its four lines of a cache.
+TOUCH = 32
 NX, NY = 0, 1
-PX, PY, GAP = 2, 3, 4
-POINT = 3  # columns from a point to the next
-PUSH, RUB = 8, 9
-IMPULSE = 2  # columns from a point's impulses to the next one's
-CACHE = 12
-PAIR_FRICTION, PAIR_RESTITUTION = 16, 17
-TOTAL, WHERE, FLOWN_NORMAL, PRELOAD = 18, 20, 22, 24
+PX, PY, GAP, PUSH, RUB, PRELOAD = 2, 3, 4, 5, 6, 7
+PAIR_FRICTION, PAIR_RESTITUTION = 8, 9
+TOTAL, WHERE = 10, 11
+CACHE = 13
+POINT = 16  # columns from a point to the next
+FLOWN_NORMAL = 30
 
 # trace (p, 6)
 COUNT, FEATURE, TOUCHED, HINT = 0, 1, 3, 4

@@ -21,7 +21,6 @@ from tamias2d.stepped.layout import (
     FEATURE,
     GAP,
     HALF_PLANE,
-    IMPULSE,
     NX,
     NY,
     POINT,
@@ -149,16 +148,16 @@ def kept(row: Array, ids: Whole, first: int, second: int) -> int:
     before, other = ids[FEATURE], ids[FEATURE + 1]
     if first != before or second != other:
         push, rub = row[PUSH], row[RUB]
-        push_other, rub_other = row[PUSH + IMPULSE], row[RUB + IMPULSE]
-        preload, preload_other = row[PRELOAD], row[PRELOAD + 1]
+        push_other, rub_other = row[PUSH + POINT], row[RUB + POINT]
+        preload, preload_other = row[PRELOAD], row[PRELOAD + POINT]
         for k in range(2):
             name = second if k else first
-            at = IMPULSE * k
+            at = POINT * k
             is_first = name > 0 and name == before
             is_second = name > 0 and name == other
             row[PUSH + at] = push if is_first else push_other if is_second else 0.0
             row[RUB + at] = rub if is_first else rub_other if is_second else 0.0
-            row[PRELOAD + k] = preload if is_first else preload_other if is_second else 0.0
+            row[PRELOAD + at] = preload if is_first else preload_other if is_second else 0.0
         ids[FEATURE], ids[FEATURE + 1] = first, second
     count = (first > 0) + (second > 0)
     ids[COUNT] = count

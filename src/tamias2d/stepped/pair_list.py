@@ -9,16 +9,17 @@ from tamias2d.generated.definitions import pair_friction, pair_restitution
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     ARRANGED,
-    CACHE,
     COUNT,
     FRICTION,
     ISLANDED,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
+    POINT,
     PRELOAD,
     PUSH,
     RESTITUTION,
+    RUB,
     SIDE,
     SORTED,
     TOUCH,
@@ -155,7 +156,7 @@ def copy_pair(
     """Copy what is known of a pair; of one that does not touch, only how its surfaces mix."""
     next_pair[new, 0], next_pair[new, 1] = pair[old, 0], pair[old, 1]
     if trace[old, COUNT] > 0 or trace[old, TOUCHED] != 0:
-        for k in range(TOUCH):
+        for k in range(POINT if trace[old, COUNT] == 1 else TOUCH):
             next_touch[new, k] = touch[old, k]
         for k in range(6):
             next_trace[new, k] = trace[old, k]
@@ -167,9 +168,8 @@ def copy_pair(
 
 def blank(p: int, touch: Array, trace: Whole) -> None:
     """Let nothing be known of how a pair touches."""
-    for k in range(PUSH, CACHE):
-        touch[p, k] = 0.0
-    touch[p, PRELOAD] = touch[p, PRELOAD + 1] = 0.0
+    for at in (0, POINT):
+        touch[p, PUSH + at] = touch[p, RUB + at] = touch[p, PRELOAD + at] = 0.0
     for k in range(6):
         trace[p, k] = 0
 

@@ -29,7 +29,6 @@ from tamias2d.stepped.layout import (
     HIT_COLOUR,
     HIT_PLACE,
     HITS,
-    IMPULSE,
     INVERSE_INERTIA,
     INVERSE_MASS,
     NX,
@@ -182,7 +181,7 @@ def fill_rows(
         row[R_ROUND_A + m], row[R_ROUND_B + m] = shape_radius[s], shape_radius[t]
         reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
         row[R_REACH + m] = reach
-        row[R_LOAD + m] = (touch[p, PUSH] + touch[p, PUSH + IMPULSE]) / (1 + c % 2)
+        row[R_LOAD + m] = (touch[p, PUSH] + touch[p, PUSH + POINT]) / (1 + c % 2)
         delta_x, delta_y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
         for n in range(1 + c % 2):
             at = SHARED + n * SIZE + m
@@ -196,14 +195,14 @@ def fill_rows(
             row[at + P_ARM_A], row[at + P_SIDE_A] = arm_a, side_a
             row[at + P_ARM_B], row[at + P_SIDE_B] = arm_b, side_b
             gap, preload = touch[p, GAP + POINT * n], 0.0
-            if touch[p, PUSH + IMPULSE * n] > 0.0:
+            if touch[p, PUSH + POINT * n] > 0.0:
                 preload = preload_later(
-                    touch[p, PRELOAD + n], gap, LEARNT, ALLOWED * reach, PRELOADED * reach
+                    touch[p, PRELOAD + POINT * n], gap, LEARNT, ALLOWED * reach, PRELOADED * reach
                 )
-            touch[p, PRELOAD + n] = preload
+            touch[p, PRELOAD + POINT * n] = preload
             row[at + P_GAP] = gap - preload
-            row[at + P_PUSH] = touch[p, PUSH + IMPULSE * n]
-            row[at + P_RUB] = touch[p, RUB + IMPULSE * n]
+            row[at + P_PUSH] = touch[p, PUSH + POINT * n]
+            row[at + P_RUB] = touch[p, RUB + POINT * n]
             row[at + P_TOTAL] = 0.0
             row[at + P_BEFORE] = row_velocity(
                 (motion[i, VX], motion[i, VY]),
@@ -279,10 +278,10 @@ def keep_impulses(
             i = shape_body[pair[p, 0]]
             for n in range(lanes[b, POINTS]):
                 at = SHARED + n * SIZE + m
-                touch[p, TOTAL + n] = row[at + P_TOTAL]
-                touch[p, WHERE + 2 * n] = pose[i, X] + touch[p, PX + POINT * n]
-                touch[p, WHERE + 2 * n + 1] = pose[i, Y] + touch[p, PY + POINT * n]
+                touch[p, TOTAL + POINT * n] = row[at + P_TOTAL]
+                touch[p, WHERE + POINT * n] = pose[i, X] + touch[p, PX + POINT * n]
+                touch[p, WHERE + POINT * n + 1] = pose[i, Y] + touch[p, PY + POINT * n]
                 if row[at + P_TOTAL] > 0.0:
                     trace[p, TOUCHED] |= 1
-                touch[p, PUSH + IMPULSE * n] = row[at + P_PUSH]
-                touch[p, RUB + IMPULSE * n] = row[at + P_RUB]
+                touch[p, PUSH + POINT * n] = row[at + P_PUSH]
+                touch[p, RUB + POINT * n] = row[at + P_RUB]

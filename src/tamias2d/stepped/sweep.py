@@ -51,7 +51,7 @@ def time_of_impact(
     """Return the fraction of a step at which shapes a and b first come close, or `MISSED`.
 
     B's body starts at (delta_x, delta_y) from A's and moves by (move_x, move_y) more than it, m;
-    the bodies turn by turn_a and turn_b, rad; `turned` is as at the start. `scratch` (k, 8) has a
+    the bodies turn by turn_a and turn_b, rad; `turned` is as at the start. `scratch` (k, 32) has a
     row for the result and one for each corner of both shapes.
 
     At the fraction the gap is positive, and at most `NEAR` of the smaller shape's size: their

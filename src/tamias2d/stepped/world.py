@@ -10,6 +10,7 @@ import numpy as np
 
 from tamias2d.generated import drag
 from tamias2d.state import Array
+from tamias2d.stepped.alignment import aligned_zeros
 from tamias2d.stepped.coast import COASTING
 from tamias2d.stepped.elimination import WEAVE
 from tamias2d.stepped.layout import (
@@ -59,47 +60,47 @@ class World:
     ) -> None:
         """Start an empty world; `plain` takes its steps by the functions as they are."""
         self.size = 0  # rows of bodies in use, absent ones too
-        self.pose = np.zeros((1, 3))
-        self.motion = np.zeros((1, 8))
-        self.load = np.zeros((1, 3))
-        self.body = np.zeros((1, 18))
-        self.home = np.zeros((1, 6))
-        self.carried = np.zeros((1, 12))
-        self.kind = np.zeros(1, dtype=np.int8)
-        self.used = np.zeros(1, dtype=np.int64)
-        self.island = np.zeros((1, 7), dtype=np.int64)
-        self.rest = np.zeros((1, 8))
-        self.energy = np.zeros((1, ENERGIES))
-        self.isle = np.zeros((1, ISLE), dtype=np.int64)
-        self.web = np.zeros((2, WEB), dtype=np.int64)
-        self.weave = np.zeros((2, WEAVE))
-        self.ranked = np.zeros((2, 0), dtype=np.int64)
-        self.shape_body = np.zeros(0, dtype=np.int32)
-        self.shape_kind = np.zeros(0, dtype=np.int32)
-        self.shape_first = np.zeros(0, dtype=np.int32)
-        self.shape_count = np.zeros(0, dtype=np.int32)
-        self.shape_radius = np.zeros(0)
-        self.surface = np.zeros((0, 4))
-        self.filters = np.zeros((0, 4), dtype=np.int64)
-        self.mixed = np.zeros((0, 4))
-        self.corner = np.zeros((0, 4))
-        self.turned = np.zeros((0, 4))
-        self.box = np.zeros((0, 8))
-        self.curve = np.zeros((4, 256), dtype=np.int64)
-        self.node = np.zeros((2, 4))
-        self.found = np.zeros((16, 4), dtype=np.int64)
-        self.pairs = np.zeros((2, 16, 2), dtype=np.int32)
-        self.touches = np.zeros((2, 16, TOUCH))
-        self.traces = np.zeros((2, 16, 6), dtype=np.int32)
-        self.hits = np.zeros((10, 32), dtype=np.int64)
-        self.fill = np.zeros((3, 128), dtype=np.int64)
-        self.rows = np.zeros((4, WIDTH))
-        self.lanes = np.zeros((4, 50), dtype=np.uint32)
-        self.bench = np.zeros(max(BENCH, COASTING))
-        self.times = np.zeros(16)
-        self.scratch = np.zeros((8, 8))
+        self.pose = aligned_zeros((1, 3))
+        self.motion = aligned_zeros((1, 8))
+        self.load = aligned_zeros((1, 3))
+        self.body = aligned_zeros((1, 18))
+        self.home = aligned_zeros((1, 6))
+        self.carried = aligned_zeros((1, 12))
+        self.kind = aligned_zeros(1, dtype=np.int8)
+        self.used = aligned_zeros(1, dtype=np.int64)
+        self.island = aligned_zeros((1, 7), dtype=np.int64)
+        self.rest = aligned_zeros((1, 8))
+        self.energy = aligned_zeros((1, ENERGIES))
+        self.isle = aligned_zeros((1, ISLE), dtype=np.int64)
+        self.web = aligned_zeros((2, WEB), dtype=np.int64)
+        self.weave = aligned_zeros((2, WEAVE))
+        self.ranked = aligned_zeros((2, 0), dtype=np.int64)
+        self.shape_body = aligned_zeros(0, dtype=np.int32)
+        self.shape_kind = aligned_zeros(0, dtype=np.int32)
+        self.shape_first = aligned_zeros(0, dtype=np.int32)
+        self.shape_count = aligned_zeros(0, dtype=np.int32)
+        self.shape_radius = aligned_zeros(0)
+        self.surface = aligned_zeros((0, 4))
+        self.filters = aligned_zeros((0, 4), dtype=np.int64)
+        self.mixed = aligned_zeros((0, 4))
+        self.corner = aligned_zeros((0, 4))
+        self.turned = aligned_zeros((0, 4))
+        self.box = aligned_zeros((0, 8))
+        self.curve = aligned_zeros((4, 256), dtype=np.int64)
+        self.node = aligned_zeros((2, 4))
+        self.found = aligned_zeros((16, 4), dtype=np.int64)
+        self.pairs = aligned_zeros((2, 16, 2), dtype=np.int32)
+        self.touches = aligned_zeros((2, 16, TOUCH))
+        self.traces = aligned_zeros((2, 16, 6), dtype=np.int32)
+        self.hits = aligned_zeros((10, 32), dtype=np.int64)
+        self.fill = aligned_zeros((3, 128), dtype=np.int64)
+        self.rows = aligned_zeros((4, WIDTH))
+        self.lanes = aligned_zeros((4, 50), dtype=np.uint32)
+        self.bench = aligned_zeros(max(BENCH, COASTING))
+        self.times = aligned_zeros(16)
+        self.scratch = aligned_zeros((8, TOUCH))
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
-        self.counts = np.zeros(22, dtype=np.int64)
+        self.counts = aligned_zeros(22, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
@@ -154,8 +155,8 @@ class World:
             for name in _SHAPE:
                 setattr(self, name, _longer(getattr(self, name), room))
             self.shape_body[taken:] = len(self.pose) - 1
-            self.node = np.zeros((2 * lowest(room), 4))
-            self.curve = np.zeros((4, room + 256), dtype=np.int64)
+            self.node = aligned_zeros((2 * lowest(room), 4))
+            self.curve = aligned_zeros((4, room + 256), dtype=np.int64)
         if corners > len(self.corner):
             room = max(corners, len(self.corner) * 3 // 2)
             self.corner, self.turned = _longer(self.corner, room), _longer(self.turned, room)
@@ -166,21 +167,21 @@ class World:
         if not self._arguments:
             corners = 2 * int(self.shape_count.max(initial=0))
             if corners >= len(self.scratch):
-                self.scratch = np.zeros((corners + 1, 8))
+                self.scratch = aligned_zeros((corners + 1, TOUCH))
             self._arguments = tuple(getattr(self, name) for name in _ORDER)
         while (status := self._engine.step(*self._arguments)) != DONE:
             if status == MORE_FOUND:
-                self.found = np.zeros((self.counts[NEEDED] * 5 // 4 + 16, 4), dtype=np.int64)
+                self.found = aligned_zeros((self.counts[NEEDED] * 5 // 4 + 16, 4), dtype=np.int64)
             elif status == MORE_PAIRS:
                 self._more_pairs(int(self.counts[NEEDED] * 5 // 4 + 16))
             elif status == MORE_BLOCKS:
                 room = int(self.counts[NEEDED] * 5 // 4 + 4)
-                self.rows = np.zeros((room, WIDTH))
-                self.lanes = np.zeros((room, 50), dtype=np.uint32)
+                self.rows = aligned_zeros((room, WIDTH))
+                self.lanes = aligned_zeros((room, 50), dtype=np.uint32)
             elif status == MORE_WEB:
                 room = int(self.counts[NEEDED] * 5 // 4 + 16)
-                self.web = np.zeros((room, WEB), dtype=np.int64)
-                self.weave = np.zeros((room, WEAVE))
+                self.web = aligned_zeros((room, WEB), dtype=np.int64)
+                self.weave = aligned_zeros((room, WEAVE))
             else:
                 self.counts[PHASE] = 0
                 return int(status)
@@ -188,17 +189,17 @@ class World:
         return DONE
 
     def _more_pairs(self, room: int) -> None:
-        self.hits = np.zeros((10, 2 * room), dtype=np.int64)  # a pair has two bodies
-        self.times = np.zeros(room)
+        self.hits = aligned_zeros((10, 2 * room), dtype=np.int64)  # a pair has two bodies
+        self.times = aligned_zeros(room)
         for name in ("pairs", "touches", "traces"):
             old = getattr(self, name)
-            new = np.zeros((2, room, old.shape[2]), dtype=old.dtype)
+            new = aligned_zeros((2, room, old.shape[2]), dtype=old.dtype)
             new[:, : old.shape[1]] = old
             setattr(self, name, new)
 
 
 def _longer(values: Any, rows: int) -> Any:
     """Return a longer array that begins like this one."""
-    new = np.zeros((rows, *values.shape[1:]), dtype=values.dtype)
+    new = aligned_zeros((rows, *values.shape[1:]), dtype=values.dtype)
     new[: len(values)] = values
     return new
