@@ -156,7 +156,7 @@ def copy_pair(
     """Copy what is known of a pair; of one that does not touch, only how its surfaces mix."""
     next_pair[new, 0], next_pair[new, 1] = pair[old, 0], pair[old, 1]
     if trace[old, COUNT] > 0 or trace[old, TOUCHED] != 0:
-        for k in range(POINT if trace[old, COUNT] == 1 else TOUCH):
+        for k in range(TOUCH):
             next_touch[new, k] = touch[old, k]
         for k in range(6):
             next_trace[new, k] = trace[old, k]
