@@ -124,6 +124,7 @@ def step(
     box: FloatRows,
     curve: RankRows,
     node: FloatRows,
+    middle: FloatRows,
     found: RankRows,
     pairs: IndexBlocks,
     touches: FloatBlocks,
@@ -162,7 +163,7 @@ def step(
         status = step_once(
             settings, counts, pose, motion, load, body, home, kind, used, ranked,
             shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
-            filters, mixed, corner, turned, box, curve, node, found, pairs, touches,
+            filters, mixed, corner, turned, box, curve, node, middle, found, pairs, touches,
             traces, hits, fill, rows, lanes, bench, carried, times, scratch,
             island, rest, energy, isle, web, weave,
         )  # fmt: skip
@@ -196,6 +197,7 @@ def step_once(
     box: Array,
     curve: Whole,
     node: Array,
+    middle: Array,
     found: Whole,
     pairs: Whole,
     touches: Array,
@@ -226,20 +228,21 @@ def step_once(
                 traces[counts[SIDE]], island, rest,
             )  # fmt: skip
         marked = mark_left(settings, kind, pose, home, used)
+        least = STATIC if marked > 0 or counts[STILL] == 0 else KINEMATIC
         turn_corners(
-            shape_body, shape_kind, shape_first, shape_count, kind, KINEMATIC, pose, corner, turned
+            shape_body, shape_kind, shape_first, shape_count, kind, least, pose, corner, turned
         )
         holds = look_again(
             marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
             shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, corner,
-            turned, box, curve, node, found, pairs, touches, traces,
+            turned, box, curve, node, middle, found, pairs, touches, traces,
         )  # fmt: skip
         counts[PHASE] = KNOWN if holds else STALE
     if counts[PHASE] == STALE:
         status = look_around(
             settings, counts, pose, motion, load, body, home, kind, ranked, shape_body, shape_kind,
             shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned, box,
-            curve, node, found, pairs, touches, traces,
+            curve, node, middle, found, pairs, touches, traces,
         )  # fmt: skip
         if status != DONE:
             return status
@@ -290,12 +293,12 @@ def step_once(
             holds = look_again(
                 marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
                 shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
-                corner, turned, box, curve, node, found, pairs, touches, traces,
+                corner, turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
             status = DONE if holds else look_around(
                 settings, counts, pose, motion, load, body, home, kind, ranked, shape_body,
                 shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
-                corner, turned, box, curve, node, found, pairs, touches, traces,
+                corner, turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
             if status != DONE:
                 return status

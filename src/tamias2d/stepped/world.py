@@ -48,7 +48,7 @@ _BODY = (
 )
 _SHAPE = (
     *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
-    *("surface", "filters", "box"),
+    *("surface", "filters", "box", "middle"),
 )
 
 
@@ -88,6 +88,7 @@ class World:
         self.box = aligned_zeros((0, 8))
         self.curve = aligned_zeros((4, 256), dtype=np.int64)
         self.node = aligned_zeros((2, 4))
+        self.middle = aligned_zeros((0, 8))
         self.found = aligned_zeros((16, 4), dtype=np.int64)
         self.pairs = aligned_zeros((2, 16, 2), dtype=np.int32)
         self.touches = aligned_zeros((2, 16, TOUCH))
