@@ -58,6 +58,7 @@ from tamias2d.stepped.layout import (
     PAIRS,
     PATIENCE,
     PHASE,
+    SEATED,
     SIDE,
     SINCE,
     SOUND,
@@ -76,6 +77,7 @@ from tamias2d.stepped.rows import (
     fill_rows,
     finish_rows,
     keep_impulses,
+    seat_pairs,
 )
 from tamias2d.stepped.sleep import (
     fall_asleep,
@@ -261,10 +263,10 @@ def step_once(
         status = arrange(counts, trace, kind, used, hits, fill, rows, lanes, isle, web)
         if status != DONE:
             return status
-        bouncing = fill_rows(
-            counts, pair, touch, shape_radius, surface, pose, motion, body,
-            hits, fill, rows, lanes,
-        )  # fmt: skip
+        if counts[SEATED] == 0:
+            seat_pairs(counts, pair, touch, shape_radius, surface, body, hits, fill, rows, lanes)
+            counts[SEATED] = 1
+        bouncing = fill_rows(counts, pair, touch, surface, kind, pose, motion, hits, fill, rows)
         finish_rows(settings, counts, rows, lanes)
         solve(
             settings, counts, pose, motion, load, body, kind, hits, rows, lanes, bench, carried,

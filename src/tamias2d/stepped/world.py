@@ -101,7 +101,7 @@ class World:
         self.times = aligned_zeros(16)
         self.scratch = aligned_zeros((8, TOUCH))
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
-        self.counts = aligned_zeros(22, dtype=np.int64)
+        self.counts = aligned_zeros(23, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
