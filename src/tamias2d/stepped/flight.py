@@ -10,11 +10,22 @@ are known, all pairs are. What is pressed together again for the rest of the ste
 """
 
 from tamias2d.state import Array
-from tamias2d.stepped.flight_events import earliest, meet_at, next_meeting
-from tamias2d.stepped.flight_impact import BENT, LEANT, note_impact, part
+from tamias2d.stepped.flight_events import (
+    earliest,
+    find_meetings,
+    meet_at,
+    next_meeting,
+    renew_meetings,
+)
+from tamias2d.stepped.flight_impact import (
+    BENT,
+    LEANT,
+    note_impact,
+    part,
+)
+from tamias2d.stepped.flight_wait import cannot_wait, stand_by, wait
 from tamias2d.stepped.layout import (
     ARM,
-    COUNT,
     DTURN,
     DX,
     DY,
@@ -26,6 +37,7 @@ from tamias2d.stepped.layout import (
     HALF_PLANE,
     HIGH_X,
     HIGH_Y,
+    HOME_TURN,
     INNER,
     KINEMATIC,
     LOW_X,
@@ -34,22 +46,22 @@ from tamias2d.stepped.layout import (
     PAIR_RESTITUTION,
     PAIRS,
     REACH,
-    SENSOR,
-    SHAPE_REACH,
     TIME_STEP,
+    TURN,
+    TURN_ROOM,
     Whole,
     X,
     Y,
 )
-from tamias2d.stepped.pairs import AROUND
-from tamias2d.stepped.sweep import MISSED, WIDE
-from tamias2d.stepped.trajectory import stop_at, wait_at_border
+from tamias2d.stepped.pairs import (
+    AROUND,
+)
+from tamias2d.stepped.sweep import MISSED
 
 FAST = 0.35  # of half its width: how far a body goes before it is looked after
-THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back,
-# but not farther than the smaller one reaches
 IMPACTS = 64  # in one step, and four more for every pair that meets
-LOOKS_AROUND = 32  # in one step: then a body waits where its neighbours are not known any more
+LOOKS_AROUND = 32  # in one step, and as many for what is pushed by something that cannot wait
+ANY_TURN = 2.0  # rad: where there is so much room, neighbours are known whichever way it turns
 
 
 def goes_far(kind: Whole, motion: Array, body: Array) -> bool:
@@ -89,11 +101,13 @@ def leaves(
     x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
     y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
     more = AROUND * body[i, REACH]
+    turn = abs(pose[i, TURN] + motion[i, DTURN] - home[i, HOME_TURN])
     return bool(
         (x < home[i, LOW_X] - more)
         | (x > home[i, HIGH_X] + more)
         | (y < home[i, LOW_Y] - more)
         | (y > home[i, HIGH_Y] + more)
+        | (turn > home[i, TURN_ROOM]) & (home[i, TURN_ROOM] < ANY_TURN)
     )
 
 
@@ -107,6 +121,7 @@ def fly(
     counts: Whole,
     pose: Array,
     motion: Array,
+    load: Array,
     body: Array,
     home: Array,
     kind: Whole,
@@ -133,84 +148,102 @@ def fly(
     `gained` (n+1, 6) holds in its last columns what forces add to velocities in this step; `times`
     (p,) is for when pairs meet, `scratch` (k, 8) for the corners of two shapes. Returns the
     fraction of the step from which pairs are to be looked for and this is to be called again, as
-    `since`, if `looks` are left; else `MISSED`.
+    `since`, if `looks` are left; else `MISSED`. Until its next meeting a body is where nothing is:
+    there it waits for the next step, when there have been too many impacts or looks in this one.
     """
     if since == 0.0:
         begin_flight(settings, kind, gained)
-    found = 0
-    for p in range(counts[PAIRS]):
-        times[p] = MISSED
-        s, t = pair[p, 0], pair[p, 1]
-        i, j = shape_body[s], shape_body[t]
-        bent = gained[i, BENT] + gained[j, BENT] > 0.0
-        if trace[p, COUNT] > 0 and not bent:
-            continue
-        if filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
-            continue
-        way = (
-            abs(motion[j, DX] - motion[i, DX])
-            + abs(motion[j, DY] - motion[i, DY])
-            + abs(motion[i, DTURN]) * body[i, ARM]
-            + abs(motion[j, DTURN]) * body[j, ARM]
-        )
-        deep = THROUGH * width(body[i, INNER], body[j, INNER])
-        deep = min(deep, surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
-        if bent or way > deep:
-            times[p] = next_meeting(
-                s, t, since, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
-                shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
-            )  # fmt: skip
-            found += times[p] <= 1.0
-    for _ in range(IMPACTS + 4 * found):
-        first = earliest(counts[PAIRS], times)
-        now = times[first]
+    found = find_meetings(
+        since, settings, counts, pose, motion, body, gained, shape_body, shape_kind, shape_first,
+        shape_count, shape_radius, surface, filters, corner, turned, pair, touch, trace, times,
+        scratch,
+    )  # fmt: skip
+    if found == 0:
+        return MISSED
+    left = IMPACTS + 4 * found
+    last = -IMPACTS - 8 * counts[PAIRS]  # what waits changes its state only so often
+    while left > last:
+        p = earliest(counts[PAIRS], times)
+        now = times[p]
         if now > 1.0:
             return MISSED
-        times[first] = MISSED
-        s, t = pair[first, 0], pair[first, 1]
-        if shape_kind[t] == HALF_PLANE:
-            s, t = t, s
-        i, j = shape_body[s], shape_body[t]
-        meet_at(
-            s, t, now, pose, motion, shape_body, shape_kind, shape_first, shape_count,
-            shape_radius, corner, turned, scratch,
-        )  # fmt: skip
-        friction, restitution = touch[first, PAIR_FRICTION], touch[first, PAIR_RESTITUTION]
-        push = part(
-            i, j, now, settings[TIME_STEP], friction, restitution, pose, motion, body, gained,
-            scratch[0],
-        )  # fmt: skip
-        if push < 0.0:
-            continue
-        if push > 0.0:
-            note_impact(
-                push, i, now, 1.0 if s == pair[first, 0] else -1.0, pose, motion, scratch[0],
-                touch[first], trace[first],
+        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+        if left > 0:
+            bent = happen(
+                p, now, settings, pose, motion, body, gained, shape_body, shape_kind, shape_first,
+                shape_count, shape_radius, corner, turned, pair, touch, trace, scratch,
             )  # fmt: skip
-        gained[i, BENT] = gained[j, BENT] = 1.0
-        if leaves(i, settings, kind, pose, motion, body, home) or leaves(
-            j, settings, kind, pose, motion, body, home
-        ):
-            if looks > 0:
+        else:
+            again = left > -IMPACTS
+            bent = stand_by(i, j, now, again, settings, pose, motion, load, body, gained, kind)
+        left -= 1
+        out_i = bent and leaves(i, settings, kind, pose, motion, body, home)
+        out_j = bent and leaves(j, settings, kind, pose, motion, body, home)
+        if out_i or out_j:
+            pushed = cannot_wait(i, gained, kind) or cannot_wait(j, gained, kind)
+            if looks > (-LOOKS_AROUND if pushed else 0):
                 return now
-            wait_at_border(settings, i, now, pose, motion, home, kind)
-            wait_at_border(settings, j, now, pose, motion, home, kind)
-        for p in range(counts[PAIRS]):
-            s, t = pair[p, 0], pair[p, 1]
-            a, b = shape_body[s], shape_body[t]
-            new = ((a == i) | (b == i)) & (kind[i] == DYNAMIC)
-            new = new | (((a == j) | (b == j)) & (kind[j] == DYNAMIC))
-            if new and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
-                times[p] = next_meeting(
-                    s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
-                    shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
-                )  # fmt: skip
-    now = times[earliest(counts[PAIRS], times)]
-    for p in range(counts[PAIRS]):  # too many impacts: what would meet waits for the next step
-        if times[p] <= 1.0:
-            stop_at(shape_body[pair[p, 0]], now, pose, motion, kind)
-            stop_at(shape_body[pair[p, 1]], now, pose, motion, kind)
+            if out_i:
+                wait(i, now, settings, pose, motion, load, body, kind)
+            if out_j:
+                wait(j, now, settings, pose, motion, load, body, kind)
+        if not bent:
+            later = now if left < 0 else next_meeting(
+                pair[p, 0], pair[p, 1], now, settings[TIME_STEP], pose, motion, shape_body,
+                shape_kind, shape_first, shape_count, shape_radius, surface, corner, turned,
+                scratch,
+            )  # fmt: skip
+            times[p] = later if later > now else MISSED  # it does not close in where it is
+            continue
+        renew_meetings(
+            i, j, now, settings, counts, pose, motion, kind, shape_body, shape_kind, shape_first,
+            shape_count, shape_radius, surface, filters, corner, turned, pair, times, scratch,
+        )  # fmt: skip
     return MISSED
+
+
+def happen(
+    p: int,
+    now: float,
+    settings: Array,
+    pose: Array,
+    motion: Array,
+    body: Array,
+    gained: Array,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    corner: Array,
+    turned: Array,
+    pair: Whole,
+    touch: Array,
+    trace: Whole,
+    scratch: Array,
+) -> bool:
+    """Let a pair that meets collide; return whether it did."""
+    s, t = pair[p, 0], pair[p, 1]
+    sense = 1.0
+    if shape_kind[t] == HALF_PLANE:
+        s, t = t, s
+        sense = -1.0
+    i, j = shape_body[s], shape_body[t]
+    meet_at(
+        s, t, now, pose, motion, shape_body, shape_kind, shape_first, shape_count, shape_radius,
+        corner, turned, scratch,
+    )  # fmt: skip
+    row = scratch[0]
+    push = part(
+        i, j, now, settings[TIME_STEP], touch[p, PAIR_FRICTION], touch[p, PAIR_RESTITUTION], pose,
+        motion, body, gained, row,
+    )  # fmt: skip
+    if push < 0.0:
+        return False
+    if push > 0.0:
+        note_impact(push, i, now, sense, pose, motion, row, touch[p], trace[p])
+    gained[i, BENT] = gained[j, BENT] = 1.0
+    return True
 
 
 def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:
@@ -220,8 +253,3 @@ def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:
         still = gained[i, 3] == 0.0 and gained[i, 4] == 0.0
         gained[i, BENT] = 0.0
         gained[i, LEANT] = 1.0 if pulled and still and kind[i] == DYNAMIC else 0.0
-
-
-def width(one: float, other: float) -> float:
-    """Return half the widths of two bodies, m; of a half-plane only the other's counts."""
-    return one if other > WIDE else other if one > WIDE else one + other
