@@ -21,7 +21,7 @@ from tamias2d.stepped.flight_impact import (
     BENT,
     LEANT,
     note_impact,
-    part,
+    rebound,
 )
 from tamias2d.stepped.flight_wait import cannot_wait, stand_by, wait
 from tamias2d.stepped.layout import (
@@ -170,8 +170,8 @@ def fly(
         i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
         if left > 0:
             bent = happen(
-                p, now, settings, pose, motion, body, gained, shape_body, shape_kind, shape_first,
-                shape_count, shape_radius, corner, turned, pair, touch, trace, scratch,
+                p, now, settings, pose, motion, load, body, gained, kind, shape_body, shape_kind,
+                shape_first, shape_count, shape_radius, corner, turned, pair, touch, trace, scratch,
             )  # fmt: skip
         else:
             again = left > -IMPACTS
@@ -208,8 +208,10 @@ def happen(
     settings: Array,
     pose: Array,
     motion: Array,
+    load: Array,
     body: Array,
     gained: Array,
+    kind: Whole,
     shape_body: Whole,
     shape_kind: Whole,
     shape_first: Whole,
@@ -234,9 +236,9 @@ def happen(
         corner, turned, scratch,
     )  # fmt: skip
     row = scratch[0]
-    push = part(
-        i, j, now, settings[TIME_STEP], touch[p, PAIR_FRICTION], touch[p, PAIR_RESTITUTION], pose,
-        motion, body, gained, row,
+    push = rebound(
+        i, j, now, touch[p, PAIR_FRICTION], touch[p, PAIR_RESTITUTION], settings, pose, motion,
+        load, body, gained, kind, row,
     )  # fmt: skip
     if push < 0.0:
         return False

@@ -15,11 +15,13 @@ from tamias2d.generated.soft_contact import (
     velocity_b_kicked,
 )
 from tamias2d.state import Array, Vector
+from tamias2d.stepped.flight_work import energy_seen, give_back, support_of, work_ahead
 from tamias2d.stepped.layout import (
     COUNT,
     DTURN,
     DX,
     DY,
+    DYNAMIC,
     FLOWN_NORMAL,
     GAP,
     INVERSE_INERTIA,
@@ -30,6 +32,7 @@ from tamias2d.stepped.layout import (
     PX,
     PY,
     SPIN,
+    TIME_STEP,
     TOTAL,
     TOUCHED,
     VX,
@@ -65,6 +68,40 @@ def contact_of(row: Array) -> tuple[float, float]:
     return row[PX], row[PY]
 
 
+def rebound(
+    i: int,
+    j: int,
+    now: float,
+    friction: float,
+    restitution: float,
+    settings: Array,
+    pose: Array,
+    motion: Array,
+    load: Array,
+    body: Array,
+    gained: Array,
+    kind: Whole,
+    row: Array,
+) -> float:
+    """Let the impact of two bodies happen, as `part` does, so that it makes no energy.
+
+    Impacts take none of the way that both go in all, as masses count. But a body whose way leads
+    into something that nothing moves loses a part of it.
+    """
+    time_step, left = settings[TIME_STEP], 1.0 - now
+    if kind[i] == kind[j]:
+        return part(i, j, now, time_step, friction, restitution, pose, motion, body, gained, row)
+    k, wall = (i, j) if kind[i] == DYNAMIC else (j, i)
+    support, spin = support_of(k, wall, now, pose, motion), motion[wall, SPIN]
+    before = energy_seen(k, support, spin, motion, body)
+    before -= work_ahead(k, left, settings, motion, load, body)
+    push = part(i, j, now, time_step, friction, restitution, pose, motion, body, gained, row)
+    after = energy_seen(k, support, spin, motion, body)
+    after -= work_ahead(k, left, settings, motion, load, body)
+    give_back(k, after - before, support, spin, motion, body)
+    return push
+
+
 def part(
     i: int,
     j: int,
@@ -87,12 +124,14 @@ def part(
     at_b = seen_from_b(i, j, now, at_a, pose, motion)
     line = (row[NX], row[NY])
     mass = mass_along(i, j, at_a, at_b, line, body)
-    before = speed_along(i, j, 1.0 - now, at_a, at_b, line, motion, gained)
+    leant = gained[i, LEANT] + gained[j, LEANT] > 0.0
+    left = 0.0 if leant else 1.0 - now
+    before = speed_along(i, j, left, at_a, at_b, line, motion, gained)
     rate = rate_along(i, j, time_step, at_a, at_b, line, motion)
     if before >= 0.0 and rate >= 0.0:
         return -1.0
     back = bouncing_push(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
-    if gained[i, LEANT] + gained[j, LEANT] > 0.0:
+    if leant:
         push = max(-mass * before, 0.0) + back
         kick_both(i, j, push, at_a, at_b, line, motion, body)
         way = (max(-mass * rate, 0.0) + back) * time_step
@@ -109,7 +148,7 @@ def part(
         push += held
     if friction > 0.0:
         line = (-row[NY], row[NX])
-        speed = speed_along(i, j, 1.0 - now, at_a, at_b, line, motion, gained)
+        speed = speed_along(i, j, left, at_a, at_b, line, motion, gained)
         mass = mass_along(i, j, at_a, at_b, line, body)
         rub = limited_rub(0.0, speed, mass, friction, push)
         strike(i, j, now, time_step, rub, at_a, at_b, line, pose, motion, body)

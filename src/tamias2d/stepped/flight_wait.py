@@ -1,35 +1,17 @@
 """Bodies for which a step has no more impacts: they wait for the next, where nothing is.
 
 Serves: flight. Hides: what goes along with what cannot wait, and that nobody gains by waiting.
-
-A step has given a velocity what forces give on all of its way. What is not gone of this way is
-taken back from the kinetic energy, as it is seen from where the body waits: in the world, or on
-something that moves on.
 """
 
-from tamias2d.generated.definitions import kinetic_energy
-from tamias2d.generated.island_energy import (
-    angular_velocity_calmed,
-    angular_velocity_seen,
-    calm_share,
-    velocity_calmed,
-    velocity_seen,
-    work,
-)
 from tamias2d.state import Array, Vector
-from tamias2d.stepped.energy import mass_and_inertia
 from tamias2d.stepped.flight_impact import BENT
+from tamias2d.stepped.flight_work import give_back, work_ahead
 from tamias2d.stepped.layout import (
     DTURN,
     DX,
     DY,
     DYNAMIC,
-    GRAVITY_X,
-    GRAVITY_Y,
-    SPIN,
     TIME_STEP,
-    VX,
-    VY,
     Whole,
     X,
     Y,
@@ -123,28 +105,16 @@ def lead(
 
     But what forces have given it for the way that it does not go any more is taken back.
     """
-    undone = velocity_seen((motion[i, DX], motion[i, DY]), way)
-    unturned = angular_velocity_seen(motion[i, DTURN], turn)
-    bend_line(i, now, (-undone[0], -undone[1]), -unturned, pose, motion)
-    mass, inertia = mass_and_inertia(i, body)
-    left = 1.0 - now
-    surplus = work(
-        mass,
-        (settings[GRAVITY_X], settings[GRAVITY_Y]),
-        (load[i, 0], load[i, 1]),
-        load[i, 2],
-        (left * undone[0], left * undone[1]),
-        left * unturned,
+    left, time_step = 1.0 - now, settings[TIME_STEP]
+    before = work_ahead(i, left, settings, motion, load, body)
+    bend_line(
+        i,
+        now,
+        (way[0] - motion[i, DX], way[1] - motion[i, DY]),
+        turn - motion[i, DTURN],
+        pose,
+        motion,
     )
-    if surplus <= 0.0:
-        return
-    time_step = settings[TIME_STEP]
-    support, spin = (way[0] / time_step, way[1] / time_step), turn / time_step
-    seen = velocity_seen((motion[i, VX], motion[i, VY]), support)
-    energy = kinetic_energy(mass, seen, inertia, angular_velocity_seen(motion[i, SPIN], spin))
-    if energy > 0.0:
-        share = calm_share(energy, max(energy - surplus, 0.0), 0.0)
-        motion[i, VX], motion[i, VY] = velocity_calmed(
-            (motion[i, VX], motion[i, VY]), support, share
-        )
-        motion[i, SPIN] = angular_velocity_calmed(motion[i, SPIN], spin, share)
+    undone = before - work_ahead(i, left, settings, motion, load, body)
+    support = (way[0] / time_step, way[1] / time_step)
+    give_back(i, undone, support, turn / time_step, motion, body)
