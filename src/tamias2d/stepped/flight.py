@@ -19,101 +19,28 @@ from tamias2d.stepped.flight_events import (
 )
 from tamias2d.stepped.flight_impact import (
     BENT,
+    BORDER,
     LEANT,
     note_impact,
     rebound,
 )
+from tamias2d.stepped.flight_rooms import leaves_at
 from tamias2d.stepped.flight_wait import cannot_wait, stand_by, wait
 from tamias2d.stepped.layout import (
-    ARM,
-    DTURN,
-    DX,
-    DY,
     DYNAMIC,
-    FRAME_X,
-    FRAME_Y,
     GRAVITY_X,
     GRAVITY_Y,
     HALF_PLANE,
-    HIGH_X,
-    HIGH_Y,
-    HOME_TURN,
-    INNER,
-    KINEMATIC,
-    LOW_X,
-    LOW_Y,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
-    REACH,
     TIME_STEP,
-    TURN,
-    TURN_ROOM,
     Whole,
-    X,
-    Y,
-)
-from tamias2d.stepped.pairs import (
-    AROUND,
 )
 from tamias2d.stepped.sweep import MISSED
 
-FAST = 0.35  # of half its width: how far a body goes before it is looked after
 IMPACTS = 64  # in one step, and four more for every pair that meets
 LOOKS_AROUND = 32  # in one step, and as many for what is pushed by something that cannot wait
-ANY_TURN = 2.0  # rad: where there is so much room, neighbours are known whichever way it turns
-
-
-def goes_far(kind: Whole, motion: Array, body: Array) -> bool:
-    """Return whether some body goes farther in this step than it could be pushed back from."""
-    far = False
-    for i in range(len(kind)):
-        far = far | ((way_of(i, motion, body) > FAST * body[i, INNER]) & (kind[i] >= KINEMATIC))
-    return far
-
-
-def mark_outrun(
-    settings: Array,
-    kind: Whole,
-    pose: Array,
-    motion: Array,
-    body: Array,
-    home: Array,
-    used: Whole,
-) -> int:
-    """Mark bodies that go far and leave the room in which neighbours are known; return how many.
-
-    They are known a little farther than the room, too.
-    """
-    left = 0
-    for i in range(len(kind)):
-        used[i] = 1 if leaves(i, settings, kind, pose, motion, body, home) else 0
-        left += used[i]
-    return left
-
-
-def leaves(
-    i: int, settings: Array, kind: Whole, pose: Array, motion: Array, body: Array, home: Array
-) -> bool:
-    """Return whether a body goes far, and out of where its neighbours are known."""
-    if kind[i] != DYNAMIC or way_of(i, motion, body) <= FAST * body[i, INNER]:
-        return False
-    x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
-    y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
-    more = AROUND * body[i, REACH]
-    turn = abs(pose[i, TURN] + motion[i, DTURN] - home[i, HOME_TURN])
-    return bool(
-        (x < home[i, LOW_X] - more)
-        | (x > home[i, HIGH_X] + more)
-        | (y < home[i, LOW_Y] - more)
-        | (y > home[i, HIGH_Y] + more)
-        | (turn > home[i, TURN_ROOM]) & (home[i, TURN_ROOM] < ANY_TURN)
-    )
-
-
-def way_of(i: int, motion: Array, body: Array) -> float:
-    """Return how far some point of a body may go in this step, m."""
-    return abs(motion[i, DX]) + abs(motion[i, DY]) + abs(motion[i, DTURN]) * body[i, ARM]
 
 
 def fly(
@@ -153,6 +80,8 @@ def fly(
     """
     if since == 0.0:
         begin_flight(settings, kind, gained)
+    for k in range(len(kind)):
+        gained[k, BORDER] = MISSED
     found = find_meetings(
         since, settings, counts, pose, motion, body, gained, shape_body, shape_kind, shape_first,
         shape_count, shape_radius, surface, filters, corner, turned, pair, touch, trace, times,
@@ -163,38 +92,38 @@ def fly(
     left = IMPACTS + 4 * found
     last = -IMPACTS - 8 * counts[PAIRS]  # what waits changes its state only so often
     while left > last:
-        p = earliest(counts[PAIRS], times)
+        p, k = earliest(counts[PAIRS], times), first_out(gained)
         now = times[p]
-        if now > 1.0:
-            return MISSED
-        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
-        if left > 0:
-            bent = happen(
-                p, now, settings, pose, motion, load, body, gained, kind, shape_body, shape_kind,
-                shape_first, shape_count, shape_radius, corner, turned, pair, touch, trace, scratch,
-            )  # fmt: skip
-        else:
-            again = left > -IMPACTS
-            bent = stand_by(i, j, now, again, settings, pose, motion, load, body, gained, kind)
-        left -= 1
-        out_i = bent and leaves(i, settings, kind, pose, motion, body, home)
-        out_j = bent and leaves(j, settings, kind, pose, motion, body, home)
-        if out_i or out_j:
-            pushed = cannot_wait(i, gained, kind) or cannot_wait(j, gained, kind)
-            if looks > (-LOOKS_AROUND if pushed else 0):
+        if gained[k, BORDER] <= now and gained[k, BORDER] <= 1.0:
+            now = gained[k, BORDER]
+            if looks > (-LOOKS_AROUND if cannot_wait(k, gained, kind) else 0):
                 return now
-            if out_i:
-                wait(i, now, settings, pose, motion, load, body, kind)
-            if out_j:
-                wait(j, now, settings, pose, motion, load, body, kind)
-        if not bent:
-            later = now if left < 0 else next_meeting(
-                pair[p, 0], pair[p, 1], now, settings[TIME_STEP], pose, motion, shape_body,
-                shape_kind, shape_first, shape_count, shape_radius, surface, corner, turned,
-                scratch,
-            )  # fmt: skip
-            times[p] = later if later > now else MISSED  # it does not close in where it is
-            continue
+            wait(k, now, settings, pose, motion, load, body, kind)
+            i = j = k
+        elif now > 1.0:
+            return MISSED
+        else:
+            i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+            if left > 0:
+                bent = happen(
+                    p, now, settings, pose, motion, load, body, gained, kind, shape_body,
+                    shape_kind, shape_first, shape_count, shape_radius, corner, turned, pair,
+                    touch, trace, scratch,
+                )  # fmt: skip
+            else:
+                again = left > -IMPACTS
+                bent = stand_by(i, j, now, again, settings, pose, motion, load, body, gained, kind)
+            left -= 1
+            if not bent:
+                later = now if left < 0 else next_meeting(
+                    pair[p, 0], pair[p, 1], now, settings[TIME_STEP], pose, motion, shape_body,
+                    shape_kind, shape_first, shape_count, shape_radius, surface, corner, turned,
+                    scratch,
+                )  # fmt: skip
+                times[p] = later if later > now else MISSED  # it does not close in where it is
+                continue
+        gained[i, BORDER] = leaves_at(i, now, settings, kind, pose, motion, body, home)
+        gained[j, BORDER] = leaves_at(j, now, settings, kind, pose, motion, body, home)
         renew_meetings(
             i, j, now, settings, counts, pose, motion, kind, shape_body, shape_kind, shape_first,
             shape_count, shape_radius, surface, filters, corner, turned, pair, times, scratch,
@@ -255,3 +184,12 @@ def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:
         still = gained[i, 3] == 0.0 and gained[i, 4] == 0.0
         gained[i, BENT] = 0.0
         gained[i, LEANT] = 1.0 if pulled and still and kind[i] == DYNAMIC else 0.0
+
+
+def first_out(gained: Array) -> int:
+    """Return the body that leaves first the room in which its neighbours are known."""
+    first = 0
+    for i in range(1, len(gained)):
+        if gained[i, BORDER] < gained[first, BORDER]:
+            first = i
+    return first

@@ -45,8 +45,9 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.sweep import NEAR, WIDE
 from tamias2d.stepped.trajectory import bend
 
-BENT, LEANT = 0, 1  # columns of what bodies gained that are free: 1 where a line is bent; where a
-# body has contacts, so that its velocity at the end says little of that on its way
+# columns of what bodies gained that are free: 1 where a line is bent; 1 where a body has contacts,
+# so that its velocity at the end says little of that on its way; when it leaves its room
+BENT, LEANT, BORDER = 0, 1, 2
 
 
 def seen_from_b(i: int, j: int, now: float, at_a: Vector, pose: Array, motion: Array) -> Vector:

@@ -36,9 +36,8 @@ from tamias2d.stepped.drift import (
 from tamias2d.stepped.flight import (
     LOOKS_AROUND,
     fly,
-    goes_far,
-    mark_outrun,
 )
+from tamias2d.stepped.flight_rooms import goes_far, mark_outrun
 from tamias2d.stepped.frame import (
     move_frame,
 )
