@@ -18,7 +18,9 @@ from tamias2d.stepped.layout import (
 )
 from tamias2d.stepped.trajectory import bend_line
 
-PUSHED_ON = 2.0  # instead of 1 where a line is bent: as that of something that does not wait
+ARC = 0.5  # rad
+# instead of 1 where a line is bent: as that of what is pushed on, or leans on what nothing moves
+PUSHED_ON, CARRIED_ON, NOTHING_MOVES = 2.0, 3.0, 4.0
 
 
 def stand_by(
@@ -37,26 +39,31 @@ def stand_by(
     """Let two bodies that meet wait for the next step; return whether this changes their lines.
 
     What has met something that cannot wait, or something that goes along with that, goes along,
-    too; `again` says that this may happen to a body more than once.
+    too, nearer to what leads; `again` says that this may happen among bodies as near as each other.
     """
-    held_i, held_j = cannot_wait(i, gained, kind), cannot_wait(j, gained, kind)
-    if not held_i and not held_j:
+    near_i, near_j = leads(i, gained, kind), leads(j, gained, kind)
+    if max(near_i, near_j) < PUSHED_ON:
         wait(i, now, settings, pose, motion, load, body, kind)
         wait(j, now, settings, pose, motion, load, body, kind)
         return True
-    if held_i and held_j and not again:
+    if near_i == near_j and (near_i == CARRIED_ON or not again):
         return False
-    if kind[j] != DYNAMIC or (held_j and kind[i] == DYNAMIC):
+    if near_i < near_j:
         i, j = j, i
-    way, turn = way_along(i, j, now, pose, motion)
+    way, turn = way_along(i, j, now, kind, pose, motion)
     lead(j, now, way, turn, settings, pose, motion, load, body)
-    gained[j, BENT] = PUSHED_ON
+    gained[j, BENT] = PUSHED_ON if kind[i] == DYNAMIC else CARRIED_ON
     return True
+
+
+def leads(i: int, gained: Array, kind: Whole) -> float:
+    """Return how near a body is to what nothing moves and what leads it on."""
+    return float(gained[i, BENT]) if kind[i] == DYNAMIC else NOTHING_MOVES
 
 
 def cannot_wait(i: int, gained: Array, kind: Whole) -> bool:
     """Return whether a body stays on its line whatever it meets, or goes along with such a one."""
-    return bool(kind[i] != DYNAMIC or gained[i, BENT] == PUSHED_ON)
+    return leads(i, gained, kind) >= PUSHED_ON
 
 
 def wait(
@@ -74,15 +81,20 @@ def wait(
         lead(i, now, (0.0, 0.0), 0.0, settings, pose, motion, load, body)
 
 
-def way_along(i: int, j: int, now: float, pose: Array, motion: Array) -> tuple[Vector, float]:
+def way_along(
+    i: int, j: int, now: float, kind: Whole, pose: Array, motion: Array
+) -> tuple[Vector, float]:
     """Return the way of a body j, m and rad, as if it were a part of i, as far as a line can be.
 
-    The line leads on the inside of the arc on which it would go.
+    Along with a wall that turns it begins on the inside of its arc, and cuts that before the wall
+    has turned by `ARC`: there both meet again.
     """
     x = pose[j, X] - pose[i, X] + now * (motion[j, DX] - motion[i, DX])
     y = pose[j, Y] - pose[i, Y] + now * (motion[j, DY] - motion[i, DY])
     turn = motion[i, DTURN]
-    inwards = turn * turn * (1.0 - now)
+    inwards = 0.0
+    if kind[i] != DYNAMIC:
+        inwards = abs(turn) * min(abs(turn) * (1.0 - now), 0.5 * ARC)
     way = (
         motion[i, DX] - turn * y - inwards * x,
         motion[i, DY] + turn * x - inwards * y,
