@@ -40,6 +40,7 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.sweep import MISSED
 
 IMPACTS = 64  # in one step, and four more for every pair that meets
+WAITS = 128  # in one step, for every body: more than it takes until nothing is led on any more
 LOOKS_AROUND = 32  # in one step, and as many for what is pushed by something that cannot wait
 
 
@@ -90,7 +91,7 @@ def fly(
     if found == 0:
         return MISSED
     left = IMPACTS + 4 * found
-    last = -IMPACTS - 8 * counts[PAIRS]  # what waits changes its state only so often
+    last = -WAITS * len(kind)
     while left > last:
         p, k = earliest(counts[PAIRS], times), first_out(gained)
         now = times[p]
@@ -111,8 +112,7 @@ def fly(
                     touch, trace, scratch,
                 )  # fmt: skip
             else:
-                again = left > -IMPACTS
-                bent = stand_by(i, j, now, again, settings, pose, motion, load, body, gained, kind)
+                bent = stand_by(i, j, now, settings, pose, motion, load, body, gained, kind)
             left -= 1
             if not bent:
                 later = now if left < 0 else next_meeting(

@@ -19,15 +19,16 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.trajectory import bend_line
 
 ARC = 0.5  # rad
-# instead of 1 where a line is bent: as that of what is pushed on, or leans on what nothing moves
+# instead of 1 where a line is bent: as that of what is pushed on, carried on by a wall, or a wall;
+# each time that a body is led on it comes nearer to the next of these
 PUSHED_ON, CARRIED_ON, NOTHING_MOVES = 2.0, 3.0, 4.0
+NEARER, NEARER_TO_WALL = 1.0 / 8.0, 1.0 / 64.0
 
 
 def stand_by(
     i: int,
     j: int,
     now: float,
-    again: bool,
     settings: Array,
     pose: Array,
     motion: Array,
@@ -39,31 +40,35 @@ def stand_by(
     """Let two bodies that meet wait for the next step; return whether this changes their lines.
 
     What has met something that cannot wait, or something that goes along with that, goes along,
-    too, nearer to what leads; `again` says that this may happen among bodies as near as each other.
+    too. What is led on by walls is led on by nothing else, and by these not for ever: it may be
+    jammed.
     """
-    near_i, near_j = leads(i, gained, kind), leads(j, gained, kind)
+    near_i, near_j = rank_of(i, gained, kind), rank_of(j, gained, kind)
     if max(near_i, near_j) < PUSHED_ON:
         wait(i, now, settings, pose, motion, load, body, kind)
         wait(j, now, settings, pose, motion, load, body, kind)
         return True
-    if near_i == near_j and (near_i == CARRIED_ON or not again):
-        return False
     if near_i < near_j:
         i, j = j, i
+    near, wall = min(near_i, near_j), kind[i] != DYNAMIC
+    if near >= (NOTHING_MOVES if wall else CARRIED_ON):
+        return False
     way, turn = way_along(i, j, now, kind, pose, motion)
     lead(j, now, way, turn, settings, pose, motion, load, body)
-    gained[j, BENT] = PUSHED_ON if kind[i] == DYNAMIC else CARRIED_ON
+    gained[j, BENT] = (
+        max(near + NEARER_TO_WALL, CARRIED_ON) if wall else max(near + NEARER, PUSHED_ON)
+    )
     return True
 
 
-def leads(i: int, gained: Array, kind: Whole) -> float:
-    """Return how near a body is to what nothing moves and what leads it on."""
+def rank_of(i: int, gained: Array, kind: Whole) -> float:
+    """Return how near a body is to something that nothing moves and that leads it on."""
     return float(gained[i, BENT]) if kind[i] == DYNAMIC else NOTHING_MOVES
 
 
 def cannot_wait(i: int, gained: Array, kind: Whole) -> bool:
     """Return whether a body stays on its line whatever it meets, or goes along with such a one."""
-    return leads(i, gained, kind) >= PUSHED_ON
+    return rank_of(i, gained, kind) >= PUSHED_ON
 
 
 def wait(
