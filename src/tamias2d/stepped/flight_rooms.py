@@ -64,8 +64,12 @@ def mark_outrun(
 def leaves(
     i: int, settings: Array, kind: Whole, pose: Array, motion: Array, body: Array, home: Array
 ) -> bool:
-    """Return whether a body goes far, and out of where its neighbours are known."""
-    if kind[i] < KINEMATIC or way_of(i, motion, body) <= FAST * body[i, INNER]:
+    """Return whether a body goes far, and out of where its neighbours are known.
+
+    Where the frame moves on, what stands still goes far from it.
+    """
+    stays = settings[FRAME_MOVES] == 0.0 and way_of(i, motion, body) <= FAST * body[i, INNER]
+    if kind[i] < KINEMATIC or stays:
         return False
     x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
     y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
