@@ -69,17 +69,17 @@ def find_meetings(
         s, t = pair[p, 0], pair[p, 1]
         i, j = shape_body[s], shape_body[t]
         bent = gained[i, BENT] + gained[j, BENT] > 0.0
+        touches = trace[p, COUNT] > 0
         if filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
             continue
         by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
-        way = abs(by_x) + abs(by_y)
+        turn = abs(motion[i, DTURN]) * body[i, ARM] + abs(motion[j, DTURN]) * body[j, ARM]
         reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
         deep = min(THROUGH * width(body[i, INNER], body[j, INNER]), reach)
-        if trace[p, COUNT] > 0:
-            way = max(0.0, -touch[p, NX] * by_x - touch[p, NY] * by_y)
-            deep = max(deep, SWUNG * reach)
-        way += abs(motion[i, DTURN]) * body[i, ARM] + abs(motion[j, DTURN]) * body[j, ARM]
-        if bent or way > deep:
+        if not bent and abs(by_x) + abs(by_y) + turn <= deep:
+            continue
+        into = max(0.0, -touch[p, NX] * by_x - touch[p, NY] * by_y) if touches else WIDE
+        if bent or into + turn > max(deep, SWUNG * reach):
             times[p] = next_meeting(
                 s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
                 shape_first, shape_count, shape_radius, surface, corner, turned, scratch,

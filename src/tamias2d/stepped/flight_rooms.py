@@ -9,6 +9,7 @@ from tamias2d.stepped.layout import (
     DTURN,
     DX,
     DY,
+    DYNAMIC,
     FRAME_MOVES,
     FRAME_X,
     FRAME_Y,
@@ -73,7 +74,7 @@ def leaves(
         return False
     x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
     y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
-    more = AROUND * body[i, REACH]
+    more = AROUND * body[i, REACH] if kind[i] == DYNAMIC else 0.0
     turn = abs(pose[i, TURN] + motion[i, DTURN] - home[i, HOME_TURN])
     return bool(
         (x < home[i, LOW_X] - more)
