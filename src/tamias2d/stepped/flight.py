@@ -5,8 +5,9 @@ Serves: a step, for what the solver has not seen coming. Hides: in which order t
 In a step every body goes along a line and turns evenly. Where one goes farther than its own
 thickness, the instants at which it comes close to others are found, and at the first of them the
 impact happens at once: both go on along new lines for the rest of the step (IM10, one row). What
-then is in their way is looked for again, and where a new line leaves the room in which neighbours
-are known, all pairs are. What is pressed together again for the rest of the step stays together.
+then is in their way is looked for again, and where one comes to the border of the room in which
+its neighbours are known, all pairs are. What is pressed together again for the rest of the step
+stays together. Where there are too many impacts in a step, what meets waits for the next one.
 """
 
 from tamias2d.state import Array
@@ -17,13 +18,7 @@ from tamias2d.stepped.flight_events import (
     next_meeting,
     renew_meetings,
 )
-from tamias2d.stepped.flight_impact import (
-    BENT,
-    BORDER,
-    LEANT,
-    note_impact,
-    rebound,
-)
+from tamias2d.stepped.flight_impact import BENT, BORDER, LEANT, note_impact, rebound
 from tamias2d.stepped.flight_rooms import leaves_at
 from tamias2d.stepped.flight_wait import cannot_wait, stand_by, wait
 from tamias2d.stepped.layout import (
@@ -76,8 +71,8 @@ def fly(
     `gained` (n+1, 6) holds in its last columns what forces add to velocities in this step; `times`
     (p,) is for when pairs meet, `scratch` (k, 8) for the corners of two shapes. Returns the
     fraction of the step from which pairs are to be looked for and this is to be called again, as
-    `since`, if `looks` are left; else `MISSED`. Until its next meeting a body is where nothing is:
-    there it waits for the next step, when there have been too many impacts or looks in this one.
+    `since`, if `looks` are left; else `MISSED`. Until its next meeting a body is where nothing else
+    is: there it waits for the next step, after too many impacts or looks in this one.
     """
     if since == 0.0:
         begin_flight(settings, kind, gained)
@@ -94,25 +89,23 @@ def fly(
     last = -WAITS * len(kind)
     while left > last:
         p, k = earliest(counts[PAIRS], times), first_out(gained)
-        now = times[p]
-        if gained[k, BORDER] <= now and gained[k, BORDER] <= 1.0:
-            now = gained[k, BORDER]
-            if looks > (-LOOKS_AROUND if cannot_wait(k, gained, kind) else 0):
-                return now
-            wait(k, now, settings, pose, motion, load, body, kind)
-            i = j = k
-        elif now > 1.0:
+        now, border = times[p], gained[k, BORDER]
+        if min(now, border) > 1.0:
             return MISSED
+        if border <= now:
+            if looks > (-LOOKS_AROUND if cannot_wait(k, gained, kind) else 0):
+                return border
+            now, i, j = border, k, k
+            wait(k, now, settings, pose, motion, load, body, kind)
         else:
             i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
-            if left > 0:
-                bent = happen(
-                    p, now, settings, pose, motion, load, body, gained, kind, shape_body,
-                    shape_kind, shape_first, shape_count, shape_radius, corner, turned, pair,
-                    touch, trace, scratch,
-                )  # fmt: skip
-            else:
-                bent = stand_by(i, j, now, settings, pose, motion, load, body, gained, kind)
+            bent = happen(
+                p, now, settings, pose, motion, load, body, gained, kind, shape_body, shape_kind,
+                shape_first, shape_count, shape_radius, corner, turned, pair, touch, trace,
+                scratch,
+            ) if left > 0 else stand_by(
+                i, j, now, settings, pose, motion, load, body, gained, kind
+            )  # fmt: skip
             left -= 1
             if not bent:
                 later = now if left < 0 else next_meeting(

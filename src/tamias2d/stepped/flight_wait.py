@@ -6,19 +6,10 @@ Serves: flight. Hides: what goes along with what cannot wait, and that nobody ga
 from tamias2d.state import Array, Vector
 from tamias2d.stepped.flight_impact import BENT
 from tamias2d.stepped.flight_work import give_back, work_ahead
-from tamias2d.stepped.layout import (
-    DTURN,
-    DX,
-    DY,
-    DYNAMIC,
-    TIME_STEP,
-    Whole,
-    X,
-    Y,
-)
+from tamias2d.stepped.layout import DTURN, DX, DY, DYNAMIC, TIME_STEP, Whole, X, Y
 from tamias2d.stepped.trajectory import bend_line
 
-ARC = 0.5  # rad
+ARC = 0.5  # rad: how far a wall turns at most while what it carries on goes along one line
 # instead of 1 where a line is bent: as that of what is pushed on, carried on by a wall, or a wall;
 # each time that a body is led on it comes nearer to the next of these
 PUSHED_ON, CARRIED_ON, NOTHING_MOVES = 2.0, 3.0, 4.0
@@ -55,9 +46,8 @@ def stand_by(
         return False
     way, turn = way_along(i, j, now, kind, pose, motion)
     lead(j, now, way, turn, settings, pose, motion, load, body)
-    gained[j, BENT] = (
-        max(near + NEARER_TO_WALL, CARRIED_ON) if wall else max(near + NEARER, PUSHED_ON)
-    )
+    nearer = max(near + NEARER_TO_WALL, CARRIED_ON) if wall else max(near + NEARER, PUSHED_ON)
+    gained[j, BENT] = nearer
     return True
 
 
@@ -124,14 +114,8 @@ def lead(
     """
     left, time_step = 1.0 - now, settings[TIME_STEP]
     before = work_ahead(i, left, settings, motion, load, body)
-    bend_line(
-        i,
-        now,
-        (way[0] - motion[i, DX], way[1] - motion[i, DY]),
-        turn - motion[i, DTURN],
-        pose,
-        motion,
-    )
+    by = (way[0] - motion[i, DX], way[1] - motion[i, DY])
+    bend_line(i, now, by, turn - motion[i, DTURN], pose, motion)
     undone = before - work_ahead(i, left, settings, motion, load, body)
     support = (way[0] / time_step, way[1] / time_step)
     give_back(i, undone, support, turn / time_step, motion, body)
