@@ -95,3 +95,21 @@ def test_nothing_gets_out_of_a_box_of_thin_walls(kind: str, seeds: int) -> None:
             if kind == "fixed" and seed % 2 == 0:  # without gravity
                 assert totals(sim)[2] <= energy * (1.0 + 1e-9), (seed, step)
     assert lost == []
+
+
+@pytest.mark.parametrize("speed", [31.0, 100.0, 310.0])
+def test_a_wall_that_is_driven_passes_nothing_that_rests_in_its_way(speed: float) -> None:
+    """Wherever it stands: the wall comes there at any age of the list of pairs."""
+    for place in np.linspace(2.0, 150.0, 60):
+        scene = t2.Scene(gravity=(0.0, -10.0))
+        scene.add_kinematic(
+            UPRIGHT, position=(0.0, 0.0), velocity=(speed, 0.0), restitution=0.0, friction=0.0
+        )
+        scene.add_static(t2.Box(width=400.0, height=1.0), position=(100.0, -2.0), restitution=0.0)
+        scene.add_body(
+            t2.Box(width=0.2, height=1.5), mass=1.0, position=(place, -0.75), restitution=0.0
+        )
+        sim = Simulator(scene)
+        while sim.position[0, 0] < place + 5.0:
+            sim.step()
+            assert sim.position[2, 0] > sim.position[0, 0] - 0.05, place
