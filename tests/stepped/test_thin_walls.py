@@ -29,12 +29,14 @@ SHAPES = (t2.Disc(radius=0.1), t2.Box(width=0.2, height=0.1), t2.Capsule(length=
 
 def box(kind: str, scene: t2.Scene, chance: random.Random, surface: Any) -> tuple[float, float]:
     """Add the walls of a kind, or a box that is one body; return how they move, m/s."""
-    along = (0.0, 0.0)
+    at = along = (0.0, 0.0)
     if kind == "loose":
-        scene.add_body(BOX, mass=chance.choice((1.0, 30.0)), position=along, **surface)
+        along = (150.0, -220.0)
+        mass = chance.choice((1.0, 30.0))
+        scene.add_body(BOX, mass=mass, position=at, velocity=along, **surface)
     elif kind == "drum":
         spin = chance.choice((1.0, 10.0, 100.0))
-        scene.add_kinematic(BOX, position=along, angular_velocity=spin, **surface)
+        scene.add_kinematic(BOX, position=at, angular_velocity=spin, **surface)
     elif kind == "driven":
         most = chance.choice((3.0, 30.0, 200.0))
         along = (chance.uniform(-most, most), chance.uniform(-most, most))
@@ -80,7 +82,7 @@ def seen_from_box(sim: Simulator) -> Array:
 
 
 @pytest.mark.parametrize(
-    ("kind", "seeds"), [("fixed", 200), ("heavy", 60), ("loose", 60), ("driven", 60), ("drum", 60)]
+    ("kind", "seeds"), [("fixed", 200), ("heavy", 60), ("loose", 40), ("driven", 60), ("drum", 60)]
 )
 def test_nothing_gets_out_of_a_box_of_thin_walls(kind: str, seeds: int) -> None:
     lost = []
