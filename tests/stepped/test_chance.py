@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 import tamias2d as t2
 from tamias2d.state import Array
@@ -162,6 +162,28 @@ def test_slow_bodies_keep_their_angular_momentum_as_seen_where_a_step_began(
         assert after.sum() == pytest.approx(before.sum(), abs=float(ROUNDING * size))
 
 
+FALLING = (
+    # too many impacts for a step: what waits has not fallen
+    (Chance(0, 115, True, 0.0, 0.0, 1e-3, 0.0), 5.0),
+    (Chance(51, 51, True, 0.0, 0.0, 1e-3, 0.0), 21.0),
+    (Chance(0, 135, True, 0.0, 0.0, 1e-3, 0.0), 13.0),
+    # what has contacts falls far and meets a wall
+    (Chance(1382708027, 8, True, 1.0, 0.0, 1e3, 4.545682851856529), 27.0),
+    (Chance(20, 2, True, 1.0, 0.0, 1e3, 0.0), 29.665610309736746),
+    (Chance(4871717, 4, True, 1.0, 0.0, 1e-3, 0.0), 5.847563660623238),
+    (Chance(1016746406, 114, False, 0.5, 0.0, 1.0, 9.274865957485265), 28.0),
+    (Chance(2358350915, 135, True, 0.01743619166601207, 0.0, 1e-3, 10.0), 26.0),
+)
+
+
+def falling(test: Any) -> Any:
+    """Let a test look at all of `FALLING`, too."""
+    for chance, pull in FALLING:
+        test = example(chance, pull)(test)
+    return test
+
+
+@falling
 @settings(max_examples=25)
 @given(chances(150), st.floats(0.1, 30.0))
 def test_what_falls_gains_no_more_than_gravity_gives(chance: Chance, pull: float) -> None:

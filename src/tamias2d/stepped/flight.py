@@ -5,101 +5,38 @@ Serves: a step, for what the solver has not seen coming. Hides: in which order t
 In a step every body goes along a line and turns evenly. Where one goes farther than its own
 thickness, the instants at which it comes close to others are found, and at the first of them the
 impact happens at once: both go on along new lines for the rest of the step (IM10, one row). What
-then is in their way is looked for again, and where a new line leaves the room in which neighbours
-are known, all pairs are. What is pressed together again for the rest of the step stays together.
+then is in their way is looked for again, and where one comes to the border of the room in which
+its neighbours are known, all pairs are. What is pressed together again for the rest of the step
+stays together. Where there are too many impacts in a step, what meets waits for the next one.
 """
 
 from tamias2d.state import Array
-from tamias2d.stepped.flight_events import earliest, meet_at, next_meeting
-from tamias2d.stepped.flight_impact import BENT, LEANT, note_impact, part
+from tamias2d.stepped.flight_events import (
+    earliest,
+    find_meetings,
+    meet_at,
+    next_meeting,
+    renew_meetings,
+)
+from tamias2d.stepped.flight_impact import BENT, BORDER, LEANT, note_impact, rebound
+from tamias2d.stepped.flight_rooms import leaves_at
+from tamias2d.stepped.flight_wait import cannot_wait, stand_by, wait
 from tamias2d.stepped.layout import (
-    ARM,
-    COUNT,
-    DTURN,
-    DX,
-    DY,
     DYNAMIC,
-    FRAME_X,
-    FRAME_Y,
     GRAVITY_X,
     GRAVITY_Y,
     HALF_PLANE,
-    HIGH_X,
-    HIGH_Y,
-    INNER,
-    KINEMATIC,
-    LOW_X,
-    LOW_Y,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
-    REACH,
-    SENSOR,
-    SHAPE_REACH,
     TIME_STEP,
     Whole,
-    X,
-    Y,
 )
-from tamias2d.stepped.pairs import AROUND
-from tamias2d.stepped.sweep import MISSED, WIDE
-from tamias2d.stepped.trajectory import stop_at, wait_at_border
+from tamias2d.stepped.sweep import MISSED
 
-FAST = 0.35  # of half its width: how far a body goes before it is looked after
-THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back,
-# but not farther than the smaller one reaches
 IMPACTS = 64  # in one step, and four more for every pair that meets
-LOOKS_AROUND = 32  # in one step: then a body waits where its neighbours are not known any more
-
-
-def goes_far(kind: Whole, motion: Array, body: Array) -> bool:
-    """Return whether some body goes farther in this step than it could be pushed back from."""
-    far = False
-    for i in range(len(kind)):
-        far = far | ((way_of(i, motion, body) > FAST * body[i, INNER]) & (kind[i] >= KINEMATIC))
-    return far
-
-
-def mark_outrun(
-    settings: Array,
-    kind: Whole,
-    pose: Array,
-    motion: Array,
-    body: Array,
-    home: Array,
-    used: Whole,
-) -> int:
-    """Mark bodies that go far and leave the room in which neighbours are known; return how many.
-
-    They are known a little farther than the room, too.
-    """
-    left = 0
-    for i in range(len(kind)):
-        used[i] = 1 if leaves(i, settings, kind, pose, motion, body, home) else 0
-        left += used[i]
-    return left
-
-
-def leaves(
-    i: int, settings: Array, kind: Whole, pose: Array, motion: Array, body: Array, home: Array
-) -> bool:
-    """Return whether a body goes far, and out of where its neighbours are known."""
-    if kind[i] != DYNAMIC or way_of(i, motion, body) <= FAST * body[i, INNER]:
-        return False
-    x = pose[i, X] + motion[i, DX] - settings[FRAME_X]
-    y = pose[i, Y] + motion[i, DY] - settings[FRAME_Y]
-    more = AROUND * body[i, REACH]
-    return bool(
-        (x < home[i, LOW_X] - more)
-        | (x > home[i, HIGH_X] + more)
-        | (y < home[i, LOW_Y] - more)
-        | (y > home[i, HIGH_Y] + more)
-    )
-
-
-def way_of(i: int, motion: Array, body: Array) -> float:
-    """Return how far some point of a body may go in this step, m."""
-    return abs(motion[i, DX]) + abs(motion[i, DY]) + abs(motion[i, DTURN]) * body[i, ARM]
+WAITS = 128  # in one step, for every body: more than it takes until nothing is led on any more
+LOOKS_AROUND = 32  # in one step, and as many for what is pushed by something that cannot wait
 
 
 def fly(
@@ -107,6 +44,7 @@ def fly(
     counts: Whole,
     pose: Array,
     motion: Array,
+    load: Array,
     body: Array,
     home: Array,
     kind: Whole,
@@ -133,84 +71,103 @@ def fly(
     `gained` (n+1, 6) holds in its last columns what forces add to velocities in this step; `times`
     (p,) is for when pairs meet, `scratch` (k, 32) for the corners of two shapes. Returns the
     fraction of the step from which pairs are to be looked for and this is to be called again, as
-    `since`, if `looks` are left; else `MISSED`.
+    `since`, if `looks` are left; else `MISSED`. Until its next meeting a body is where nothing else
+    is: there it waits for the next step, after too many impacts or looks in this one.
     """
     if since == 0.0:
         begin_flight(settings, kind, gained)
-    found = 0
-    for p in range(counts[PAIRS]):
-        times[p] = MISSED
-        s, t = pair[p, 0], pair[p, 1]
-        i, j = shape_body[s], shape_body[t]
-        bent = gained[i, BENT] + gained[j, BENT] > 0.0
-        if trace[p, COUNT] > 0 and not bent:
-            continue
-        if filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
-            continue
-        way = (
-            abs(motion[j, DX] - motion[i, DX])
-            + abs(motion[j, DY] - motion[i, DY])
-            + abs(motion[i, DTURN]) * body[i, ARM]
-            + abs(motion[j, DTURN]) * body[j, ARM]
-        )
-        deep = THROUGH * width(body[i, INNER], body[j, INNER])
-        deep = min(deep, surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
-        if bent or way > deep:
-            times[p] = next_meeting(
-                s, t, since, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
-                shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
-            )  # fmt: skip
-            found += times[p] <= 1.0
-    for _ in range(IMPACTS + 4 * found):
-        first = earliest(counts[PAIRS], times)
-        now = times[first]
-        if now > 1.0:
+    for k in range(len(kind)):
+        gained[k, BORDER] = MISSED
+    found = find_meetings(
+        since, settings, counts, pose, motion, body, gained, shape_body, shape_kind, shape_first,
+        shape_count, shape_radius, surface, filters, corner, turned, pair, touch, trace, times,
+        scratch,
+    )  # fmt: skip
+    if found == 0:
+        return MISSED
+    left = IMPACTS + 4 * found
+    last = -WAITS * len(kind)
+    while left > last:
+        p, k = earliest(counts[PAIRS], times), first_out(gained)
+        now, border = times[p], gained[k, BORDER]
+        if min(now, border) > 1.0:
             return MISSED
-        times[first] = MISSED
-        s, t = pair[first, 0], pair[first, 1]
-        if shape_kind[t] == HALF_PLANE:
-            s, t = t, s
-        i, j = shape_body[s], shape_body[t]
-        meet_at(
-            s, t, now, pose, motion, shape_body, shape_kind, shape_first, shape_count,
-            shape_radius, corner, turned, scratch,
-        )  # fmt: skip
-        friction, restitution = touch[first, PAIR_FRICTION], touch[first, PAIR_RESTITUTION]
-        push = part(
-            i, j, now, settings[TIME_STEP], friction, restitution, pose, motion, body, gained,
-            scratch[0],
-        )  # fmt: skip
-        if push < 0.0:
-            continue
-        if push > 0.0:
-            note_impact(
-                push, i, now, 1.0 if s == pair[first, 0] else -1.0, pose, motion, scratch[0],
-                touch[first], trace[first],
+        if border <= now:
+            if looks > (-LOOKS_AROUND if cannot_wait(k, gained, kind) else 0):
+                return border
+            now, i, j = border, k, k
+            wait(k, now, settings, pose, motion, load, body, kind)
+        else:
+            i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+            bent = happen(
+                p, now, settings, pose, motion, load, body, gained, kind, shape_body, shape_kind,
+                shape_first, shape_count, shape_radius, corner, turned, pair, touch, trace,
+                scratch,
+            ) if left > 0 else stand_by(
+                i, j, now, settings, pose, motion, load, body, gained, kind
             )  # fmt: skip
-        gained[i, BENT] = gained[j, BENT] = 1.0
-        if leaves(i, settings, kind, pose, motion, body, home) or leaves(
-            j, settings, kind, pose, motion, body, home
-        ):
-            if looks > 0:
-                return now
-            wait_at_border(settings, i, now, pose, motion, home, kind)
-            wait_at_border(settings, j, now, pose, motion, home, kind)
-        for p in range(counts[PAIRS]):
-            s, t = pair[p, 0], pair[p, 1]
-            a, b = shape_body[s], shape_body[t]
-            new = ((a == i) | (b == i)) & (kind[i] == DYNAMIC)
-            new = new | (((a == j) | (b == j)) & (kind[j] == DYNAMIC))
-            if new and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
-                times[p] = next_meeting(
-                    s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
-                    shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
+            left -= 1
+            if not bent:
+                later = now if left < 0 else next_meeting(
+                    pair[p, 0], pair[p, 1], now, settings[TIME_STEP], pose, motion, shape_body,
+                    shape_kind, shape_first, shape_count, shape_radius, surface, corner, turned,
+                    scratch,
                 )  # fmt: skip
-    now = times[earliest(counts[PAIRS], times)]
-    for p in range(counts[PAIRS]):  # too many impacts: what would meet waits for the next step
-        if times[p] <= 1.0:
-            stop_at(shape_body[pair[p, 0]], now, pose, motion, kind)
-            stop_at(shape_body[pair[p, 1]], now, pose, motion, kind)
+                times[p] = later if later > now else MISSED  # it does not close in where it is
+                continue
+        gained[i, BORDER] = leaves_at(i, now, settings, kind, pose, motion, body, home)
+        gained[j, BORDER] = leaves_at(j, now, settings, kind, pose, motion, body, home)
+        renew_meetings(
+            i, j, now, settings, counts, pose, motion, kind, shape_body, shape_kind, shape_first,
+            shape_count, shape_radius, surface, filters, corner, turned, pair, times, scratch,
+        )  # fmt: skip
     return MISSED
+
+
+def happen(
+    p: int,
+    now: float,
+    settings: Array,
+    pose: Array,
+    motion: Array,
+    load: Array,
+    body: Array,
+    gained: Array,
+    kind: Whole,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    corner: Array,
+    turned: Array,
+    pair: Whole,
+    touch: Array,
+    trace: Whole,
+    scratch: Array,
+) -> bool:
+    """Let a pair that meets collide; return whether it did."""
+    s, t = pair[p, 0], pair[p, 1]
+    sense = 1.0
+    if shape_kind[t] == HALF_PLANE:
+        s, t = t, s
+        sense = -1.0
+    i, j = shape_body[s], shape_body[t]
+    meet_at(
+        s, t, now, pose, motion, shape_body, shape_kind, shape_first, shape_count, shape_radius,
+        corner, turned, scratch,
+    )  # fmt: skip
+    row = scratch[0]
+    push = rebound(
+        i, j, now, touch[p, PAIR_FRICTION], touch[p, PAIR_RESTITUTION], settings, pose, motion,
+        load, body, gained, kind, row,
+    )  # fmt: skip
+    if push < 0.0:
+        return False
+    if push > 0.0:
+        note_impact(push, i, now, sense, pose, motion, row, touch[p], trace[p])
+    gained[i, BENT] = gained[j, BENT] = 1.0
+    return True
 
 
 def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:
@@ -222,6 +179,10 @@ def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:
         gained[i, LEANT] = 1.0 if pulled and still and kind[i] == DYNAMIC else 0.0
 
 
-def width(one: float, other: float) -> float:
-    """Return half the widths of two bodies, m; of a half-plane only the other's counts."""
-    return one if other > WIDE else other if one > WIDE else one + other
+def first_out(gained: Array) -> int:
+    """Return the body that leaves first the room in which its neighbours are known."""
+    first = 0
+    for i in range(1, len(gained)):
+        if gained[i, BORDER] < gained[first, BORDER]:
+            first = i
+    return first

@@ -4,17 +4,24 @@ Serves: flight. Hides: how shapes are turned to where they are at an instant.
 """
 
 from tamias2d.state import Array
-from tamias2d.stepped.flight_impact import contact_of, rate_along, seen_from_b
+from tamias2d.stepped.flight_impact import BENT, contact_of, rate_along, seen_from_b
 from tamias2d.stepped.layout import (
+    ARM,
+    COUNT,
     DTURN,
     DX,
     DY,
+    DYNAMIC,
     GAP,
     HALF_PLANE,
+    INNER,
     NX,
     NY,
+    PAIRS,
     POINT,
+    SENSOR,
     SHAPE_REACH,
+    TIME_STEP,
     TURN,
     Whole,
     X,
@@ -22,6 +29,98 @@ from tamias2d.stepped.layout import (
 )
 from tamias2d.stepped.manifold import touch_pair
 from tamias2d.stepped.sweep import MISSED, NEAR, WIDE, place, time_of_impact
+
+THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back,
+# but not farther than the smaller one reaches
+SWUNG = 0.35  # of the smaller reach: how far one may turn about a contact, which the solver follows
+
+
+def find_meetings(
+    now: float,
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    body: Array,
+    gained: Array,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    surface: Array,
+    filters: Whole,
+    corner: Array,
+    turned: Array,
+    pair: Whole,
+    touch: Array,
+    trace: Whole,
+    times: Array,
+    scratch: Array,
+) -> int:
+    """Find when all pairs meet from `now` on that the solver may let through; return how many do.
+
+    The line that parts two bodies in contact holds them back: only what goes through it, or turns,
+    can come farther in.
+    """
+    found = 0
+    for p in range(counts[PAIRS]):
+        times[p] = MISSED
+        s, t = pair[p, 0], pair[p, 1]
+        i, j = shape_body[s], shape_body[t]
+        bent = gained[i, BENT] + gained[j, BENT] > 0.0
+        touches = trace[p, COUNT] > 0
+        if filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
+            continue
+        by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+        turn = abs(motion[i, DTURN]) * body[i, ARM] + abs(motion[j, DTURN]) * body[j, ARM]
+        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        deep = min(THROUGH * width(body[i, INNER], body[j, INNER]), reach)
+        if not bent and abs(by_x) + abs(by_y) + turn <= deep:
+            continue
+        into = max(0.0, -touch[p, NX] * by_x - touch[p, NY] * by_y) if touches else WIDE
+        if bent or into + turn > max(deep, SWUNG * reach):
+            times[p] = next_meeting(
+                s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
+                shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
+            )  # fmt: skip
+            found += times[p] <= 1.0
+    return found
+
+
+def renew_meetings(
+    i: int,
+    j: int,
+    now: float,
+    settings: Array,
+    counts: Whole,
+    pose: Array,
+    motion: Array,
+    kind: Whole,
+    shape_body: Whole,
+    shape_kind: Whole,
+    shape_first: Whole,
+    shape_count: Whole,
+    shape_radius: Array,
+    surface: Array,
+    filters: Whole,
+    corner: Array,
+    turned: Array,
+    pair: Whole,
+    times: Array,
+    scratch: Array,
+) -> None:
+    """Find anew when two bodies meet others, and each other: their lines are not what they were."""
+    for p in range(counts[PAIRS]):
+        s, t = pair[p, 0], pair[p, 1]
+        a, b = shape_body[s], shape_body[t]
+        new = ((a == i) | (b == i)) & (kind[i] == DYNAMIC)
+        new = new | (((a == j) | (b == j)) & (kind[j] == DYNAMIC))
+        if new and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
+            times[p] = next_meeting(
+                s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
+                shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
+            )  # fmt: skip
 
 
 def earliest(pairs: int, times: Array) -> int:
@@ -31,6 +130,11 @@ def earliest(pairs: int, times: Array) -> int:
         if times[p] < times[first]:
             first = p
     return first
+
+
+def width(one: float, other: float) -> float:
+    """Return half the widths of two bodies, m; of a half-plane only the other's counts."""
+    return one if other > WIDE else other if one > WIDE else one + other
 
 
 def meet_at(

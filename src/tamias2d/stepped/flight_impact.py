@@ -15,11 +15,13 @@ from tamias2d.generated.soft_contact import (
     velocity_b_kicked,
 )
 from tamias2d.state import Array, Vector
+from tamias2d.stepped.flight_work import energy_seen, give_back, support_of, work_ahead
 from tamias2d.stepped.layout import (
     COUNT,
     DTURN,
     DX,
     DY,
+    DYNAMIC,
     FLOWN_NORMAL,
     GAP,
     INVERSE_INERTIA,
@@ -30,6 +32,7 @@ from tamias2d.stepped.layout import (
     PX,
     PY,
     SPIN,
+    TIME_STEP,
     TOTAL,
     TOUCHED,
     VX,
@@ -42,8 +45,9 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.sweep import NEAR, WIDE
 from tamias2d.stepped.trajectory import bend
 
-BENT, LEANT = 0, 1  # columns of what bodies gained that are free: 1 where a line is bent; where a
-# body has contacts, so that its velocity at the end says little of that on its way
+# columns of what bodies gained that are free: 1 where a line is bent; 1 where a body has contacts,
+# so that its velocity at the end says little of that on its way; when it leaves its room
+BENT, LEANT, BORDER = 0, 1, 2
 
 
 def seen_from_b(i: int, j: int, now: float, at_a: Vector, pose: Array, motion: Array) -> Vector:
@@ -63,6 +67,40 @@ def contact_of(row: Array) -> tuple[float, float]:
     if apart < 0.0:
         return row[PX + POINT], row[PY + POINT]
     return row[PX], row[PY]
+
+
+def rebound(
+    i: int,
+    j: int,
+    now: float,
+    friction: float,
+    restitution: float,
+    settings: Array,
+    pose: Array,
+    motion: Array,
+    load: Array,
+    body: Array,
+    gained: Array,
+    kind: Whole,
+    row: Array,
+) -> float:
+    """Let the impact of two bodies happen, as `part` does, so that it makes no energy.
+
+    Impacts take none of the way that both go in all, as masses count. But a body whose way leads
+    into something that nothing moves loses a part of it.
+    """
+    time_step, left = settings[TIME_STEP], 1.0 - now
+    if kind[i] == kind[j]:
+        return part(i, j, now, time_step, friction, restitution, pose, motion, body, gained, row)
+    k, wall = (i, j) if kind[i] == DYNAMIC else (j, i)
+    support, spin = support_of(k, wall, now, pose, motion), motion[wall, SPIN]
+    before = energy_seen(k, support, spin, motion, body)
+    before -= work_ahead(k, left, settings, motion, load, body)
+    push = part(i, j, now, time_step, friction, restitution, pose, motion, body, gained, row)
+    after = energy_seen(k, support, spin, motion, body)
+    after -= work_ahead(k, left, settings, motion, load, body)
+    give_back(k, after - before, support, spin, motion, body)
+    return push
 
 
 def part(
@@ -87,12 +125,14 @@ def part(
     at_b = seen_from_b(i, j, now, at_a, pose, motion)
     line = (row[NX], row[NY])
     mass = mass_along(i, j, at_a, at_b, line, body)
-    before = speed_along(i, j, 1.0 - now, at_a, at_b, line, motion, gained)
+    leant = gained[i, LEANT] + gained[j, LEANT] > 0.0
+    left = 0.0 if leant else 1.0 - now
+    before = speed_along(i, j, left, at_a, at_b, line, motion, gained)
     rate = rate_along(i, j, time_step, at_a, at_b, line, motion)
     if before >= 0.0 and rate >= 0.0:
         return -1.0
     back = bouncing_push(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
-    if gained[i, LEANT] + gained[j, LEANT] > 0.0:
+    if leant:
         push = max(-mass * before, 0.0) + back
         kick_both(i, j, push, at_a, at_b, line, motion, body)
         way = (max(-mass * rate, 0.0) + back) * time_step
@@ -109,7 +149,7 @@ def part(
         push += held
     if friction > 0.0:
         line = (-row[NY], row[NX])
-        speed = speed_along(i, j, 1.0 - now, at_a, at_b, line, motion, gained)
+        speed = speed_along(i, j, left, at_a, at_b, line, motion, gained)
         mass = mass_along(i, j, at_a, at_b, line, body)
         rub = limited_rub(0.0, speed, mass, friction, push)
         strike(i, j, now, time_step, rub, at_a, at_b, line, pose, motion, body)

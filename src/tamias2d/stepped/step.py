@@ -36,9 +36,8 @@ from tamias2d.stepped.drift import (
 from tamias2d.stepped.flight import (
     LOOKS_AROUND,
     fly,
-    goes_far,
-    mark_outrun,
 )
+from tamias2d.stepped.flight_rooms import goes_far, mark_outrun
 from tamias2d.stepped.frame import (
     move_frame,
 )
@@ -307,9 +306,9 @@ def step_once(
             bench[LOOKS_LEFT] -= 1.0
         pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
         bench[FLOWN] = fly(
-            settings, counts, pose, motion, body, home, kind, carried, shape_body, shape_kind,
-            shape_first, shape_count, shape_radius, surface, filters, corner, turned, pair, touch,
-            trace, times, scratch, int(bench[LOOKS_LEFT]), bench[FLOWN],
+            settings, counts, pose, motion, load, body, home, kind, carried, shape_body,
+            shape_kind, shape_first, shape_count, shape_radius, surface, filters, corner, turned,
+            pair, touch, trace, times, scratch, int(bench[LOOKS_LEFT]), bench[FLOWN],
         )  # fmt: skip
         counts[PHASE] = OUTRUN if bench[FLOWN] <= 1.0 else ARRIVING
     if counts[PATIENCE] > 0:

@@ -15,14 +15,9 @@ from tamias2d.stepped.layout import (
     DTURN,
     DX,
     DY,
-    DYNAMIC,
-    FRAME_X,
-    HIGH_X,
     INVERSE_INERTIA,
     INVERSE_MASS,
-    LOW_X,
     TURN,
-    Whole,
     X,
     Y,
 )
@@ -61,32 +56,3 @@ def bend_line(i: int, now: float, by: Vector, turn: float, pose: Array, motion: 
     motion[i, DX] += by[0]
     motion[i, DY] += by[1]
     motion[i, DTURN] += turn
-
-
-def wait_at_border(
-    settings: Array, i: int, now: float, pose: Array, motion: Array, home: Array, kind: Whole
-) -> None:
-    """Stop a body where its line leaves the room in which its neighbours are known."""
-    if kind[i] != DYNAMIC:
-        return
-    until = 1.0
-    for k in range(2):
-        start, way = pose[i, k] - settings[FRAME_X + k], motion[i, DX + k]
-        if way > 0.0 and start + way > home[i, HIGH_X + k]:
-            until = min(until, (home[i, HIGH_X + k] - start) / way)
-        elif way < 0.0 and start + way < home[i, LOW_X + k]:
-            until = min(until, (home[i, LOW_X + k] - start) / way)
-    if until < 1.0:
-        until = max(until, now)
-        for k in range(3):
-            here = pose[i, k] + now * motion[i, DX + k]
-            motion[i, DX + k] *= (until - now) / (1.0 - now)
-            pose[i, k] = here - now * motion[i, DX + k]
-
-
-def stop_at(i: int, now: float, pose: Array, motion: Array, kind: Whole) -> None:
-    """Let a body stay where it is at a fraction of the step; it keeps its velocity."""
-    if kind[i] == DYNAMIC:
-        for k in range(3):
-            pose[i, k] += now * motion[i, DX + k]
-            motion[i, DX + k] = 0.0
