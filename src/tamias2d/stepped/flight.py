@@ -12,27 +12,29 @@ stays together. Where there are too many impacts in a step, what meets waits for
 
 from tamias2d.state import Array
 from tamias2d.stepped.flight_events import (
+    THROUGH,
     earliest,
     find_meetings,
     meet_at,
     next_meeting,
     renew_meetings,
 )
-from tamias2d.stepped.flight_impact import BENT, BORDER, LEANT, note_impact, rebound
-from tamias2d.stepped.flight_rooms import leaves_at
+from tamias2d.stepped.flight_impact import BENT, BEYOND, BORDER, LEANT, WAY, note_impact, rebound
+from tamias2d.stepped.flight_rooms import leaves_at, way_of
 from tamias2d.stepped.flight_wait import cannot_wait, stand_by, wait
 from tamias2d.stepped.layout import (
     DYNAMIC,
     GRAVITY_X,
     GRAVITY_Y,
     HALF_PLANE,
+    INNER,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
     TIME_STEP,
     Whole,
 )
-from tamias2d.stepped.sweep import MISSED
+from tamias2d.stepped.sweep import MISSED, WIDE
 
 IMPACTS = 64  # in one step, and four more for every pair that meets
 WAITS = 128  # in one step, for every body: more than it takes until nothing is led on any more
@@ -68,14 +70,14 @@ def fly(
 ) -> float:
     """Let all impacts of a step happen that the solver has not seen, in their order.
 
-    `gained` (n+1, 6) holds in its last columns what forces add to velocities in this step; `times`
+    `gained` (n+1, 12) holds in columns 3 to 5 what forces add to velocities in this step; `times`
     (p,) is for when pairs meet, `scratch` (k, 32) for the corners of two shapes. Returns the
     fraction of the step from which pairs are to be looked for and this is to be called again, as
     `since`, if `looks` are left; else `MISSED`. Until its next meeting a body is where nothing else
     is: there it waits for the next step, after too many impacts or looks in this one.
     """
     if since == 0.0:
-        begin_flight(settings, kind, gained)
+        begin_flight(settings, kind, motion, body, gained)
     for k in range(len(kind)):
         gained[k, BORDER] = MISSED
     found = find_meetings(
@@ -170,12 +172,18 @@ def happen(
     return True
 
 
-def begin_flight(settings: Array, kind: Whole, gained: Array) -> None:
-    """Mark what has contacts: nothing is noted that gravity has added to its velocity."""
+def begin_flight(settings: Array, kind: Whole, motion: Array, body: Array, gained: Array) -> None:
+    """Mark what has contacts: nothing is noted that gravity has added to its velocity.
+
+    Noted is how far each goes; once its line is bent, that is of no use.
+    """
     pulled = settings[GRAVITY_X] != 0.0 or settings[GRAVITY_Y] != 0.0
     for i in range(len(kind)):
         still = gained[i, 3] == 0.0 and gained[i, 4] == 0.0
         gained[i, BENT] = 0.0
+        way, wide = way_of(i, motion, body), body[i, INNER]
+        gained[i, WAY] = way
+        gained[i, BEYOND] = way - (THROUGH * wide if wide <= WIDE else 0.0)
         gained[i, LEANT] = 1.0 if pulled and still and kind[i] == DYNAMIC else 0.0
 
 

@@ -4,7 +4,7 @@ Serves: flight. Hides: how shapes are turned to where they are at an instant.
 """
 
 from tamias2d.state import Array
-from tamias2d.stepped.flight_impact import BENT, contact_of, rate_along, seen_from_b
+from tamias2d.stepped.flight_impact import BENT, BEYOND, WAY, contact_of, rate_along, seen_from_b
 from tamias2d.stepped.layout import (
     ARM,
     COUNT,
@@ -69,12 +69,14 @@ def find_meetings(
         s, t = pair[p, 0], pair[p, 1]
         i, j = shape_body[s], shape_body[t]
         bent = gained[i, BENT] + gained[j, BENT] > 0.0
+        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+        if not bent and stay_near(gained[i], gained[j], reach):
+            continue
         touches = trace[p, COUNT] > 0
         if filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
             continue
         by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
         turn = abs(motion[i, DTURN]) * body[i, ARM] + abs(motion[j, DTURN]) * body[j, ARM]
-        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
         deep = min(THROUGH * width(body[i, INNER], body[j, INNER]), reach)
         if not bent and abs(by_x) + abs(by_y) + turn <= deep:
             continue
@@ -86,6 +88,14 @@ def find_meetings(
             )  # fmt: skip
             found += times[p] <= 1.0
     return found
+
+
+def stay_near(one: Array, other: Array, reach: float) -> bool:
+    """Return whether two bodies go too little for one to get far into the other.
+
+    This is what follows from how far each goes, and not from where both go.
+    """
+    return bool((one[BEYOND] + other[BEYOND] <= 0.0) & (one[WAY] + other[WAY] <= reach))
 
 
 def renew_meetings(
