@@ -57,7 +57,7 @@ class Roster:
         world = self.world
         rows = self._take(len(batch))
         world.pose[rows] = batch.pose
-        world.motion[rows, :3] = batch.motion
+        world.velocity[rows] = batch.motion
         world.load[rows] = batch.load
         world.body[rows, INVERSE_MASS] = 1 / batch.mass
         world.body[rows, INVERSE_INERTIA] = 1 / batch.inertia
@@ -141,7 +141,7 @@ class Roster:
         first = np.full(len(world.pose), -1)
         first[world.shape_body[owned][::-1]] = owned[::-1]
         table = np.concatenate(
-            (world.pose[rows], world.motion[rows, :3], world.load[rows], world.body[rows]), axis=1
+            (world.pose[rows], world.velocity[rows], world.load[rows], world.body[rows]), axis=1
         )
         touching = np.concatenate((world.surface, np.zeros((1, 4))))[first[rows]]
         meeting = np.concatenate((world.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]]

@@ -48,7 +48,7 @@ class Views:
     @property
     def velocity(self) -> Array:
         """m/s: a view (n, 2)."""
-        return self._world.motion[: self._world.size, :2]
+        return self._world.velocity[: self._world.size, :2]
 
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None:
@@ -57,7 +57,7 @@ class Views:
     @property
     def angular_velocity(self) -> Array:
         """rad/s: a view (n,)."""
-        return self._world.motion[: self._world.size, 2]
+        return self._world.velocity[: self._world.size, 2]
 
     @angular_velocity.setter
     def angular_velocity(self, value: ArrayLike) -> None:

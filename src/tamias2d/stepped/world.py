@@ -11,7 +11,7 @@ import numpy as np
 from tamias2d.generated import drag
 from tamias2d.state import Array
 from tamias2d.stepped.alignment import aligned_zeros
-from tamias2d.stepped.coast import COASTING
+from tamias2d.stepped.coast import COURSE, CREW, STREAM, TOGETHER
 from tamias2d.stepped.elimination import WEAVE
 from tamias2d.stepped.layout import (
     DECAY,
@@ -37,13 +37,13 @@ from tamias2d.stepped.menu import CONTACT
 from tamias2d.stepped.rows import WIDTH
 from tamias2d.stepped.solver import BENCH
 from tamias2d.stepped.step import step
-from tamias2d.stepped.surroundings import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, MORE_WEB
+from tamias2d.stepped.surroundings import CLEAR, DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, MORE_WEB
 from tamias2d.stepped.thin import ISLE, WEB
 from tamias2d.stepped.tree import lowest
 
 _ORDER = tuple(signature(step).parameters)
 _BODY = (
-    *("pose", "motion", "load", "body", "home", "carried", "kind", "used"),
+    *("pose", "velocity", "motion", "load", "body", "home", "carried", "kind", "used"),
     *("island", "rest", "energy", "isle"),
 )
 _SHAPE = (
@@ -61,6 +61,7 @@ class World:
         """Start an empty world; `plain` takes its steps by the functions as they are."""
         self.size = 0  # rows of bodies in use, absent ones too
         self.pose = aligned_zeros((1, 3))
+        self.velocity = aligned_zeros((1, 3))
         self.motion = aligned_zeros((1, 8))
         self.load = aligned_zeros((1, 3))
         self.body = aligned_zeros((1, 18))
@@ -96,7 +97,7 @@ class World:
         self.fill = aligned_zeros((3, 128), dtype=np.int64)
         self.rows = aligned_zeros((4, WIDTH))
         self.lanes = aligned_zeros((4, 50), dtype=np.uint32)
-        self.bench = aligned_zeros(max(BENCH, COASTING))
+        self.bench = aligned_zeros(BENCH)
         self.times = aligned_zeros(16)
         self.scratch = aligned_zeros((8, TOUCH))
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
@@ -104,6 +105,9 @@ class World:
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
+        self._coasting: tuple[Any, ...] = ()
+        self._alone = True  # whether it is worth while to try to coast
+        self._known = False  # whether where bodies coast is known, since homes are as they were
 
     def flow(self, new: Whole, rate: Array, column: int) -> None:
         """Write how velocity and place of some bodies flow in a step and in a substep (IM1, IM6).
@@ -163,13 +167,26 @@ class World:
 
     def step(self, count: int = 1) -> int:
         """Take some steps; return how they ended: done, or that what was set is not sound."""
-        self.counts[WANTED], self.counts[SOUND] = count, 0
         if not self._arguments:
-            corners = 2 * int(self.shape_count.max(initial=0))
-            if corners >= len(self.scratch):
-                self.scratch = aligned_zeros((corners + 1, TOUCH))
-            self._arguments = tuple(getattr(self, name) for name in _ORDER)
-        while (status := self._engine.step(*self._arguments)) != DONE:
+            self._gather_arguments()
+        sound = 0
+        while True:
+            if self._alone:
+                count -= self._engine.coast(count, self._known, *self._coasting)
+                self._known = True
+                if count == 0:
+                    return DONE
+            self.counts[WANTED], self.counts[SOUND] = count, sound
+            self._known = False
+            status = self._step_on()
+            count, sound = int(self.counts[WANTED]), 1
+            self._alone = status == CLEAR
+            if not self._alone or count == 0:
+                return DONE if self._alone else status
+
+    def _step_on(self) -> int:
+        """Let the engine go on until it is done or nothing is near, with more room as it asks."""
+        while (status := self._engine.step(*self._arguments)) not in (DONE, CLEAR):
             if status == MORE_FOUND:
                 self.found = aligned_zeros((self.counts[NEEDED] * 5 // 4 + 16, 4), dtype=np.int64)
             elif status == MORE_PAIRS:
@@ -184,9 +201,24 @@ class World:
                 self.weave = aligned_zeros((room, WEAVE))
             else:
                 self.counts[PHASE] = 0
-                return int(status)
+                break
             self._arguments = tuple(getattr(self, name) for name in _ORDER)
-        return DONE
+        return int(status)
+
+    def _gather_arguments(self) -> None:
+        """Keep what the engine is called with, until an array is another one."""
+        corners = 2 * int(self.shape_count.max(initial=0))
+        if corners >= len(self.scratch):
+            self.scratch = aligned_zeros((corners + 1, TOUCH))
+        self._arguments = tuple(getattr(self, name) for name in _ORDER)
+        pose, velocity, load = (a.reshape(-1) for a in (self.pose, self.velocity, self.load))
+        groups = -(-len(self.kind) // CREW)
+        self._coasting = (
+            *(self.settings, self.counts, self.kind, pose, velocity, load, load.view(np.int64)),
+            *(self.body, self.home, aligned_zeros((groups, COURSE))),
+            aligned_zeros((TOGETHER + 1, STREAM)),
+        )
+        self._known = False
 
     def _more_pairs(self, room: int) -> None:
         self.hits = aligned_zeros((10, 2 * room), dtype=np.int64)  # a pair has two bodies
