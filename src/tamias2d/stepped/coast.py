@@ -51,17 +51,18 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.tree import FAR
 
 CREW = 16  # bodies whose lanes are a row
-LANE = 3 * CREW  # lanes of a row: x, y and turn of a body, and of the next
+LANES_OF = 3 * CREW  # lanes of a row: x, y and turn of a body, and of the next
 TOGETHER = 16  # rows that take all their steps before the next ones do: they fit the nearest cache
 
-# course (g, 200), a row for each group: where it is, how it moves, and where it may be; then
-# whether its bodies are alike, and whether it is plain now
-L_AT, L_SPEED, L_LOW, L_HIGH, UNIFORM, PLAIN = 0, LANE, 2 * LANE, 3 * LANE, 4 * LANE, 4 * LANE + 1
+# course (g, 200), a row for each crew: where it may be; where it was and how it moved as the call
+# began, or where a mixed one is and how it moves; then whether its bodies are alike, and whether it
+# is plain now
+L_LOW, L_HIGH, L_AT, L_SPEED, UNIFORM, PLAIN = 0, LANES_OF, 2 * LANES_OF, 3 * LANES_OF, 192, 193
 COURSE = 200
 
-# stream (17, 240), what moves the lanes of each row that is not plain, and how they flow; the last
-# one is for all that are plain, and has the place of the frame
-L_BY, L_DECAY, L_GAIN, L_LIFT, L_FRAME = 0, LANE, 2 * LANE, 3 * LANE, 4 * LANE
+# stream (17, 240), what moves the lanes of each crew that is mixed, and how they flow; the last row
+# is for all that are plain, and has the place of the frame
+L_BY, L_DECAY, L_GAIN, L_LIFT, L_FRAME = 0, LANES_OF, 2 * LANES_OF, 3 * LANES_OF, 4 * LANES_OF
 STREAM = 240
 
 
@@ -82,33 +83,36 @@ def coast(
 ) -> int:
     """Take up to some steps, as long as no pair is near and every body at home; return how many.
 
-    Pose, velocity and load are flat. `known` is whether the course is of the homes as they are; a
-    plain group is known by the bits of its loads, since not all zeros are alike.
+    Pose, velocity and load are flat. `known` is whether the course is of the homes as they are.
+    Bits tell whether loads are zero, since not all zeros are alike.
     """
-    alone = counts[PHASE] == BEGUN and counts[PAIRS] == 0 and counts[STILL] == 1
-    pull = settings[GRAVITY_X] + settings[GRAVITY_Y]
-    if not alone or counts[PATIENCE] != 0 or pull - pull != 0.0:
+    clear = counts[PHASE] == BEGUN and counts[PAIRS] == 0 and counts[STILL] == 1
+    total = settings[GRAVITY_X] + settings[GRAVITY_Y]
+    if not clear or counts[PATIENCE] != 0 or total - total != 0.0:
         return 0
     if not known:
         know_course(kind, body, home, course, stream)
-    flow_alike(settings, stream)
-    while steps > 0:
-        taken = steps
+    fall_alike(settings, stream)
+    tried = 0
+    while steps > 0 and tried != steps:
+        tried = steps
         for first in range(0, len(course), TOGETHER):
             rows = course[first : first + TOGETHER]
+            a, b = LANES_OF * first, LANES_OF * (first + len(rows))
+            at, speed = pose[a:b], velocity[a:b]
             sound = begin_lanes(
                 first, settings, kind, pose, velocity, load, load_bits, body, rows, stream
             )
-            taken = glide(taken, settings, rows, stream) if sound else 0
-            if taken == 0:
-                return 0
-        if taken == steps:
-            break
-        steps = taken
-    for row in range(len(course)):
-        end_lanes(row, kind, pose, velocity, course[row])
-    for _ in range(steps):
-        move_frame(settings)
+            steps = glide(steps, settings, at, speed, rows, stream) if sound else 0
+            if steps < tried:
+                put_back(course[: first + len(rows)], pose, velocity)
+                break
+    if steps > 0:
+        for g in range(len(course)):
+            if course[g, PLAIN] == 0.0:
+                end_mixed(CREW * g, kind, pose, velocity, course[g])
+        for _ in range(steps):
+            move_frame(settings)
     return steps
 
 
@@ -156,8 +160,8 @@ def set_flow(k: int, body: Array, flow: Array) -> None:
         flow[L_LIFT + 3 * k + n] = body[at + LIFT]
 
 
-def flow_alike(settings: Array, stream: Array) -> None:
-    """Note what moves plain groups, on which nothing acts but gravity."""
+def fall_alike(settings: Array, stream: Array) -> None:
+    """Note what moves plain crews, on which nothing acts but gravity."""
     plain = stream[TOGETHER]
     gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
     by_x, by_y = acceleration(gravity, (0.0, 0.0), 1.0)
@@ -177,27 +181,33 @@ def begin_lanes(
     rows: Array,
     stream: Array,
 ) -> bool:
-    """Bring groups to their lanes; return whether all that users can set of them is sound."""
+    """Make crews ready to go; return whether all that users can set is sound, and they at home."""
+    note_frame(settings, stream)
+    fine = True
     for g in range(len(rows)):
-        a, b = LANE * (first + g), LANE * (first + g + 1)
-        plain = rows[g, UNIFORM] == 1.0
-        plain = plain and begin_plain(pose[a:b], velocity[a:b], load_bits[a:b], rows[g])
-        rows[g, PLAIN] = 1.0 if plain else 0.0
-        if not plain and not begin_mixed(
-            CREW * (first + g), settings, kind, pose, velocity, load, body, rows[g], stream[g]
-        ):
-            return False
-    return True
+        row = rows[g]
+        a, b = LANES_OF * (first + g), LANES_OF * (first + g + 1)
+        row[PLAIN] = row[UNIFORM]
+        if row[PLAIN] == 1.0:
+            bad = begin_plain(pose[a:b], velocity[a:b], load_bits[a:b], row, stream[TOGETHER])
+            row[PLAIN] = 1.0 if bad == 0 else 0.0
+        if row[PLAIN] == 0.0:
+            i = CREW * (first + g)
+            sound = begin_mixed(i, settings, kind, pose, velocity, load, body, row, stream[g])
+            fine = fine and sound and are_home(row, stream[TOGETHER])
+    return fine
 
 
-def begin_plain(pose: Array, velocity: Array, load_bits: Whole, row: Array) -> bool:
-    """Bring a group to its lanes; return whether nothing but gravity acts on it, and it is sound."""
+def begin_plain(at: Array, speed: Array, load_bits: Whole, row: Array, frame: Array) -> int:
+    """Keep where a crew is; return how many of its lanes are pushed, not sound or not at home."""
     bad = 0
-    for m in range(LANE):
-        at, speed = pose[m], velocity[m]
-        row[L_AT + m], row[L_SPEED + m] = at, speed
-        bad += 0 if (at - at == 0.0) & (speed - speed == 0.0) & (load_bits[m] == 0) else 1
-    return bad == 0
+    for m in range(LANES_OF):
+        here, now = at[m], speed[m]
+        row[L_AT + m], row[L_SPEED + m] = here, now
+        seen = here - frame[L_FRAME + m]
+        fine = (seen >= row[L_LOW + m]) & (seen <= row[L_HIGH + m]) & (here - here == 0.0)
+        bad += 0 if fine & (now - now == 0.0) & (load_bits[m] == 0) else 1
+    return bad
 
 
 def begin_mixed(
@@ -211,19 +221,13 @@ def begin_mixed(
     row: Array,
     flow: Array,
 ) -> bool:
-    """Bring any group to its lanes; return whether it is sound. What does not move rests."""
-    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-    for m in range(LANE):
+    """Bring any crew to its row; return whether it is sound. What does not move rests."""
+    for m in range(LANES_OF):
         row[L_AT + m] = row[L_SPEED + m] = 0.0
         flow[L_BY + m] = flow[L_DECAY + m] = flow[L_GAIN + m] = flow[L_LIFT + m] = 0.0
     for k in range(min(CREW, len(kind) - first)):
         i = first + k
-        bad = moves = 0
-        for m in range(3 * i, 3 * i + 3):
-            total = pose[m] + velocity[m] + load[m]
-            bad += 0 if total - total == 0.0 else 1
-            moves += 1 if velocity[m] != 0.0 else 0
-        if bad > 0 or (kind[i] == STATIC and moves > 0):
+        if not is_sound(i, kind, pose, velocity, load):
             return False
         for n in range(3):
             row[L_AT + 3 * k + n] = pose[3 * i + n] if kind[i] >= STATIC else 0.0
@@ -231,6 +235,7 @@ def begin_mixed(
         if kind[i] >= KINEMATIC:
             set_flow(k, body[i], flow)
         if kind[i] == DYNAMIC:
+            gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
             force, torque = (load[3 * i], load[3 * i + 1]), load[3 * i + 2]
             by_x, by_y = acceleration(gravity, force, body[i, INVERSE_MASS])
             flow[L_BY + 3 * k], flow[L_BY + 3 * k + 1] = by_x, by_y
@@ -238,60 +243,90 @@ def begin_mixed(
     return True
 
 
-def end_lanes(g: int, kind: Whole, pose: Array, velocity: Array, row: Array) -> None:
-    """Put a group where its lanes got to."""
-    if row[PLAIN] == 1.0:
-        at, speed = pose[LANE * g : LANE * (g + 1)], velocity[LANE * g : LANE * (g + 1)]
-        for m in range(LANE):
-            at[m], speed[m] = row[L_AT + m], row[L_SPEED + m]
-        return
-    for k in range(min(CREW, len(kind) - CREW * g)):
-        i = CREW * g + k
+def is_sound(i: int, kind: Whole, pose: Array, velocity: Array, load: Array) -> bool:
+    """Return whether all that users can set of a body are numbers, and a static one is at rest."""
+    bad = moves = 0
+    for m in range(3 * i, 3 * i + 3):
+        total = pose[m] + velocity[m] + load[m]
+        bad += 0 if total - total == 0.0 else 1
+        moves += 1 if velocity[m] != 0.0 else 0
+    return bad == 0 and (kind[i] != STATIC or moves == 0)
+
+
+def end_mixed(first: int, kind: Whole, pose: Array, velocity: Array, row: Array) -> None:
+    """Put those of a crew that move where its lanes got to."""
+    for k in range(min(CREW, len(kind) - first)):
+        i = first + k
         if kind[i] >= KINEMATIC:
             for n in range(3):
                 pose[3 * i + n] = row[L_AT + 3 * k + n]
                 velocity[3 * i + n] = row[L_SPEED + 3 * k + n]
 
 
-def glide(steps: int, settings: Array, rows: Array, stream: Array) -> int:
-    """Let lanes take some steps, or as many as they stay at home in; return how many.
+def put_back(rows: Array, pose: Array, velocity: Array) -> None:
+    """Put plain crews where they were as the call began."""
+    for g in range(len(rows)):
+        if rows[g, PLAIN] == 1.0:
+            for m in range(LANES_OF):
+                pose[LANES_OF * g + m] = rows[g, L_AT + m]
+                velocity[LANES_OF * g + m] = rows[g, L_SPEED + m]
+
+
+def glide(
+    steps: int, settings: Array, pose: Array, velocity: Array, rows: Array, stream: Array
+) -> int:
+    """Let crews take some steps, or as many as all stay at home in; return how many.
 
     The frame is then where it was.
     """
-    x, y, frame_x, frame_y = (
-        settings[FRAME_X], settings[FRAME_Y], settings[FRAME_VX], settings[FRAME_VY],
-    )  # fmt: skip
-    taken = 0
-    stay = not leave(settings, rows, stream)
-    while stay and taken < steps:
-        for g in range(len(rows)):
-            go_on(rows[g], stream[TOGETHER if rows[g, PLAIN] == 1.0 else g])
+    x, y = settings[FRAME_X], settings[FRAME_Y]
+    frame_x, frame_y = settings[FRAME_VX], settings[FRAME_VY]
+    taken = out = 0
+    while out == 0 and taken < steps:
         move_frame(settings)
-        stay = not leave(settings, rows, stream)
-        taken += 1 if stay else 0
+        note_frame(settings, stream)
+        for g in range(len(rows)):
+            a, b = LANES_OF * g, LANES_OF * (g + 1)
+            row, frame = rows[g], stream[TOGETHER]
+            if row[PLAIN] == 1.0:
+                out += go_on(pose[a:b], velocity[a:b], row, frame, frame)
+            else:
+                at, speed = row[L_AT : L_AT + LANES_OF], row[L_SPEED : L_SPEED + LANES_OF]
+                out += go_on(at, speed, row, stream[g], frame)
+        taken += 1 if out == 0 else 0
     settings[FRAME_X], settings[FRAME_Y] = x, y
     settings[FRAME_VX], settings[FRAME_VY] = frame_x, frame_y
     return taken
 
 
-def go_on(row: Array, flow: Array) -> None:
-    """Let the lanes of a group take a step."""
-    for m in range(LANE):
-        speed, by, gain = row[L_SPEED + m], flow[L_BY + m], flow[L_GAIN + m]
-        row[L_AT + m] += way(gain, flow[L_LIFT + m], speed, by)
-        row[L_SPEED + m] = pace_later(flow[L_DECAY + m], speed, pace_given(gain, by))
-
-
-def leave(settings: Array, rows: Array, stream: Array) -> bool:
-    """Return whether some lane is where the list of pairs does not hold, or not a number."""
+def note_frame(settings: Array, stream: Array) -> None:
+    """Note where the frame is for each lane; turns are seen as they are."""
     frame = stream[TOGETHER]
     for k in range(CREW):
         frame[L_FRAME + 3 * k] = settings[FRAME_X]
         frame[L_FRAME + 3 * k + 1] = settings[FRAME_Y]
+
+
+def go_on(at: Array, speed: Array, row: Array, flow: Array, frame: Array) -> int:
+    """Let a crew take a step; return how many lanes are where the list of pairs does not hold.
+
+    What is not a number is nowhere.
+    """
     out = 0
-    for g in range(len(rows)):
-        row = rows[g]
-        for m in range(LANE):
-            at = row[L_AT + m] - frame[L_FRAME + m]
-            out += 0 if (at >= row[L_LOW + m]) & (at <= row[L_HIGH + m]) else 1
-    return out > 0
+    for m in range(LANES_OF):
+        now, by, gain = speed[m], flow[L_BY + m], flow[L_GAIN + m]
+        to = at[m] + way(gain, flow[L_LIFT + m], now, by)
+        at[m] = to
+        speed[m] = pace_later(flow[L_DECAY + m], now, pace_given(gain, by))
+        seen = to - frame[L_FRAME + m]
+        out += 0 if (seen >= row[L_LOW + m]) & (seen <= row[L_HIGH + m]) else 1
+    return out
+
+
+def are_home(row: Array, frame: Array) -> bool:
+    """Return whether a mixed crew is where the list of pairs holds."""
+    out = 0
+    for m in range(LANES_OF):
+        seen = row[L_AT + m] - frame[L_FRAME + m]
+        out += 0 if (seen >= row[L_LOW + m]) & (seen <= row[L_HIGH + m]) else 1
+    return out == 0
