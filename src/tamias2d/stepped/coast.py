@@ -15,7 +15,8 @@ from tamias2d.generated.definitions import (
     pace_later,
     way,
 )
-from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, Ranks
+from tamias2d.kernels.assembled import inlined
+from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, RankRows, Ranks
 from tamias2d.state import Array
 from tamias2d.stepped.frame import move_frame
 from tamias2d.stepped.layout import (
@@ -52,7 +53,7 @@ from tamias2d.stepped.tree import FAR
 
 CREW = 16  # bodies whose lanes are a row
 LANES_OF = 3 * CREW  # lanes of a row: x, y and turn of a body, and of the next
-TOGETHER = 16  # rows that take all their steps before the next ones do: they fit the nearest cache
+TOGETHER = 16  # crews that take all their steps before the next ones do: they fit the nearest cache
 
 # course (g, 200), a row for each crew: where it may be; where it was and how it moved as the call
 # began, or where a mixed one is and how it moves; then whether its bodies are alike, and whether it
@@ -60,31 +61,35 @@ TOGETHER = 16  # rows that take all their steps before the next ones do: they fi
 L_LOW, L_HIGH, L_AT, L_SPEED, UNIFORM, PLAIN = 0, LANES_OF, 2 * LANES_OF, 3 * LANES_OF, 192, 193
 COURSE = 200
 
-# stream (17, 240), what moves the lanes of each crew that is mixed, and how they flow; the last row
-# is for all that are plain, and has the place of the frame
-L_BY, L_DECAY, L_GAIN, L_LIFT, L_FRAME = 0, LANES_OF, 2 * LANES_OF, 3 * LANES_OF, 4 * LANES_OF
-STREAM = 240
+# stream (g+1, 288), of each mixed crew what moves its lanes, how they flow, and where the frame is
+# before and after a step; the last row is that of all plain crews
+L_BY, L_DECAY, L_GAIN, L_LIFT = 0, LANES_OF, 2 * LANES_OF, 3 * LANES_OF
+L_BEFORE, L_AFTER = 4 * LANES_OF, 5 * LANES_OF
+STREAM = 288
 
 
 def coast(
-    steps: int,
-    known: bool,
     settings: Floats,
     counts: Ranks,
     kind: Bytes,
-    pose: Floats,
-    velocity: Floats,
-    load: Floats,
-    load_bits: Ranks,
+    pose: FloatRows,
+    velocity: FloatRows,
+    load: FloatRows,
+    poses: FloatRows,
+    velocities: FloatRows,
+    load_bits: RankRows,
     body: FloatRows,
     home: FloatRows,
     course: FloatRows,
     stream: FloatRows,
+    steps: int,
+    known: bool,
 ) -> int:
     """Take up to some steps, as long as no pair is near and every body at home; return how many.
 
-    Pose, velocity and load are flat. `known` is whether the course is of the homes as they are.
-    Bits tell whether loads are zero, since not all zeros are alike.
+    Poses and velocities are the same memory as pose and velocity, a row for each full crew, and so
+    are the bits of loads, which tell whether nothing pushes, since not all zeros are alike. `known`
+    is whether the course is of the homes as they are.
     """
     clear = counts[PHASE] == BEGUN and counts[PAIRS] == 0 and counts[STILL] == 1
     total = settings[GRAVITY_X] + settings[GRAVITY_Y]
@@ -92,20 +97,23 @@ def coast(
         return 0
     if not known:
         know_course(kind, body, home, course, stream)
-    fall_alike(settings, stream)
+    fall_alike(settings, stream[len(course)])
+    x, y = settings[FRAME_X], settings[FRAME_Y]
+    frame_x, frame_y = settings[FRAME_VX], settings[FRAME_VY]
     tried = 0
-    while steps > 0 and tried != steps:
+    while steps > 0 and steps != tried:
         tried = steps
-        for first in range(0, len(course), TOGETHER):
-            rows = course[first : first + TOGETHER]
-            a, b = LANES_OF * first, LANES_OF * (first + len(rows))
-            at, speed = pose[a:b], velocity[a:b]
-            sound = begin_lanes(
-                first, settings, kind, pose, velocity, load, load_bits, body, rows, stream
-            )
-            steps = glide(steps, settings, at, speed, rows, stream) if sound else 0
+        stretch = TOGETHER if steps > 1 else len(course)
+        for first in range(0, len(course), stretch):
+            last = min(first + stretch, len(course))
+            steps = glide(
+                steps, first, last, settings, kind, pose, velocity, load, poses, velocities,
+                load_bits, body, course, stream,
+            )  # fmt: skip
+            settings[FRAME_X], settings[FRAME_Y] = x, y
+            settings[FRAME_VX], settings[FRAME_VY] = frame_x, frame_y
             if steps < tried:
-                put_back(course[: first + len(rows)], pose, velocity)
+                put_back(last, poses, velocities, course)
                 break
     if steps > 0:
         for g in range(len(course)):
@@ -119,12 +127,12 @@ def coast(
 def know_course(kind: Whole, body: Array, home: Array, course: Array, stream: Array) -> None:
     """Note where bodies may be, and which groups are plain.
 
-    They flow as the first body that can be pushed.
+    They flow as the first body that can be pushed. Nobody may be where no number is.
     """
     one = 0
     while one < len(kind) - 1 and kind[one] != DYNAMIC:
         one += 1
-    plain = stream[TOGETHER]
+    plain = stream[len(course)]
     for k in range(CREW):
         set_flow(k, body[one], plain)
     for g in range(len(course)):
@@ -140,6 +148,9 @@ def know_course(kind: Whole, body: Array, home: Array, course: Array, stream: Ar
                 row[L_LOW + 3 * k + 1], row[L_HIGH + 3 * k + 1] = home[i, LOW_Y], home[i, HIGH_Y]
                 row[L_LOW + 3 * k + 2], row[L_HIGH + 3 * k + 2] = turn - room, turn + room
                 alike += 1 if kind[i] == DYNAMIC and flows_as(body[one], body[i]) else 0
+        for m in range(LANES_OF):
+            row[L_LOW + m] = max(-FAR, row[L_LOW + m])
+            row[L_HIGH + m] = min(FAR, row[L_HIGH + m])
         row[UNIFORM] = 1.0 if alike == CREW else 0.0
 
 
@@ -160,54 +171,120 @@ def set_flow(k: int, body: Array, flow: Array) -> None:
         flow[L_LIFT + 3 * k + n] = body[at + LIFT]
 
 
-def fall_alike(settings: Array, stream: Array) -> None:
+def fall_alike(settings: Array, plain: Array) -> None:
     """Note what moves plain crews, on which nothing acts but gravity."""
-    plain = stream[TOGETHER]
     gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
     by_x, by_y = acceleration(gravity, (0.0, 0.0), 1.0)
     for k in range(CREW):
         plain[L_BY + 3 * k], plain[L_BY + 3 * k + 1] = by_x, by_y
 
 
-def begin_lanes(
+def glide(
+    steps: int,
     first: int,
+    last: int,
     settings: Array,
     kind: Whole,
     pose: Array,
     velocity: Array,
     load: Array,
+    poses: Array,
+    velocities: Array,
     load_bits: Whole,
     body: Array,
-    rows: Array,
+    course: Array,
     stream: Array,
-) -> bool:
-    """Make crews ready to go; return whether all that users can set is sound, and they at home."""
-    note_frame(settings, stream)
-    fine = True
-    for g in range(len(rows)):
-        row = rows[g]
-        a, b = LANES_OF * (first + g), LANES_OF * (first + g + 1)
-        row[PLAIN] = row[UNIFORM]
-        if row[PLAIN] == 1.0:
-            bad = begin_plain(pose[a:b], velocity[a:b], load_bits[a:b], row, stream[TOGETHER])
-            row[PLAIN] = 1.0 if bad == 0 else 0.0
-        if row[PLAIN] == 0.0:
-            i = CREW * (first + g)
-            sound = begin_mixed(i, settings, kind, pose, velocity, load, body, row, stream[g])
-            fine = fine and sound and are_home(row, stream[TOGETHER])
-    return fine
+) -> int:
+    """Let crews take some steps, or as many as all stay at home in; return how many."""
+    plain = stream[len(course)]
+    note_frame(settings, plain, L_BEFORE)
+    move_frame(settings)
+    note_frame(settings, plain, L_AFTER)
+    out = 0
+    for g in range(first, last):
+        course[g, PLAIN] = course[g, UNIFORM]
+        if course[g, PLAIN] == 1.0:
+            if start_off(poses[g], velocities[g], load_bits[g], course[g], plain) == 0:
+                continue
+            put_back_one(g, poses, velocities, course)
+            course[g, PLAIN] = 0.0
+        out += start_off_mixed(g, settings, kind, pose, velocity, load, body, course, stream)
+    taken = 0
+    while out == 0:
+        taken += 1
+        if taken == steps:
+            break
+        move_frame(settings)
+        note_frame(settings, plain, L_AFTER)
+        for g in range(first, last):
+            if course[g, PLAIN] == 1.0:
+                out += go_on(poses[g], velocities[g], course[g], plain)
+            else:
+                out += go_on_mixed(settings, course[g], stream[g])
+    return taken
 
 
-def begin_plain(at: Array, speed: Array, load_bits: Whole, row: Array, frame: Array) -> int:
-    """Keep where a crew is; return how many of its lanes are pushed, not sound or not at home."""
-    bad = 0
+@inlined
+def start_off(at: Array, speed: Array, load_bits: Whole, row: Array, flow: Array) -> int:
+    """Keep where a crew is and let it take a step; return how many of its lanes may not do so.
+
+    They are those that are pushed, or not at home before or after it. What is not a number, or
+    moves as none, is not at home.
+    """
+    out = 0
     for m in range(LANES_OF):
-        here, now = at[m], speed[m]
+        here, now, by, gain = at[m], speed[m], flow[L_BY + m], flow[L_GAIN + m]
         row[L_AT + m], row[L_SPEED + m] = here, now
-        seen = here - frame[L_FRAME + m]
-        fine = (seen >= row[L_LOW + m]) & (seen <= row[L_HIGH + m]) & (here - here == 0.0)
-        bad += 0 if fine & (now - now == 0.0) & (load_bits[m] == 0) else 1
-    return bad
+        to = here + way(gain, flow[L_LIFT + m], now, by)
+        at[m] = to
+        speed[m] = pace_later(flow[L_DECAY + m], now, pace_given(gain, by))
+        before, after = here - flow[L_BEFORE + m], to - flow[L_AFTER + m]
+        low, high = row[L_LOW + m], row[L_HIGH + m]
+        home = (before >= low) & (before <= high) & (after >= low) & (after <= high)
+        out += 0 if home & (load_bits[m] == 0) else 1
+    return out
+
+
+@inlined
+def go_on(at: Array, speed: Array, row: Array, flow: Array) -> int:
+    """Let a crew take a step; return how many of its lanes are not at home after it."""
+    out = 0
+    for m in range(LANES_OF):
+        now, by, gain = speed[m], flow[L_BY + m], flow[L_GAIN + m]
+        to = at[m] + way(gain, flow[L_LIFT + m], now, by)
+        at[m] = to
+        speed[m] = pace_later(flow[L_DECAY + m], now, pace_given(gain, by))
+        after = to - flow[L_AFTER + m]
+        out += 0 if (after >= row[L_LOW + m]) & (after <= row[L_HIGH + m]) else 1
+    return out
+
+
+def start_off_mixed(
+    g: int,
+    settings: Array,
+    kind: Whole,
+    pose: Array,
+    velocity: Array,
+    load: Array,
+    body: Array,
+    course: Array,
+    stream: Array,
+) -> int:
+    """Let any crew take a step in its row; return how many of its lanes may not do so."""
+    row, frame = course[g], stream[len(course)]
+    if not begin_mixed(CREW * g, settings, kind, pose, velocity, load, body, row, stream[g]):
+        return LANES_OF
+    out = 0
+    for m in range(LANES_OF):
+        before = row[L_AT + m] - frame[L_BEFORE + m]
+        out += 0 if (before >= row[L_LOW + m]) & (before <= row[L_HIGH + m]) else 1
+    return out + go_on_mixed(settings, row, stream[g])
+
+
+def go_on_mixed(settings: Array, row: Array, flow: Array) -> int:
+    """Let any crew take a step in its row; return how many of its lanes are not at home after."""
+    note_frame(settings, flow, L_AFTER)
+    return go_on(row[L_AT : L_AT + LANES_OF], row[L_SPEED : L_SPEED + LANES_OF], row, flow)
 
 
 def begin_mixed(
@@ -230,13 +307,13 @@ def begin_mixed(
         if not is_sound(i, kind, pose, velocity, load):
             return False
         for n in range(3):
-            row[L_AT + 3 * k + n] = pose[3 * i + n] if kind[i] >= STATIC else 0.0
-            row[L_SPEED + 3 * k + n] = velocity[3 * i + n] if kind[i] >= KINEMATIC else 0.0
+            row[L_AT + 3 * k + n] = pose[i, n] if kind[i] >= STATIC else 0.0
+            row[L_SPEED + 3 * k + n] = velocity[i, n] if kind[i] >= KINEMATIC else 0.0
         if kind[i] >= KINEMATIC:
             set_flow(k, body[i], flow)
         if kind[i] == DYNAMIC:
             gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-            force, torque = (load[3 * i], load[3 * i + 1]), load[3 * i + 2]
+            force, torque = (load[i, 0], load[i, 1]), load[i, 2]
             by_x, by_y = acceleration(gravity, force, body[i, INVERSE_MASS])
             flow[L_BY + 3 * k], flow[L_BY + 3 * k + 1] = by_x, by_y
             flow[L_BY + 3 * k + 2] = angular_acceleration(torque, body[i, INVERSE_INERTIA])
@@ -246,10 +323,10 @@ def begin_mixed(
 def is_sound(i: int, kind: Whole, pose: Array, velocity: Array, load: Array) -> bool:
     """Return whether all that users can set of a body are numbers, and a static one is at rest."""
     bad = moves = 0
-    for m in range(3 * i, 3 * i + 3):
-        total = pose[m] + velocity[m] + load[m]
+    for n in range(3):
+        total = pose[i, n] + velocity[i, n] + load[i, n]
         bad += 0 if total - total == 0.0 else 1
-        moves += 1 if velocity[m] != 0.0 else 0
+        moves += 1 if velocity[i, n] != 0.0 else 0
     return bad == 0 and (kind[i] != STATIC or moves == 0)
 
 
@@ -259,74 +336,24 @@ def end_mixed(first: int, kind: Whole, pose: Array, velocity: Array, row: Array)
         i = first + k
         if kind[i] >= KINEMATIC:
             for n in range(3):
-                pose[3 * i + n] = row[L_AT + 3 * k + n]
-                velocity[3 * i + n] = row[L_SPEED + 3 * k + n]
+                pose[i, n] = row[L_AT + 3 * k + n]
+                velocity[i, n] = row[L_SPEED + 3 * k + n]
 
 
-def put_back(rows: Array, pose: Array, velocity: Array) -> None:
+def put_back(last: int, poses: Array, velocities: Array, course: Array) -> None:
     """Put plain crews where they were as the call began."""
-    for g in range(len(rows)):
-        if rows[g, PLAIN] == 1.0:
-            for m in range(LANES_OF):
-                pose[LANES_OF * g + m] = rows[g, L_AT + m]
-                velocity[LANES_OF * g + m] = rows[g, L_SPEED + m]
+    for g in range(last):
+        if course[g, PLAIN] == 1.0:
+            put_back_one(g, poses, velocities, course)
 
 
-def glide(
-    steps: int, settings: Array, pose: Array, velocity: Array, rows: Array, stream: Array
-) -> int:
-    """Let crews take some steps, or as many as all stay at home in; return how many.
-
-    The frame is then where it was.
-    """
-    x, y = settings[FRAME_X], settings[FRAME_Y]
-    frame_x, frame_y = settings[FRAME_VX], settings[FRAME_VY]
-    taken = out = 0
-    while out == 0 and taken < steps:
-        move_frame(settings)
-        note_frame(settings, stream)
-        for g in range(len(rows)):
-            a, b = LANES_OF * g, LANES_OF * (g + 1)
-            row, frame = rows[g], stream[TOGETHER]
-            if row[PLAIN] == 1.0:
-                out += go_on(pose[a:b], velocity[a:b], row, frame, frame)
-            else:
-                at, speed = row[L_AT : L_AT + LANES_OF], row[L_SPEED : L_SPEED + LANES_OF]
-                out += go_on(at, speed, row, stream[g], frame)
-        taken += 1 if out == 0 else 0
-    settings[FRAME_X], settings[FRAME_Y] = x, y
-    settings[FRAME_VX], settings[FRAME_VY] = frame_x, frame_y
-    return taken
+def put_back_one(g: int, poses: Array, velocities: Array, course: Array) -> None:
+    """Put a plain crew where it was as the call began."""
+    for m in range(LANES_OF):
+        poses[g, m], velocities[g, m] = course[g, L_AT + m], course[g, L_SPEED + m]
 
 
-def note_frame(settings: Array, stream: Array) -> None:
+def note_frame(settings: Array, flow: Array, when: int) -> None:
     """Note where the frame is for each lane; turns are seen as they are."""
-    frame = stream[TOGETHER]
     for k in range(CREW):
-        frame[L_FRAME + 3 * k] = settings[FRAME_X]
-        frame[L_FRAME + 3 * k + 1] = settings[FRAME_Y]
-
-
-def go_on(at: Array, speed: Array, row: Array, flow: Array, frame: Array) -> int:
-    """Let a crew take a step; return how many lanes are where the list of pairs does not hold.
-
-    What is not a number is nowhere.
-    """
-    out = 0
-    for m in range(LANES_OF):
-        now, by, gain = speed[m], flow[L_BY + m], flow[L_GAIN + m]
-        to = at[m] + way(gain, flow[L_LIFT + m], now, by)
-        at[m] = to
-        speed[m] = pace_later(flow[L_DECAY + m], now, pace_given(gain, by))
-        seen = to - frame[L_FRAME + m]
-        out += 0 if (seen >= row[L_LOW + m]) & (seen <= row[L_HIGH + m]) else 1
-    return out
-
-
-def are_home(row: Array, frame: Array) -> bool:
-    """Return whether a mixed crew is where the list of pairs holds."""
-    out = 0
-    for m in range(LANES_OF):
-        seen = row[L_AT + m] - frame[L_FRAME + m]
-        out += 0 if (seen >= row[L_LOW + m]) & (seen <= row[L_HIGH + m]) else 1
-    return out == 0
+        flow[when + 3 * k], flow[when + 3 * k + 1] = settings[FRAME_X], settings[FRAME_Y]

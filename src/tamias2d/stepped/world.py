@@ -3,6 +3,8 @@
 Serves: the simulator. Hides: how much room the arrays have, and the kernel.
 """
 
+from collections.abc import Callable
+from functools import partial
 from inspect import signature
 from typing import Any
 
@@ -11,7 +13,7 @@ import numpy as np
 from tamias2d.generated import drag
 from tamias2d.state import Array
 from tamias2d.stepped.alignment import aligned_zeros
-from tamias2d.stepped.coast import COURSE, CREW, STREAM, TOGETHER
+from tamias2d.stepped.coast import COURSE, CREW, LANES_OF, STREAM
 from tamias2d.stepped.elimination import WEAVE
 from tamias2d.stepped.layout import (
     DECAY,
@@ -105,7 +107,7 @@ class World:
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
-        self._coasting: tuple[Any, ...] = ()
+        self._coast: Callable[[int, bool], int] = lambda _steps, _known: 0
         self._alone = True  # whether it is worth while to try to coast
         self._known = False  # whether where bodies coast is known, since homes are as they were
 
@@ -172,7 +174,7 @@ class World:
         sound = 0
         while True:
             if self._alone:
-                count -= self._engine.coast(count, self._known, *self._coasting)
+                count -= self._coast(count, self._known)
                 self._known = True
                 if count == 0:
                     return DONE
@@ -211,12 +213,15 @@ class World:
         if corners >= len(self.scratch):
             self.scratch = aligned_zeros((corners + 1, TOUCH))
         self._arguments = tuple(getattr(self, name) for name in _ORDER)
-        pose, velocity, load = (a.reshape(-1) for a in (self.pose, self.velocity, self.load))
-        groups = -(-len(self.kind) // CREW)
-        self._coasting = (
-            *(self.settings, self.counts, self.kind, pose, velocity, load, load.view(np.int64)),
-            *(self.body, self.home, aligned_zeros((groups, COURSE))),
-            aligned_zeros((TOGETHER + 1, STREAM)),
+        bodies = (self.pose, self.velocity, self.load)
+        full = len(self.kind) // CREW
+        rows = [array[: CREW * full].reshape(full, LANES_OF) for array in bodies]
+        crews = -(-len(self.kind) // CREW)
+        self._coast = partial(
+            self._engine.coast,
+            *(self.settings, self.counts, self.kind, *bodies, *rows[:2], rows[2].view(np.int64)),
+            *(self.body, self.home, aligned_zeros((crews, COURSE))),
+            aligned_zeros((crews + 1, STREAM)),
         )
         self._known = False
 
