@@ -1,11 +1,12 @@
 """Steps of bodies that are near nothing: each along its closed form, without a look around.
 
-Serves: the world, while no pair is on the list. Hides: that bodies take their steps in lanes, some
-of them all of a call's at once, and that nothing is moved before all are known to stay where the
-list holds. The bits are those of ordinary steps.
+Serves: the world, while no pair is on the list. Hides: that bodies go in crews, in one pass through
+memory, and are put back where one of them may not go on. The bits are those of ordinary steps.
 
-A lane is a coordinate of a body. Most groups of bodies are plain: all can be pushed, and flow alike
-(DD41). Of these only places, velocities and loads are looked at, all in the order in memory.
+A lane is a coordinate of a body, and a crew is 48 of them in a row, which the compiler takes eight
+at a time. Most crews are plain: all can be pushed, nothing but gravity does, and they flow alike
+(DD41). They move where they are; a mixed crew moves beside, in its row, until all are known to
+stay at home, which is where the list of pairs holds.
 """
 
 from tamias2d.generated.definitions import (
@@ -15,8 +16,8 @@ from tamias2d.generated.definitions import (
     pace_later,
     way,
 )
-from tamias2d.kernels.assembled import inlined
 from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, RankRows, Ranks
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 from tamias2d.stepped.frame import move_frame
 from tamias2d.stepped.layout import (
@@ -125,7 +126,7 @@ def coast(
 
 
 def know_course(kind: Whole, body: Array, home: Array, course: Array, stream: Array) -> None:
-    """Note where bodies may be, and which groups are plain.
+    """Note where bodies may be, and which crews are uniform.
 
     They flow as the first body that can be pushed. Nobody may be where no number is.
     """
@@ -163,7 +164,7 @@ def flows_as(one: Array, other: Array) -> bool:
 
 
 def set_flow(k: int, body: Array, flow: Array) -> None:
-    """Let the lanes of a group's k-th body flow as it does."""
+    """Let the lanes of a crew's k-th body flow as it does."""
     for n in range(3):
         at = FULL + ANGULAR if n == 2 else FULL
         flow[L_DECAY + 3 * k + n] = body[at + DECAY]
