@@ -139,15 +139,16 @@ class Roster:
     def _rank(self, rows: Whole) -> None:
         """Order new bodies by what and where they are."""
         world = self.world
-        owned = np.flatnonzero(np.isin(world.shape_body, rows))
+        new = np.zeros(len(world.pose), dtype=bool)
+        new[rows] = True
+        owned = np.flatnonzero(new[world.shape_body])
         first = np.full(len(world.pose), -1)
         first[world.shape_body[owned][::-1]] = owned[::-1]
-        table = np.concatenate(
-            (world.pose[rows], world.velocity[rows], world.load[rows], world.body[rows]), axis=1
-        )
+        tables = (world.pose[rows], world.velocity[rows], world.load[rows], world.body[rows])
         touching = np.concatenate((world.surface, np.zeros((1, 4))))[first[rows]]
         meeting = np.concatenate((world.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]]
-        keys = [world.kind[rows], self._forms(), *table.T, *touching.T, *meeting.T]
+        columns = [column for table in (*tables, touching, meeting) for column in table.T]
+        keys = [world.kind[rows], self._forms(), *columns]
         sequence = rows[np.lexsort(keys[::-1])]
         self.rank[sequence] = np.arange(self._next, self._next + len(rows))
         self._next += len(rows)
