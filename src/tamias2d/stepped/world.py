@@ -179,33 +179,37 @@ class World:
                 if count == 0:
                     return DONE
             self.counts[WANTED], self.counts[SOUND] = count, sound
-            self._known = False
-            status = self._step_on()
+            self._alone = self._known = False
+            while (status := self._engine.step(*self._arguments)) != DONE:
+                if status == CLEAR:
+                    break
+                if not self._has_more_room(status):
+                    self.counts[PHASE] = 0
+                    return int(status)
+            if status == DONE:
+                return DONE
+            self._alone = True
             count, sound = int(self.counts[WANTED]), 1
-            self._alone = status == CLEAR
-            if not self._alone or count == 0:
-                return DONE if self._alone else status
+            if count == 0:
+                return DONE
 
-    def _step_on(self) -> int:
-        """Let the engine go on until it is done or nothing is near, with more room as it asks."""
-        while (status := self._engine.step(*self._arguments)) not in (DONE, CLEAR):
-            if status == MORE_FOUND:
-                self.found = aligned_zeros((self.counts[NEEDED] * 5 // 4 + 16, 4), dtype=np.int64)
-            elif status == MORE_PAIRS:
-                self._more_pairs(int(self.counts[NEEDED] * 5 // 4 + 16))
-            elif status == MORE_BLOCKS:
-                room = int(self.counts[NEEDED] * 5 // 4 + 4)
-                self.rows = aligned_zeros((room, WIDTH))
-                self.lanes = aligned_zeros((room, 50), dtype=np.uint32)
-            elif status == MORE_WEB:
-                room = int(self.counts[NEEDED] * 5 // 4 + 16)
-                self.web = aligned_zeros((room, WEB), dtype=np.int64)
-                self.weave = aligned_zeros((room, WEAVE))
-            else:
-                self.counts[PHASE] = 0
-                break
-            self._arguments = tuple(getattr(self, name) for name in _ORDER)
-        return int(status)
+    def _has_more_room(self, status: int) -> bool:
+        """Make the room that the engine asked for; return whether it was that."""
+        room = int(self.counts[NEEDED] * 5 // 4 + 16)
+        if status == MORE_FOUND:
+            self.found = aligned_zeros((room, 4), dtype=np.int64)
+        elif status == MORE_PAIRS:
+            self._more_pairs(room)
+        elif status == MORE_BLOCKS:
+            self.rows = aligned_zeros((room, WIDTH))
+            self.lanes = aligned_zeros((room, 50), dtype=np.uint32)
+        elif status == MORE_WEB:
+            self.web = aligned_zeros((room, WEB), dtype=np.int64)
+            self.weave = aligned_zeros((room, WEAVE))
+        else:
+            return False
+        self._arguments = tuple(getattr(self, name) for name in _ORDER)
+        return True
 
     def _gather_arguments(self) -> None:
         """Keep what the engine is called with, until an array is another one."""
