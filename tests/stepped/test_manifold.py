@@ -142,7 +142,7 @@ def test_a_hint_finds_what_a_search_finds(seed: int) -> None:
         for _ in range(2):  # what has just come is not remembered, what stays is
             remembers(a, b, delta, margin)
         for _ in range(3):
-            far = 10 ** rng.uniform(-2, 0) * MOTIONS[rng.integers(5)] * rng.uniform(-1, 1, 4)
+            far = 10 ** rng.uniform(-3, 0) * MOTIONS[rng.integers(5)] * rng.uniform(-1, 1, 4)
             a, b, delta = a.turned(far[2]), b.turned(far[3]), delta + far[:2]
             searches = Pairing()
             searches(a, b, delta, margin)

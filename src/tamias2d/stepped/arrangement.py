@@ -14,6 +14,7 @@ from tamias2d.stepped.layout import (
     HITS,
     KINEMATIC,
     NEEDED,
+    SEATED,
     THIN,
     Whole,
 )
@@ -38,18 +39,18 @@ def arrange(
     if counts[ARRANGED] == 1:
         for k in range(counts[ACTIVE]):
             used[hits[ACTIVE_BODY, k]] = 1
-    else:
-        needed = colour(counts, trace, kind, hits, used, fill)
-        if needed > len(rows):
-            counts[NEEDED] = needed
-            return MORE_BLOCKS
-        counts[THIN] = plan(counts, kind, hits, fill, isle, web)
-        if counts[THIN] < 0:
-            counts[NEEDED] = -counts[THIN]
-            return MORE_WEB
-        mark_active(counts, kind, used, hits)
-        counts[ARRANGED] = 1
+        return DONE
+    needed = colour(counts, trace, kind, hits, used, fill)
+    if needed > len(rows):
+        counts[NEEDED] = needed
+        return MORE_BLOCKS
+    counts[THIN] = plan(counts, kind, hits, fill, isle, web)
+    if counts[THIN] < 0:
+        counts[NEEDED] = -counts[THIN]
+        return MORE_WEB
+    mark_active(counts, kind, used, hits)
     clear_lanes(len(used) - 1, fill, rows, lanes)
+    counts[ARRANGED], counts[SEATED] = 1, 0
     return DONE
 
 

@@ -22,7 +22,7 @@ STATES, TURNS, SIDES = 8, 4, 1 << 12  # states, codes of a turn and sides that a
 FINE = 2.0**30  # units of a turn's room
 STRAIGHT = 0.6  # of the cosine of the kept angle: bounds how fast its sine changes
 ROUNDING = 2.0**-40  # of the lever: more than rounding does to a room
-ROVING = 0.02  # of their distance, or as a sine: a motion after which no hint is kept
+ROVING = 0.004  # of their distance, or as a sine: a motion after which no hint is kept
 NOTHING = 1e308
 
 
@@ -44,7 +44,10 @@ def recalled(
     sine: float,
     enough: float,
 ) -> tuple[int, int, int]:
-    """Return the state of a hint and its sides of A and B; `NONE` where the hint may not hold."""
+    """Return the state of a hint and its sides of A and B; `NONE` where it may not hold.
+
+    Its sides are a guess then.
+    """
     hint = int(ids[HINT])
     state = hint % STATES
     code = hint // STATES % TURNS
@@ -70,6 +73,22 @@ def roves(row: Array, ids: Whole, along: float, across: float, sine: float) -> b
     return bool(moved > ROVING * (abs(along) + abs(across)) or turned > ROVING)
 
 
+def keep_guess(
+    row: Array,
+    ids: Whole,
+    along: float,
+    across: float,
+    sine: float,
+    side_a: int,
+    side_b: int,
+) -> None:
+    """Keep two sides, and where they were found, as a hint that never holds."""
+    row[CACHE], row[CACHE + 1], row[CACHE + 2] = along, across, sine
+    known = side_a < SIDES and side_b < SIDES
+    ids[HINT] = APART + STATES * TURNS * (side_a + SIDES * side_b) if known else 0
+    ids[HINT + 1] = -1
+
+
 def keep_apart(
     row: Array,
     ids: Whole,
@@ -78,12 +97,14 @@ def keep_apart(
     cosine: float,
     sine: float,
     lever: float,
+    side_a: int,
+    side_b: int,
     room: float,
     enough: float,
 ) -> None:
-    """Keep that some side leaves a room, m, where enough would do."""
+    """Keep that one of two sides leaves a room, m, where enough would do."""
     half = 0.5 * (room - enough) - ROUNDING * lever
-    keep_pose(row, ids, along, across, cosine, sine, APART, 0, 0, half / lever)
+    keep_pose(row, ids, along, across, cosine, sine, APART, side_a, side_b, half / lever)
     row[CACHE + 3] = enough + half
 
 
@@ -118,9 +139,9 @@ def keep_pose(
     side_b: int,
     chord: float,
 ) -> None:
-    """Keep a pose with the chord by which the turn may change; none where there is no room."""
+    """Keep a pose with the chord by which the turn may change, or a guess where there is none."""
     if chord <= 0.0 or side_a >= SIDES or side_b >= SIDES:
-        ids[HINT] = 0
+        keep_guess(row, ids, along, across, sine, side_a, side_b)
         return
     code, turn, other = 0, sine, cosine
     if abs(sine) > abs(cosine):

@@ -21,13 +21,14 @@ GRAVITY_X, GRAVITY_Y, TIME_STEP = 0, 1, 2
 FRAME_VX, FRAME_VY, FRAME_X, FRAME_Y = 3, 4, 5, 6
 FRAME_MOVES, FRAME_BY_X, FRAME_BY_Y, FRAME_FLOW = 7, 8, 9, 10
 
-# counts (22,), as whole numbers
+# counts (23,), as whole numbers
 SUBSTEPS, PAIRS, SIDE, HORIZON, SINCE, NEEDED, BLOCKS, STILL = range(8)
 LEAVES, HITS, ACTIVE, PHASE, STATIC_BLOCK, THIN = 8, 9, 10, 11, 12, 13
 WANTED, SOUND = 14, 15  # steps that are left of a call, and whether its values have been checked
 PATIENCE, DORMANT = 16, 17  # steps of quiet until sleep, 0 for never; how many bodies sleep
 SORTED, MENDED = 18, 19  # pairs of the first run of the list; bodies that left since it was made
 ARRANGED, ISLANDED = 20, 21  # whether blocks, and islands, are those of what touches now
+SEATED = 22  # whether lanes have what stays in them while the arrangement does
 
 # hits (10, 2p): pairs that touch, in canonical order, with their colours and places in them; then
 # moving bodies that they touch, in the order of touching, and in that of their rows; those of the
@@ -91,6 +92,10 @@ PLACE = 1
 # box (m, 8): low and high corner of what is k-th along the tree's curve; then those of the shape,
 # with the room that its body has
 FAT = 4
+
+# middle (m, 8), of what is k-th along the tree's curve: the middle of where its body is at home,
+# how far from there it may be or is known, and how far the shape reaches, m
+MIDDLE_X, MIDDLE_Y, HALF_WIDTH, HALF_HEIGHT, MIDDLE_REACH = 0, 1, 2, 3, 4
 
 # touch (p, 32): normal from a to b; a point from the centre of body A, m, with its separation, m,
 # accumulated impulses, N s, and preload, m; the pair's surfaces; what is told of the last step: the

@@ -56,8 +56,8 @@ def collide(
     """Write the manifold of shapes a and b to a row of `touch` and `trace`; return its points.
 
     B's body is at (delta_x, delta_y) from A's, m. Points with a separation below the margin, m,
-    count; impulses of points that were there before are kept, others are 0. A row starts with
-    zeros, and serves one pair of shapes.
+    count; impulses of points that were there before are kept, others are 0. A row of
+    `trace` starts with zeros, and serves one pair of shapes.
     """
     row, ids = touch[slot], trace[slot]
     kind_a, kind_b = int(shape_kind[a]), int(shape_kind[b])

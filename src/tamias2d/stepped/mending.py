@@ -21,12 +21,14 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.pair_list import add_pair
 from tamias2d.stepped.pairs import (
     boxes_overlap,
+    circles_apart,
     fatten,
     foremost,
+    know_middle,
     may_meet,
     note_pair,
     reaches,
-    stay_apart,
+    sides_apart,
 )
 from tamias2d.stepped.tree import BUNCH, lowest
 from tamias2d.stepped.turning import turn_shape
@@ -55,6 +57,7 @@ def mend(
     box: Array,
     curve: Whole,
     node: Array,
+    middle: Array,
     found: Whole,
     pairs: Whole,
     touches: Array,
@@ -74,6 +77,7 @@ def mend(
             )  # fmt: skip
             if shape_kind[s] != HALF_PLANE:
                 regrow(curve[PLACE, s], s, counts[LEAVES], box, node)
+                know_middle(curve[PLACE, s], s, shape_body, surface, kind, body, home, middle)
     total = 0
     for s in range(len(shape_body)):
         if shape_kind[s] == HALF_PLANE:
@@ -84,8 +88,8 @@ def mend(
         elif used[shape_body[s]] == 1:
             total = near_one(
                 total, s, counts[LEAVES], shape_body, shape_first, shape_count, shape_radius,
-                surface, filters, kind, used, ranked, turned, box, curve, node, found, pose,
-                motion, body, home,
+                filters, kind, used, ranked, turned, box, curve, node, middle, found, pose,
+                motion, home,
             )  # fmt: skip
     for i in range(len(used)):
         used[i] = 0
@@ -137,7 +141,6 @@ def near_one(
     shape_first: Whole,
     shape_count: Whole,
     shape_radius: Array,
-    surface: Array,
     filters: Whole,
     kind: Whole,
     used: Whole,
@@ -146,14 +149,15 @@ def near_one(
     box: Array,
     curve: Whole,
     node: Array,
+    middle: Array,
     found: Whole,
     pose: Array,
     motion: Array,
-    body: Array,
     home: Array,
 ) -> int:
     """Note the bounded shapes that one may meet; of two that both look, the later one does."""
-    here = box[curve[PLACE, s]]
+    k = curve[PLACE, s]
+    here = box[k]
     first = lowest(leaves)
     at = 1
     while True:
@@ -166,10 +170,11 @@ def near_one(
                 if (
                     boxes_overlap(here, box[m])
                     and (used[shape_body[t]] == 0 or t < s)
+                    and not circles_apart(middle[k], middle[m])
                     and may_meet(s, t, shape_body, kind, filters)
-                    and not stay_apart(
-                        s, t, shape_body, shape_first, shape_count, shape_radius, surface, kind,
-                        pose, motion, body, home, turned,
+                    and not sides_apart(
+                        k, m, curve, middle, shape_body, shape_first, shape_count, shape_radius,
+                        pose, motion, home, turned,
                     )
                 ):  # fmt: skip
                     total = note_pair(total, s, t, ranked, found)

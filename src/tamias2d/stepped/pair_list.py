@@ -15,11 +15,7 @@ from tamias2d.stepped.layout import (
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
-    POINT,
-    PRELOAD,
-    PUSH,
     RESTITUTION,
-    RUB,
     SIDE,
     SORTED,
     TOUCH,
@@ -161,15 +157,13 @@ def copy_pair(
         for k in range(6):
             next_trace[new, k] = trace[old, k]
     else:
-        blank(new, next_touch, next_trace)
+        blank(new, next_trace)
         next_touch[new, PAIR_FRICTION] = touch[old, PAIR_FRICTION]
         next_touch[new, PAIR_RESTITUTION] = touch[old, PAIR_RESTITUTION]
 
 
-def blank(p: int, touch: Array, trace: Whole) -> None:
-    """Let nothing be known of how a pair touches."""
-    for at in (0, POINT):
-        touch[p, PUSH + at] = touch[p, RUB + at] = touch[p, PRELOAD + at] = 0.0
+def blank(p: int, trace: Whole) -> None:
+    """Let nothing be known of how a pair touches: without names, points have no impulses."""
     for k in range(6):
         trace[p, k] = 0
 
@@ -189,7 +183,7 @@ def new_pair(
     `mixed` (k, 4) holds what was set for pairs of shapes: both, friction, restitution.
     """
     pair[new, 0], pair[new, 1] = s, t
-    blank(new, touch, trace)
+    blank(new, trace)
     touch[new, PAIR_FRICTION] = both_friction(surface[s, FRICTION], surface[t, FRICTION])
     touch[new, PAIR_RESTITUTION] = both_restitution(
         surface[s, RESTITUTION], surface[t, RESTITUTION]

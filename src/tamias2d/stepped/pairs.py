@@ -13,7 +13,9 @@ from tamias2d.stepped.layout import (
     DYNAMIC,
     FAT,
     GROUP,
+    HALF_HEIGHT,
     HALF_PLANE,
+    HALF_WIDTH,
     HIGH_X,
     HIGH_Y,
     HOME_TURN,
@@ -21,6 +23,9 @@ from tamias2d.stepped.layout import (
     LOW_X,
     LOW_Y,
     MASK,
+    MIDDLE_REACH,
+    MIDDLE_X,
+    MIDDLE_Y,
     PLACE,
     REACH,
     SHAPE_REACH,
@@ -83,6 +88,7 @@ def find_pairs(
     box: Array,
     curve: Whole,
     node: Array,
+    middle: Array,
     found: Whole,
     pose: Array,
     motion: Array,
@@ -100,15 +106,19 @@ def find_pairs(
         curve[PLACE, s] = k
         for n in range(4):
             box[k, n] = box[s, FAT + n]
+        know_middle(k, s, shape_body, surface, kind, body, home, middle)
     near = overlaps(leaves, box, node, found)
     if near > len(found):
         return near
     total = 0
     for p in range(near):
-        s, t = curve[0, found[p, 2]], curve[0, found[p, 3]]
-        if may_meet(s, t, shape_body, kind, filters) and not stay_apart(
-            s, t, shape_body, shape_first, shape_count, shape_radius, surface, kind, pose, motion,
-            body, home, turned,
+        k, m = found[p, 2], found[p, 3]
+        if circles_apart(middle[k], middle[m]):
+            continue
+        s, t = curve[0, k], curve[0, m]
+        if may_meet(s, t, shape_body, kind, filters) and not sides_apart(
+            k, m, curve, middle, shape_body, shape_first, shape_count, shape_radius, pose, motion,
+            home, turned,
         ):  # fmt: skip
             total = note_pair(total, s, t, ranked, found)
     for s in range(len(shape_kind)):
@@ -159,47 +169,65 @@ def boxes_overlap(one: Array, other: Array) -> bool:
     )
 
 
-def stay_apart(
+def know_middle(
+    k: int,
     s: int,
-    t: int,
+    shape_body: Whole,
+    surface: Array,
+    kind: Whole,
+    body: Array,
+    home: Array,
+    middle: Array,
+) -> None:
+    """Write where a shape's body is at home, and how far it is known, to the k-th row."""
+    i, here = shape_body[s], middle[k]
+    more = AROUND * body[i, REACH] if kind[i] == DYNAMIC else 0.0
+    here[MIDDLE_X] = 0.5 * (home[i, LOW_X] + home[i, HIGH_X])
+    here[MIDDLE_Y] = 0.5 * (home[i, LOW_Y] + home[i, HIGH_Y])
+    here[HALF_WIDTH] = 0.5 * (home[i, HIGH_X] - home[i, LOW_X]) + more
+    here[HALF_HEIGHT] = 0.5 * (home[i, HIGH_Y] - home[i, LOW_Y]) + more
+    here[MIDDLE_REACH] = surface[s, SHAPE_REACH]
+
+
+def circles_apart(one: Array, other: Array) -> bool:
+    """Return whether the circles of two shapes stay apart while their bodies are at home."""
+    x = abs(other[MIDDLE_X] - one[MIDDLE_X]) - (one[HALF_WIDTH] + other[HALF_WIDTH])
+    y = abs(other[MIDDLE_Y] - one[MIDDLE_Y]) - (one[HALF_HEIGHT] + other[HALF_HEIGHT])
+    reach = one[MIDDLE_REACH] + other[MIDDLE_REACH]
+    x, y = max(x, 0.0), max(y, 0.0)
+    return bool(x * x + y * y > reach * reach)
+
+
+def sides_apart(
+    k: int,
+    m: int,
+    curve: Whole,
+    middle: Array,
     shape_body: Whole,
     shape_first: Whole,
     shape_count: Whole,
     shape_radius: Array,
-    surface: Array,
-    kind: Whole,
     pose: Array,
     motion: Array,
-    body: Array,
     home: Array,
     turned: Array,
 ) -> bool:
-    """Return whether two shapes whose boxes overlap stay apart while their bodies are at home.
-
-    Their circles may not reach each other, or a side of the longer one may look past the other.
-    """
-    if surface[s, SHAPE_REACH] < surface[t, SHAPE_REACH]:
-        s, t = t, s
-    i, j = shape_body[s], shape_body[t]
-    more = AROUND * (
-        (body[i, REACH] if kind[i] == DYNAMIC else 0.0)
-        + (body[j, REACH] if kind[j] == DYNAMIC else 0.0)
-    )
-    wide = 0.5 * (home[i, HIGH_X] - home[i, LOW_X] + home[j, HIGH_X] - home[j, LOW_X]) + more
-    high = 0.5 * (home[i, HIGH_Y] - home[i, LOW_Y] + home[j, HIGH_Y] - home[j, LOW_Y]) + more
-    x = 0.5 * (home[j, LOW_X] + home[j, HIGH_X] - home[i, LOW_X] - home[i, HIGH_X])
-    y = 0.5 * (home[j, LOW_Y] + home[j, HIGH_Y] - home[i, LOW_Y] - home[i, HIGH_Y])
-    out_x, out_y = max(abs(x) - wide, 0.0), max(abs(y) - high, 0.0)
-    large, small = surface[s, SHAPE_REACH], surface[t, SHAPE_REACH]
-    if out_x * out_x + out_y * out_y > (large + small) * (large + small):
-        return True
-    if large < LONGER * small or shape_count[s] == 1:
+    """Return whether a side of the longer of two shapes looks past the other at home."""
+    if middle[k, MIDDLE_REACH] < middle[m, MIDDLE_REACH]:
+        k, m = m, k
+    one, other = middle[k], middle[m]
+    s = curve[0, k]
+    if one[MIDDLE_REACH] < LONGER * other[MIDDLE_REACH] or shape_count[s] == 1:
         return False
+    i = shape_body[s]
+    x, y = other[MIDDLE_X] - one[MIDDLE_X], other[MIDDLE_Y] - one[MIDDLE_Y]
+    wide = one[HALF_WIDTH] + other[HALF_WIDTH]
+    high = one[HALF_HEIGHT] + other[HALF_HEIGHT]
     turn = home[i, TURN_ROOM] + abs(pose[i, TURN] - home[i, HOME_TURN]) + abs(motion[i, DTURN])
-    reach = small + shape_radius[s] + turn * (abs(x) + abs(y) + wide + high)
-    for k in range(shape_first[s], shape_first[s] + shape_count[s]):
-        along_x, along_y = turned[k, 2], turned[k, 3]
-        room = along_x * (x - turned[k, 0]) + along_y * (y - turned[k, 1])
+    reach = other[MIDDLE_REACH] + shape_radius[s] + turn * (abs(x) + abs(y) + wide + high)
+    for c in range(shape_first[s], shape_first[s] + shape_count[s]):
+        along_x, along_y = turned[c, 2], turned[c, 3]
+        room = along_x * (x - turned[c, 0]) + along_y * (y - turned[c, 1])
         if room - abs(along_x) * wide - abs(along_y) * high > reach:
             return True
     return False

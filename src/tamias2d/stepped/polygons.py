@@ -12,14 +12,15 @@ from tamias2d.stepped.hint import (
     LED_BY_EITHER,
     NONE,
     keep_apart,
+    keep_guess,
     keep_sides,
     lever_of,
     pose_seen,
     recalled,
     roves,
 )
-from tamias2d.stepped.layout import CACHE, HINT, Whole
-from tamias2d.stepped.separation import find_sides, inner_radius, slack_of
+from tamias2d.stepped.layout import HINT, Whole
+from tamias2d.stepped.separation import find_sides, inner_radius, most_facing, slack_of
 
 
 def touch_again(
@@ -43,8 +44,11 @@ def touch_again(
     along, across, cosine, sine = pose_seen(first_a, first_b, x, y, turned)
     state, side_a, side_b = recalled(row, ids, along, across, cosine, sine, enough)
     if state == NONE:
+        if ids[HINT] == 0:
+            side_a = most_facing(first_a, count_a, x, y, turned)
+            side_b = most_facing(first_b, count_b, -x, -y, turned)
         state, side_a, side_b = search(
-            row, ids, first_a, count_a, first_b, count_b,
+            row, ids, first_a, count_a, side_a, first_b, count_b, side_b,
             inner_a, inner_b, x, y, along, across, cosine, sine, enough, turned,
         )  # fmt: skip
     if state == APART:
@@ -60,8 +64,10 @@ def search(
     ids: Whole,
     first_a: int,
     count_a: int,
+    guess_a: int,
     first_b: int,
     count_b: int,
+    guess_b: int,
     inner_a: float,
     inner_b: float,
     x: float,
@@ -75,15 +81,15 @@ def search(
 ) -> tuple[int, int, int]:
     """Return who leads, and the sides of A and B, and keep them as a hint for the pose seen."""
     state, side_a, side_b, room, other = find_sides(
-        first_a, count_a, first_b, count_b, inner_a, inner_b, x, y, enough, turned
-    )
+        first_a, count_a, guess_a, first_b, count_b, guess_b, inner_a, inner_b, x, y, enough,
+        turned,
+    )  # fmt: skip
     if roves(row, ids, along, across, sine):
-        row[CACHE], row[CACHE + 1], row[CACHE + 2] = along, across, sine
-        ids[HINT] = 0
+        keep_guess(row, ids, along, across, sine, side_a, side_b)
         return state, side_a, side_b
     lever = lever_of(first_a, count_a, first_b, count_b, x, y, turned)
     if state == APART:
-        keep_apart(row, ids, along, across, cosine, sine, lever, room, enough)
+        keep_apart(row, ids, along, across, cosine, sine, lever, side_a, side_b, room, enough)
         return state, side_a, side_b
     if state == LED_BY_A:
         either, slack = slack_of(
@@ -120,8 +126,9 @@ def touch_polygons(
         inner_radius(first_b, count_b, turned),
     )
     state, side_a, side_b, _, _ = find_sides(
-        first_a, count_a, first_b, count_b, inner_a, inner_b, x, y, margin + radius_a + radius_b,
-        turned,
+        first_a, count_a, most_facing(first_a, count_a, x, y, turned),
+        first_b, count_b, most_facing(first_b, count_b, -x, -y, turned),
+        inner_a, inner_b, x, y, margin + radius_a + radius_b, turned,
     )  # fmt: skip
     if state == APART:
         return 0, 0

@@ -75,9 +75,9 @@ FASTEST = 0.02  # of the smaller reach: how far an overlap is pushed apart in a 
 # a block: what its points share, then each point
 R_NX, R_NY, R_MASS_A, R_INERTIA_A, R_MASS_B, R_INERTIA_B = 0, 16, 32, 48, 64, 80
 R_FRICTION, R_ROUND_A, R_ROUND_B, R_LIMIT, R_RESTITUTION = 96, 112, 128, 144, 160
-R_BIAS, R_SHARE, R_KEEP = 176, 192, 208
-R_REACH, R_LOAD = R_KEEP, R_BIAS  # what softness is made of, before it is there
-SHARED = 224
+R_BIAS, R_SHARE, R_KEEP, R_REACH = 176, 192, 208, 224
+R_LOAD = R_BIAS  # what softness is made of, before it is there
+SHARED = 240
 P_ARM_A, P_ARM_B, P_SIDE_A, P_SIDE_B, P_MASS, P_SIDE_MASS = 0, 16, 32, 48, 64, 80
 P_GAP, P_PUSH, P_RUB, P_TOTAL, P_BEFORE, P_NOW = 96, 112, 128, 144, 160, 176
 SIZE = 192
@@ -143,58 +143,78 @@ def clear_lanes(idle: int, fill: Whole, rows: Array, lanes: Whole) -> None:
                     lanes[b, BODY_A + k] = lanes[b, BODY_B + k] = idle
 
 
-def fill_rows(
+def seat_pairs(
     counts: Whole,
     pair: Whole,
     touch: Array,
     shape_radius: Array,
     surface: Array,
-    pose: Array,
-    motion: Array,
     body: Array,
     hits: Whole,
     fill: Whole,
     rows: Array,
     lanes: Whole,
-) -> int:
-    """Write the row of each touching pair; return how many of them may bounce."""
-    bouncing = 0
+) -> None:
+    """Give each touching pair its lane, with what stays as long as it is there."""
     for k in range(counts[HITS]):
-        p, c, place = hits[HIT, k], hits[HIT_COLOUR, k], hits[HIT_PLACE, k]
-        if c >= 2 * COLOURS:
-            b, m = fill[1, c] + place, 0
-        else:
-            b, m = fill[1, c] + place // LANES, place % LANES
-        s, t = pair[p, 0], pair[p, 1]
-        i, j = hits[HIT_A, k], hits[HIT_B, k]
+        p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
+        b, m = seat_of(k, hits, fill)
         lanes[b, BODY_A + m], lanes[b, BODY_B + m], lanes[b, SLOT + m] = i, j, p
-        row = rows[b]
-        normal_x, normal_y = touch[p, NX], touch[p, NY]
-        mass_a, inertia_a = body[i, INVERSE_MASS], body[i, INVERSE_INERTIA]
-        mass_b, inertia_b = body[j, INVERSE_MASS], body[j, INVERSE_INERTIA]
-        row[R_NX + m], row[R_NY + m] = normal_x, normal_y
-        row[R_MASS_A + m], row[R_INERTIA_A + m] = mass_a, inertia_a
-        row[R_MASS_B + m], row[R_INERTIA_B + m] = mass_b, inertia_b
+        row, s, t = rows[b], pair[p, 0], pair[p, 1]
+        row[R_MASS_A + m], row[R_INERTIA_A + m] = body[i, INVERSE_MASS], body[i, INVERSE_INERTIA]
+        row[R_MASS_B + m], row[R_INERTIA_B + m] = body[j, INVERSE_MASS], body[j, INVERSE_INERTIA]
         row[R_FRICTION + m] = touch[p, PAIR_FRICTION]
         row[R_RESTITUTION + m] = touch[p, PAIR_RESTITUTION]
-        bouncing += touch[p, PAIR_RESTITUTION] > 0.0
         row[R_ROUND_A + m], row[R_ROUND_B + m] = shape_radius[s], shape_radius[t]
-        reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
-        row[R_REACH + m] = reach
-        row[R_LOAD + m] = (touch[p, PUSH] + touch[p, PUSH + POINT]) / (1 + c % 2)
+        row[R_REACH + m] = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
+
+
+def seat_of(k: int, hits: Whole, fill: Whole) -> tuple[int, int]:
+    """Return the block and the lane of a touching pair."""
+    c, place = hits[HIT_COLOUR, k], hits[HIT_PLACE, k]
+    if c >= 2 * COLOURS:
+        return fill[1, c] + place, 0
+    return fill[1, c] + place // LANES, place % LANES
+
+
+def fill_rows(
+    counts: Whole,
+    pair: Whole,
+    touch: Array,
+    surface: Array,
+    kind: Whole,
+    pose: Array,
+    motion: Array,
+    hits: Whole,
+    fill: Whole,
+    rows: Array,
+) -> int:
+    """Write how each touching pair touches; return how many of them may bounce."""
+    bouncing = 0
+    for k in range(counts[HITS]):
+        p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
+        b, m = seat_of(k, hits, fill)
+        points = 1 + hits[HIT_COLOUR, k] % 2
+        row = rows[b]
+        normal_x, normal_y = touch[p, NX], touch[p, NY]
+        row[R_NX + m], row[R_NY + m] = normal_x, normal_y
+        row[R_LOAD + m] = (touch[p, PUSH] + touch[p, PUSH + POINT]) / points
+        bouncing += touch[p, PAIR_RESTITUTION] > 0.0
+        reach = min(surface[pair[p, 0], SHAPE_REACH], surface[pair[p, 1], SHAPE_REACH])
+        fixed = kind[i] != DYNAMIC or kind[j] != DYNAMIC
         delta_x, delta_y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
-        for n in range(1 + c % 2):
+        for n in range(points):
             at = SHARED + n * SIZE + m
             x, y = touch[p, PX + POINT * n], touch[p, PY + POINT * n]
             arm_a, side_a = x * normal_y - y * normal_x, x * normal_x + y * normal_y
             x, y = x - delta_x, y - delta_y
             arm_b, side_b = x * normal_y - y * normal_x, x * normal_x + y * normal_y
-            if mass_a == 0.0 or mass_b == 0.0:  # to the surfaces, which meet if they do
-                half = 0.5 * max(touch[p, GAP + POINT * n], 0.0)
+            gap, preload = touch[p, GAP + POINT * n], 0.0
+            if fixed:  # to the surfaces, which meet if they do
+                half = 0.5 * max(gap, 0.0)
                 side_a, side_b = side_a - half, side_b + half
             row[at + P_ARM_A], row[at + P_SIDE_A] = arm_a, side_a
             row[at + P_ARM_B], row[at + P_SIDE_B] = arm_b, side_b
-            gap, preload = touch[p, GAP + POINT * n], 0.0
             if touch[p, PUSH + POINT * n] > 0.0:
                 preload = preload_later(
                     touch[p, PRELOAD + POINT * n], gap, LEARNT, ALLOWED * reach, PRELOADED * reach

@@ -108,8 +108,10 @@ def facing_side(first: int, count: int, corner: int, nx: float, ny: float, turne
 def find_sides(
     first_a: int,
     count_a: int,
+    guess_a: int,
     first_b: int,
     count_b: int,
+    guess_b: int,
     inner_a: float,
     inner_b: float,
     x: float,
@@ -119,34 +121,39 @@ def find_sides(
 ) -> tuple[int, int, int, float, float]:
     """Return who leads, the sides of A and B that face each other, their room and the next, m.
 
-    `APART` where a side leaves enough room.
+    `APART` where a side leaves enough room. The nearer the guessed sides are to what is found, the
+    fewer others are measured; of equal ones a guess is found, and A leads.
     """
-    side_a = most_facing(first_a, count_a, x, y, turned)
-    room_a, corner_b = room_beside(first_a + side_a, first_b, count_b, x, y, turned)
+    room_a, corner_b = room_beside(first_a + guess_a, first_b, count_b, x, y, turned)
     if room_a >= enough:
-        return APART, side_a, 0, room_a, 0.0
-    room_a, side_a, corner_b, next_a = roomiest(
-        first_a, count_a, side_a, side_a, corner_b, room_a, first_b, count_b, inner_b, x, y,
-        enough, turned,
-    )  # fmt: skip
-    if room_a >= enough:
-        return APART, side_a, 0, room_a, 0.0
-    nx, ny = turned[first_a + side_a, 2], turned[first_a + side_a, 3]
-    faced = facing_side(first_b, count_b, corner_b, nx, ny, turned)
-    room, corner_a = room_beside(first_b + faced, first_a, count_a, -x, -y, turned)
-    best, side_b = (room, faced) if room > room_a else (room_a, -1)
-    room_b, side_b, corner_a, next_b = roomiest(
-        first_b, count_b, faced, side_b, corner_a, best, first_a, count_a, inner_a, -x, -y,
-        enough, turned,
-    )  # fmt: skip
-    if side_b < 0:
-        return LED_BY_A, side_a, faced, room_a, max(next_a, next_b)
+        return APART, guess_a, guess_b, room_a, 0.0
+    room_b, corner_a = room_beside(first_b + guess_b, first_a, count_a, -x, -y, turned)
     if room_b >= enough:
-        return APART, 0, side_b, room_b, 0.0
-    nx, ny = turned[first_b + side_b, 2], turned[first_b + side_b, 3]
-    facing = facing_side(first_a, count_a, corner_a, nx, ny, turned)
-    other = next_a if facing == side_a else room_a
-    return LED_BY_B, facing, side_b, room_b, max(other, next_b)
+        return APART, guess_a, guess_b, room_b, 0.0
+    side_a, side_b = (guess_a, -1) if room_a >= room_b else (-1, guess_b)
+    best, side_a, corner_b, next_a = roomiest(
+        first_a, count_a, guess_a, side_a, corner_b, max(room_a, room_b), first_b, count_b,
+        inner_b, x, y, enough, turned,
+    )  # fmt: skip
+    if best >= enough:
+        return APART, side_a, guess_b, best, 0.0
+    best, side_b, corner_a, next_b = roomiest(
+        first_b, count_b, guess_b, side_b if side_a < 0 else -1, corner_a, best, first_a, count_a,
+        inner_a, -x, -y, enough, turned,
+    )  # fmt: skip
+    if best >= enough:
+        return APART, guess_a, side_b, best, 0.0
+    state = LED_BY_A
+    if side_b < 0:
+        nx, ny = turned[first_a + side_a, 2], turned[first_a + side_a, 3]
+        side_b = facing_side(first_b, count_b, corner_b, nx, ny, turned)
+    else:
+        state = LED_BY_B
+        nx, ny = turned[first_b + side_b, 2], turned[first_b + side_b, 3]
+        side_a = facing_side(first_a, count_a, corner_a, nx, ny, turned)
+    next_a = next_a if side_a == guess_a else max(next_a, room_a)
+    next_b = next_b if side_b == guess_b else max(next_b, room_b)
+    return state, side_a, side_b, best, max(next_a, next_b)
 
 
 def slack_of(

@@ -55,6 +55,7 @@ from tamias2d.stepped.layout import (
     PAIRS,
     PATIENCE,
     PHASE,
+    SEATED,
     SIDE,
     SINCE,
     SOUND,
@@ -73,6 +74,7 @@ from tamias2d.stepped.rows import (
     fill_rows,
     finish_rows,
     keep_impulses,
+    seat_pairs,
 )
 from tamias2d.stepped.sleep import (
     fall_asleep,
@@ -123,6 +125,7 @@ def step(
     box: FloatRows,
     curve: RankRows,
     node: FloatRows,
+    middle: FloatRows,
     found: RankRows,
     pairs: IndexBlocks,
     touches: FloatBlocks,
@@ -155,7 +158,7 @@ def step(
         status = step_once(
             settings, counts, pose, motion, load, body, home, kind, used, ranked,
             shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
-            filters, mixed, corner, turned, box, curve, node, found, pairs, touches,
+            filters, mixed, corner, turned, box, curve, node, middle, found, pairs, touches,
             traces, hits, fill, rows, lanes, bench, carried, times, scratch,
             island, rest, energy, isle, web, weave,
         )  # fmt: skip
@@ -193,6 +196,7 @@ def step_once(
     box: Array,
     curve: Whole,
     node: Array,
+    middle: Array,
     found: Whole,
     pairs: Whole,
     touches: Array,
@@ -223,20 +227,21 @@ def step_once(
                 traces[counts[SIDE]], island, rest,
             )  # fmt: skip
         marked = mark_left(settings, kind, pose, home, used)
+        least = STATIC if marked > 0 or counts[STILL] == 0 else KINEMATIC
         turn_corners(
-            shape_body, shape_kind, shape_first, shape_count, kind, KINEMATIC, pose, corner, turned
+            shape_body, shape_kind, shape_first, shape_count, kind, least, pose, corner, turned
         )
         holds = look_again(
             marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
             shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, corner,
-            turned, box, curve, node, found, pairs, touches, traces,
+            turned, box, curve, node, middle, found, pairs, touches, traces,
         )  # fmt: skip
         counts[PHASE] = KNOWN if holds else STALE
     if counts[PHASE] == STALE:
         status = look_around(
             settings, counts, pose, motion, load, body, home, kind, ranked, shape_body, shape_kind,
             shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned, box,
-            curve, node, found, pairs, touches, traces,
+            curve, node, middle, found, pairs, touches, traces,
         )  # fmt: skip
         if status != DONE:
             return status
@@ -255,10 +260,10 @@ def step_once(
         status = arrange(counts, trace, kind, used, hits, fill, rows, lanes, isle, web)
         if status != DONE:
             return status
-        bouncing = fill_rows(
-            counts, pair, touch, shape_radius, surface, pose, motion, body,
-            hits, fill, rows, lanes,
-        )  # fmt: skip
+        if counts[SEATED] == 0:
+            seat_pairs(counts, pair, touch, shape_radius, surface, body, hits, fill, rows, lanes)
+            counts[SEATED] = 1
+        bouncing = fill_rows(counts, pair, touch, surface, kind, pose, motion, hits, fill, rows)
         finish_rows(settings, counts, rows, lanes)
         solve(
             settings, counts, pose, motion, load, body, kind, hits, rows, lanes, bench, carried,
@@ -287,12 +292,12 @@ def step_once(
             holds = look_again(
                 marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
                 shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
-                corner, turned, box, curve, node, found, pairs, touches, traces,
+                corner, turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
             status = DONE if holds else look_around(
                 settings, counts, pose, motion, load, body, home, kind, ranked, shape_body,
                 shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
-                corner, turned, box, curve, node, found, pairs, touches, traces,
+                corner, turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
             if status != DONE:
                 return status

@@ -62,6 +62,7 @@ def look_again(
     box: Array,
     curve: Whole,
     node: Array,
+    middle: Array,
     found: Whole,
     pairs: Whole,
     touches: Array,
@@ -82,7 +83,7 @@ def look_again(
         counts[STILL] = 1 if mend(
             settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
             shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, corner,
-            turned, box, curve, node, found, pairs, touches, traces,
+            turned, box, curve, node, middle, found, pairs, touches, traces,
         ) else 0  # fmt: skip
     return bool(counts[STILL] == 1)
 
@@ -110,6 +111,7 @@ def look_around(
     box: Array,
     curve: Whole,
     node: Array,
+    middle: Array,
     found: Whole,
     pairs: Whole,
     touches: Array,
@@ -122,9 +124,10 @@ def look_around(
         elif 2 * counts[SINCE] >= counts[HORIZON]:
             counts[HORIZON] = min(2 * counts[HORIZON], LONGEST)
         counts[SINCE] = 0
-    turn_corners(
-        shape_body, shape_kind, shape_first, shape_count, kind, STATIC, pose, corner, turned
-    )
+    if counts[PHASE] == OUTRUN:  # they have been turned along the flight
+        turn_corners(
+            shape_body, shape_kind, shape_first, shape_count, kind, STATIC, pose, corner, turned
+        )
     choose_frame(settings, counts, kind, motion, load, body)
     settle(settings, counts[HORIZON] * settings[TIME_STEP], kind, pose, motion, body, home)
     for k in range(len(shape_body)):
@@ -134,7 +137,7 @@ def look_around(
         )  # fmt: skip
     total = find_pairs(
         counts, shape_kind, shape_body, shape_first, shape_count, shape_radius, surface, filters,
-        kind, ranked, turned, box, curve, node, found, pose, motion, body,
+        kind, ranked, turned, box, curve, node, middle, found, pose, motion, body,
         home,
     )  # fmt: skip
     if total > len(found):

@@ -50,7 +50,7 @@ _BODY = (
 )
 _SHAPE = (
     *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
-    *("surface", "filters", "box"),
+    *("surface", "filters", "box", "middle"),
 )
 
 
@@ -91,6 +91,7 @@ class World:
         self.box = aligned_zeros((0, 8))
         self.curve = aligned_zeros((4, 256), dtype=np.int64)
         self.node = aligned_zeros((2, 4))
+        self.middle = aligned_zeros((0, 8))
         self.found = aligned_zeros((16, 4), dtype=np.int64)
         self.pairs = aligned_zeros((2, 16, 2), dtype=np.int32)
         self.touches = aligned_zeros((2, 16, TOUCH))
@@ -103,7 +104,7 @@ class World:
         self.times = aligned_zeros(16)
         self.scratch = aligned_zeros((8, TOUCH))
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
-        self.counts = aligned_zeros(22, dtype=np.int64)
+        self.counts = aligned_zeros(23, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
