@@ -100,7 +100,8 @@ class Views:
     @property
     def asleep(self) -> NDArray[np.bool_]:
         """Which bodies sleep: a new array (n,)."""
-        return np.greater(self._world.island[: self._world.size, NIGHT], 0)
+        night: NDArray[np.int64] = self._world.island[: self._world.size, NIGHT]
+        return np.greater(night, 0)
 
     @property
     def _kind(self) -> NDArray[np.int8]:
