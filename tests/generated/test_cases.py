@@ -416,6 +416,11 @@ def test_og7_bound_on_the_energy_of_an_island() -> None:
     passes("OG7")
 
 
+def test_og8_flow_through_a_step() -> None:
+    """OG8, srs/verification/soft_contact.md:423; verifies R12."""
+    passes("OG8")
+
+
 def test_oa9h_unstable_steps() -> None:
     """OA9h, srs/verification/stability.md:9; verifies R5."""
     passes("OA9h")

@@ -131,9 +131,32 @@ def test_angular_acceleration_is_dd30(**given: Value) -> None:
     agrees(definitions.angular_acceleration, "inverse_inertia*torque", given)
 
 
+@given(flow_gain=values("flow_gain"), pull=values("pull"))
+def test_pace_given_is_dd41(**given: Value) -> None:
+    """DD41, srs/definitions.md:252."""
+    agrees(definitions.pace_given, "flow_gain*pull", given)
+
+
+@given(flow_decay=values("flow_decay"), pace=values("pace"), pace_given=values("pace_given"))
+def test_pace_later_is_dd41(**given: Value) -> None:
+    """DD41, srs/definitions.md:252."""
+    agrees(definitions.pace_later, "flow_decay*pace + pace_given", given)
+
+
+@given(
+    flow_gain=values("flow_gain"),
+    flow_lift=values("flow_lift"),
+    pace=values("pace"),
+    pull=values("pull"),
+)
+def test_way_is_dd41(**given: Value) -> None:
+    """DD41, srs/definitions.md:252."""
+    agrees(definitions.way, "flow_gain*pace + flow_lift*pull", given)
+
+
 @given(mass=values("mass"), velocity=values("velocity"))
 def test_momentum_is_dd21(**given: Value) -> None:
-    """DD21, srs/definitions.md:289."""
+    """DD21, srs/definitions.md:327."""
     agrees(definitions.momentum, "mass*velocity", given)
 
 
@@ -145,7 +168,7 @@ def test_momentum_is_dd21(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_angular_momentum_is_dd21(**given: Value) -> None:
-    """DD21, srs/definitions.md:289."""
+    """DD21, srs/definitions.md:327."""
     agrees(
         definitions.angular_momentum,
         "mass*cross(position, velocity) + inertia*angular_velocity",
@@ -155,13 +178,13 @@ def test_angular_momentum_is_dd21(**given: Value) -> None:
 
 @given(restitution_a=values("restitution_a"), restitution_b=values("restitution_b"))
 def test_pair_restitution_is_dd17(**given: Value) -> None:
-    """DD17, srs/definitions.md:385."""
+    """DD17, srs/definitions.md:423."""
     agrees(definitions.pair_restitution, "min(restitution_a, restitution_b)", given)
 
 
 @given(point_velocity_a=values("point_velocity_a"), point_velocity_b=values("point_velocity_b"))
 def test_normal_is_gd11(**given: Value) -> None:
-    """GD11, srs/definitions.md:418."""
+    """GD11, srs/definitions.md:456."""
     agrees(
         definitions.normal,
         "(point_velocity_a - point_velocity_b)/norm(point_velocity_a - point_velocity_b)",
@@ -171,13 +194,13 @@ def test_normal_is_gd11(**given: Value) -> None:
 
 @given(normal=values("normal"))
 def test_tangent_is_dd22(**given: Value) -> None:
-    """DD22, srs/definitions.md:442."""
+    """DD22, srs/definitions.md:480."""
     agrees(definitions.tangent, "perp(normal)", given)
 
 
 @given(friction_a=values("friction_a"), friction_b=values("friction_b"))
 def test_pair_friction_is_dd23(**given: Value) -> None:
-    """DD23, srs/definitions.md:454."""
+    """DD23, srs/definitions.md:492."""
     agrees(definitions.pair_friction, "sqrt(friction_a*friction_b)", given)
 
 
@@ -188,7 +211,7 @@ def test_pair_friction_is_dd23(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_kinetic_energy_is_dd15(**given: Value) -> None:
-    """DD15, srs/definitions.md:474."""
+    """DD15, srs/definitions.md:512."""
     agrees(
         definitions.kinetic_energy,
         "mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2",
@@ -198,7 +221,7 @@ def test_kinetic_energy_is_dd15(**given: Value) -> None:
 
 @given(mass=values("mass"), gravity=values("gravity"), position=values("position"))
 def test_potential_energy_is_dd16(**given: Value) -> None:
-    """DD16, srs/definitions.md:488."""
+    """DD16, srs/definitions.md:526."""
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 

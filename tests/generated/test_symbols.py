@@ -550,15 +550,56 @@ def test_range_of_preload_largest() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
 
 
+def test_range_of_flow_decay() -> None:
+    """srs/symbols.md:608: [0, 1]."""
+    symbol = SYMBOLS["flow_decay"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
+def test_range_of_flow_gain() -> None:
+    """srs/symbols.md:613: >= 0."""
+    symbol = SYMBOLS["flow_gain"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_flow_lift() -> None:
+    """srs/symbols.md:618: >= 0."""
+    symbol = SYMBOLS["flow_lift"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
 def test_range_of_firmness() -> None:
-    """srs/symbols.md:597: > 0."""
+    """srs/symbols.md:632: > 0."""
     symbol = SYMBOLS["firmness"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_push_share() -> None:
-    """srs/symbols.md:604: [0, 1]."""
+    """srs/symbols.md:639: [0, 1]."""
     symbol = SYMBOLS["push_share"]
     assert all(
         symbol.admits(value)
@@ -573,7 +614,7 @@ def test_range_of_push_share() -> None:
 
 
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:656: >= 0."""
+    """srs/symbols.md:691: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -586,7 +627,7 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_linear_energy() -> None:
-    """srs/symbols.md:665: >= 0."""
+    """srs/symbols.md:700: >= 0."""
     symbol = SYMBOLS["linear_energy"]
     assert all(
         symbol.admits(value)
@@ -599,7 +640,7 @@ def test_range_of_linear_energy() -> None:
 
 
 def test_range_of_turning_energy() -> None:
-    """srs/symbols.md:670: >= 0."""
+    """srs/symbols.md:705: >= 0."""
     symbol = SYMBOLS["turning_energy"]
     assert all(
         symbol.admits(value)
@@ -612,7 +653,7 @@ def test_range_of_turning_energy() -> None:
 
 
 def test_range_of_bias_energy() -> None:
-    """srs/symbols.md:675: >= 0."""
+    """srs/symbols.md:710: >= 0."""
     symbol = SYMBOLS["bias_energy"]
     assert all(
         symbol.admits(value)
@@ -625,7 +666,7 @@ def test_range_of_bias_energy() -> None:
 
 
 def test_range_of_change_energy() -> None:
-    """srs/symbols.md:684: >= 0."""
+    """srs/symbols.md:719: >= 0."""
     symbol = SYMBOLS["change_energy"]
     assert all(
         symbol.admits(value)
@@ -638,7 +679,7 @@ def test_range_of_change_energy() -> None:
 
 
 def test_range_of_energy_room() -> None:
-    """srs/symbols.md:693: >= 0."""
+    """srs/symbols.md:728: >= 0."""
     symbol = SYMBOLS["energy_room"]
     assert all(
         symbol.admits(value)
@@ -651,7 +692,7 @@ def test_range_of_energy_room() -> None:
 
 
 def test_range_of_energy_root() -> None:
-    """srs/symbols.md:703: >= 0."""
+    """srs/symbols.md:738: >= 0."""
     symbol = SYMBOLS["energy_root"]
     assert all(
         symbol.admits(value)
@@ -664,7 +705,7 @@ def test_range_of_energy_root() -> None:
 
 
 def test_range_of_kept_share() -> None:
-    """srs/symbols.md:708: [0, 1]."""
+    """srs/symbols.md:743: [0, 1]."""
     symbol = SYMBOLS["kept_share"]
     assert all(
         symbol.admits(value)
@@ -679,7 +720,7 @@ def test_range_of_kept_share() -> None:
 
 
 def test_range_of_calm_share() -> None:
-    """srs/symbols.md:713: [0, 1]."""
+    """srs/symbols.md:748: [0, 1]."""
     symbol = SYMBOLS["calm_share"]
     assert all(
         symbol.admits(value)
@@ -694,35 +735,35 @@ def test_range_of_calm_share() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:734: > 0."""
+    """srs/symbols.md:769: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_length() -> None:
-    """srs/symbols.md:739: > 0."""
+    """srs/symbols.md:774: > 0."""
     symbol = SYMBOLS["length"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:746: > 0."""
+    """srs/symbols.md:781: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:751: > 0."""
+    """srs/symbols.md:786: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:770: > 0."""
+    """srs/symbols.md:805: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

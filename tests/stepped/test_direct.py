@@ -40,7 +40,7 @@ def tower(masses, *, aside=0.0, above=0.0, friction=0.5, substeps=4, reverse=Fal
 def rows(sim, count, *, reverse=False):
     """Places and velocities of the boxes from below, (count, 3) each."""
     order = slice(count - 1, None, -1) if reverse else slice(count)
-    return sim._world.pose[:count][order][:], sim._world.motion[:count, :3][order][:]
+    return sim._world.pose[:count][order][:], sim._world.velocity[:count][order][:]
 
 
 def assert_stands(sim, count, start):
@@ -137,14 +137,14 @@ def test_a_pair_that_meets_in_flight_keeps_its_momentum():
         return (linear + motion[:, 2] ** 2 / body[:, 1]).sum()
 
     sim.step()
-    momentum = mass @ world.motion[:3, :2]
+    momentum = mass @ world.velocity[:3, :2]
     last = energy()
     met = 0
     for _ in range(60):
         sim.step()
         met += world.counts[THIN]
         # a sum of products of a few numbers of size 1 to 100
-        np.testing.assert_allclose(mass @ world.motion[:3, :2], momentum, atol=1e-12)
+        np.testing.assert_allclose(mass @ world.velocity[:3, :2], momentum, atol=1e-12)
         assert energy() <= last * (1 + 1e-12)
         last = energy()
     assert met > 0

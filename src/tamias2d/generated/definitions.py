@@ -1,7 +1,7 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
-of a capsule; Bodies of several parts; Acceleration by inverse mass; Momentum; Restitution of a
-pair; Contact of two vertices; Tangential velocity of a contact; Friction of a pair; Kinetic
-energy; Potential energy.
+of a capsule; Bodies of several parts; Acceleration by inverse mass; Flow through a step;
+Momentum; Restitution of a pair; Contact of two vertices; Tangential velocity of a contact;
+Friction of a pair; Kinetic energy; Potential energy.
 
 Generated from srs/definitions.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -297,6 +297,51 @@ def angular_acceleration(torque: Scalar, inverse_inertia: Scalar) -> Scalar:
     return inverse_inertia * torque
 
 
+def pace_given(flow_gain: Scalar, pull: Scalar) -> Scalar:
+    """What an acceleration adds to a velocity along one axis in a step (m/s).
+
+    pace_given = flow_gain*pull
+
+    Args:
+        flow_gain: Velocity after a step for one unit of acceleration, s
+        pull: Acceleration along one axis, of gravity and applied forces, m/s^2
+
+    Source: DD41, srs/definitions.md:258.
+    """
+    return flow_gain * pull
+
+
+def pace_later(flow_decay: Scalar, pace: Scalar, pace_given: Scalar) -> Scalar:
+    """Velocity along one axis after a step (m/s).
+
+    pace_later = flow_decay*pace + pace_given
+
+    Args:
+        flow_decay: Part of a velocity that drag leaves after a step, 1
+        pace: Velocity along one axis, m/s
+        pace_given: What an acceleration adds to a velocity along one axis in a step, m/s
+
+    Source: DD41, srs/definitions.md:259.
+    """
+    return flow_decay * pace + pace_given
+
+
+def way(flow_gain: Scalar, flow_lift: Scalar, pace: Scalar, pull: Scalar) -> Scalar:
+    """How far a body goes along one axis in a step (m).
+
+    way = flow_gain*pace + flow_lift*pull
+
+    Args:
+        flow_gain: Velocity after a step for one unit of acceleration, s
+        flow_lift: Way in a step for one unit of acceleration, s^2
+        pace: Velocity along one axis, m/s
+        pull: Acceleration along one axis, of gravity and applied forces, m/s^2
+
+    Source: DD41, srs/definitions.md:260.
+    """
+    return flow_gain * pace + flow_lift * pull
+
+
 def momentum(mass: Scalar, velocity: Vector) -> Vector:
     """Mass times velocity (kg*m/s).
 
@@ -306,7 +351,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:295.
+    Source: DD21, srs/definitions.md:333.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -326,7 +371,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:296.
+    Source: DD21, srs/definitions.md:334.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -344,7 +389,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:391.
+    Source: DD17, srs/definitions.md:429.
     """
     return least(restitution_a, restitution_b)
 
@@ -360,7 +405,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:424.
+    Source: GD11, srs/definitions.md:462.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -386,7 +431,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:448.
+    Source: DD22, srs/definitions.md:486.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -403,7 +448,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:461.
+    Source: DD23, srs/definitions.md:499.
     """
     return sqrt(friction_a * friction_b)
 
@@ -421,7 +466,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:479.
+    Source: DD15, srs/definitions.md:517.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -440,7 +485,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:493.
+    Source: DD16, srs/definitions.md:531.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position

@@ -894,6 +894,68 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=583,
     ),
+    "pace": Symbol(
+        "pace", "m/s", "velocity along one axis", tex="v_k", file="srs/symbols.md", line=588
+    ),
+    "pace_given": Symbol(
+        "pace_given",
+        "m/s",
+        "what an acceleration adds to a velocity along one axis in a step",
+        tex="\\Delta v_k",
+        file="srs/symbols.md",
+        line=592,
+    ),
+    "pace_later": Symbol(
+        "pace_later",
+        "m/s",
+        "velocity along one axis after a step",
+        tex="v_k'",
+        file="srs/symbols.md",
+        line=596,
+    ),
+    "pull": Symbol(
+        "pull",
+        "m/s^2",
+        "acceleration along one axis, of gravity and applied forces",
+        tex="a_k",
+        file="srs/symbols.md",
+        line=600,
+    ),
+    "way": Symbol(
+        "way",
+        "m",
+        "how far a body goes along one axis in a step",
+        tex="w_k",
+        file="srs/symbols.md",
+        line=604,
+    ),
+    "flow_decay": Symbol(
+        "flow_decay",
+        "1",
+        "part of a velocity that drag leaves after a step",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\epsilon",
+        file="srs/symbols.md",
+        line=608,
+    ),
+    "flow_gain": Symbol(
+        "flow_gain",
+        "s",
+        "velocity after a step for one unit of acceleration",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\tau_1",
+        file="srs/symbols.md",
+        line=613,
+    ),
+    "flow_lift": Symbol(
+        "flow_lift",
+        "s^2",
+        "way in a step for one unit of acceleration",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\tau_2",
+        file="srs/symbols.md",
+        line=618,
+    ),
     "shift": Symbol(
         "shift",
         "m",
@@ -901,7 +963,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=588,
+        line=623,
     ),
     "turn": Symbol(
         "turn",
@@ -909,7 +971,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since a contact was found",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=593,
+        line=628,
     ),
     "firmness": Symbol(
         "firmness",
@@ -918,7 +980,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=597,
+        line=632,
     ),
     "push_share": Symbol(
         "push_share",
@@ -927,7 +989,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=604,
+        line=639,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -936,7 +998,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=609,
+        line=644,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -945,7 +1007,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=616,
+        line=651,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -954,7 +1016,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=623,
+        line=658,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -963,7 +1025,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=629,
+        line=664,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -971,7 +1033,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=636,
+        line=671,
     ),
     "momentum": Symbol(
         "momentum",
@@ -980,7 +1042,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=647,
+        line=682,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -988,7 +1050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=652,
+        line=687,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -997,7 +1059,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=656,
+        line=691,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1005,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=661,
+        line=696,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1014,7 +1076,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=665,
+        line=700,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1023,7 +1085,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=670,
+        line=705,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1032,7 +1094,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=675,
+        line=710,
     ),
     "work": Symbol(
         "work",
@@ -1040,7 +1102,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=680,
+        line=715,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1049,7 +1111,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=684,
+        line=719,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1057,7 +1119,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=689,
+        line=724,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1066,7 +1128,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=693,
+        line=728,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1074,7 +1136,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=698,
+        line=733,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1083,7 +1145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=703,
+        line=738,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1092,7 +1154,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=708,
+        line=743,
     ),
     "calm_share": Symbol(
         "calm_share",
@@ -1101,7 +1163,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=713,
+        line=748,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1110,7 +1172,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=720,
+        line=755,
     ),
     "energy": Symbol(
         "energy",
@@ -1118,7 +1180,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=725,
+        line=760,
     ),
     "radius": Symbol(
         "radius",
@@ -1127,7 +1189,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=734,
+        line=769,
     ),
     "length": Symbol(
         "length",
@@ -1136,7 +1198,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=739,
+        line=774,
     ),
     "width": Symbol(
         "width",
@@ -1145,7 +1207,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=746,
+        line=781,
     ),
     "height": Symbol(
         "height",
@@ -1154,7 +1216,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=751,
+        line=786,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1163,7 +1225,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=756,
+        line=791,
     ),
     "center": Symbol(
         "center",
@@ -1172,7 +1234,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=761,
+        line=796,
     ),
     "offset": Symbol(
         "offset",
@@ -1180,7 +1242,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=766,
+        line=801,
     ),
     "area": Symbol(
         "area",
@@ -1189,7 +1251,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=770,
+        line=805,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1198,6 +1260,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=775,
+        line=810,
     ),
 }

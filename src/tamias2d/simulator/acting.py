@@ -39,7 +39,7 @@ class Acting:
         Raises:
             SimulationError: a force is not finite; names it and a body.
         """
-        place, rate = world.pose[self._rows], world.motion[self._rows, :3]
+        place, rate = world.pose[self._rows], world.velocity[self._rows]
         held = np.zeros_like(place)
         with np.errstate(all="ignore"):
             for term in self._terms:

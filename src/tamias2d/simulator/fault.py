@@ -14,8 +14,8 @@ from tamias2d.stepped.world import World
 _COLUMNS = {
     "position": ("pose", slice(0, 2)),
     "orientation": ("pose", 2),
-    "velocity": ("motion", slice(0, 2)),
-    "angular_velocity": ("motion", 2),
+    "velocity": ("velocity", slice(0, 2)),
+    "angular_velocity": ("velocity", 2),
     "force": ("load", slice(0, 2)),
     "torque": ("load", 2),
 }
@@ -36,11 +36,11 @@ def fault(world: World, name_of: Callable[[int], str]) -> RuleError:
                 key,
                 row,
             )
-    moving = world.motion[: world.size, :3].any(axis=1) & (world.kind[: world.size] == STATIC)
+    moving = world.velocity[: world.size].any(axis=1) & (world.kind[: world.size] == STATIC)
     if moving.any():
         row = int(np.argmax(moving))
         return RuleError(
-            f"velocity[{row}] of {name_of(row)}: found {world.motion[row, :3].tolist()}, with the "
+            f"velocity[{row}] of {name_of(row)}: found {world.velocity[row].tolist()}, with the "
             "angular velocity, of a static body: must be 0 (R2). Add it as a kinematic one; no "
             "step was taken.",
             "velocity",

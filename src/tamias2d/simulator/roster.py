@@ -48,7 +48,8 @@ class Roster:
         self._free_shapes: dict[int, list[int]] = {}  # by their number of corners
         self._shapes = self._corners = 0  # rows ever taken
         self._next = 0
-        self._new: dict[int, tuple[float, ...]] = {}  # bodies without a rank, and their form
+        self._new: dict[int, int] = {}  # bodies without a rank, and the numbers of their forms
+        self._form_number: dict[tuple[float, ...], int] = {}  # as they came, since all had ranks
         self._leaving = np.zeros(0, dtype=np.int64)  # removed since it was settled
         self._flow: Array | None = None  # columns of a body without drag
 
@@ -57,7 +58,7 @@ class Roster:
         world = self.world
         rows = self._take(len(batch))
         world.pose[rows] = batch.pose
-        world.motion[rows, :3] = batch.motion
+        world.velocity[rows] = batch.motion
         world.load[rows] = batch.load
         world.body[rows, INVERSE_MASS] = 1 / batch.mass
         world.body[rows, INVERSE_INERTIA] = 1 / batch.inertia
@@ -108,7 +109,7 @@ class Roster:
         for count, slot in arrays["free_shapes"].tolist():
             self._free_shapes.setdefault(count, []).append(slot)
         self._shapes, self._corners, self._next = arrays["sizes"].tolist()
-        self._new = {}
+        self._new, self._form_number = {}, {}
 
     def settle(self) -> None:
         """Let go of what was removed, and give all that is new its rank."""
@@ -120,6 +121,7 @@ class Roster:
         if self._new:
             self._rank(np.array(list(self._new), dtype=np.int64))
             self._new.clear()
+            self._form_number.clear()
         self._publish()
 
     def _let_go(self, rows: Whole) -> None:
@@ -137,15 +139,16 @@ class Roster:
     def _rank(self, rows: Whole) -> None:
         """Order new bodies by what and where they are."""
         world = self.world
-        owned = np.flatnonzero(np.isin(world.shape_body, rows))
+        new = np.zeros(len(world.pose), dtype=bool)
+        new[rows] = True
+        owned = np.flatnonzero(new[world.shape_body])
         first = np.full(len(world.pose), -1)
         first[world.shape_body[owned][::-1]] = owned[::-1]
-        table = np.concatenate(
-            (world.pose[rows], world.motion[rows, :3], world.load[rows], world.body[rows]), axis=1
-        )
+        tables = (world.pose[rows], world.velocity[rows], world.load[rows], world.body[rows])
         touching = np.concatenate((world.surface, np.zeros((1, 4))))[first[rows]]
         meeting = np.concatenate((world.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]]
-        keys = [world.kind[rows], self._forms(), *table.T, *touching.T, *meeting.T]
+        columns = [column for table in (*tables, touching, meeting) for column in table.T]
+        keys = [world.kind[rows], self._forms(), *columns]
         sequence = rows[np.lexsort(keys[::-1])]
         self.rank[sequence] = np.arange(self._next, self._next + len(rows))
         self._next += len(rows)
@@ -154,8 +157,10 @@ class Roster:
 
     def _forms(self) -> Whole:
         """Return a number for the form of each new body, in the order of the forms themselves."""
-        place = {form: k for k, form in enumerate(sorted(set(self._new.values())))}
-        return np.array([place[form] for form in self._new.values()], dtype=np.int64)
+        number = self._form_number
+        place = np.empty(len(number), dtype=np.int64)
+        place[[number[form] for form in sorted(number)]] = np.arange(len(number))
+        return place[list(self._new.values())]
 
     def _publish(self) -> None:
         """Tell the world the order of its shapes; those without a body come last."""
@@ -196,7 +201,8 @@ class Roster:
 
     def _place_shapes(self, batch: Batch, rows: Whole) -> None:
         made = {shape: pieces(shape) for shape in dict.fromkeys(batch.shapes)}
-        form = {shape: _form(found) for shape, found in made.items()}
+        known = self._form_number
+        form = {s: known.setdefault(_form(found), len(known)) for s, found in made.items()}
         self._new.update((row, form[s]) for row, s in zip(rows.tolist(), batch.shapes, strict=True))
         owner = [k for k, shape in enumerate(batch.shapes) for _ in made[shape]]
         found = [piece for shape in batch.shapes for piece in made[shape]]

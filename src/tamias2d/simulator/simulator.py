@@ -204,8 +204,8 @@ class Simulator(Views):
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
         """
-        rows, motion = self._rows(bodies), self._world.motion[:, :3]
-        add_rows(motion, rows, kicks(self._world, rows, impulse, at), "impulse")
+        rows = self._rows(bodies)
+        add_rows(self._world.velocity, rows, kicks(self._world, rows, impulse, at), "impulse")
 
     def apply_force(self, bodies: Bodies, force: object, *, at: object | None = None) -> None:
         """Push bodies through the next step with a force in N, (2,) or (k, 2), besides `force`.
@@ -454,7 +454,7 @@ class Simulator(Views):
         there = np.flatnonzero(self._roster.rank >= 0)
         order = there[np.argsort(self._roster.rank[there])]
         total = hashlib.sha256(f"{self._steps} {self._time_step!r}".encode())
-        for values in (self._world.pose, self._world.motion[:, :3], self._world.load):
+        for values in (self._world.pose, self._world.velocity, self._world.load):
             total.update(np.ascontiguousarray(values[order] + 0.0).tobytes())
         return total.hexdigest()
 

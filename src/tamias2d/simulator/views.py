@@ -48,7 +48,7 @@ class Views:
     @property
     def velocity(self) -> Array:
         """m/s: a view (n, 2)."""
-        return self._world.motion[: self._world.size, :2]
+        return self._world.velocity[: self._world.size, :2]
 
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None:
@@ -57,7 +57,7 @@ class Views:
     @property
     def angular_velocity(self) -> Array:
         """rad/s: a view (n,)."""
-        return self._world.motion[: self._world.size, 2]
+        return self._world.velocity[: self._world.size, 2]
 
     @angular_velocity.setter
     def angular_velocity(self, value: ArrayLike) -> None:
@@ -100,7 +100,8 @@ class Views:
     @property
     def asleep(self) -> NDArray[np.bool_]:
         """Which bodies sleep: a new array (n,)."""
-        return np.greater(self._world.island[: self._world.size, NIGHT], 0)
+        night: NDArray[np.int64] = self._world.island[: self._world.size, NIGHT]
+        return np.greater(night, 0)
 
     @property
     def _kind(self) -> NDArray[np.int8]:

@@ -1,15 +1,28 @@
 """Steps of bodies that are near nothing: each along its closed form, without a look around.
 
-Serves: a step, while no pair is on the list. Hides: that bodies take their steps in lanes, all of a
-call at once, and that nothing is moved before all are known to stay where the list holds. The bits
-are those of ordinary steps.
+Serves: the world, while no pair is on the list. Hides: that bodies go in crews, in one pass through
+memory, and are put back where one of them may not go on. The bits are those of ordinary steps.
+
+A lane is a coordinate of a body, and a crew is 48 of them in a row, which the compiler takes eight
+at a time. Most crews are plain: all can be pushed, nothing but gravity does, and they flow alike
+(DD41). They move where they are; a mixed crew moves beside, in its row, until all are known to
+stay at home, which is where the list of pairs holds.
 """
 
-from tamias2d.generated.definitions import acceleration, angular_acceleration
+from tamias2d.generated.definitions import (
+    acceleration,
+    angular_acceleration,
+    pace_given,
+    pace_later,
+    way,
+)
+from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, RankRows, Ranks
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 from tamias2d.stepped.frame import move_frame
 from tamias2d.stepped.layout import (
     ANGULAR,
+    BEGUN,
     DECAY,
     DYNAMIC,
     FRAME_VX,
@@ -29,167 +42,319 @@ from tamias2d.stepped.layout import (
     LIFT,
     LOW_X,
     LOW_Y,
-    SPIN,
+    PAIRS,
+    PATIENCE,
+    PHASE,
     STATIC,
-    TURN,
+    STILL,
     TURN_ROOM,
-    VX,
-    VY,
     Whole,
-    X,
-    Y,
 )
-from tamias2d.stepped.rows import LANES
 from tamias2d.stepped.tree import FAR
 
-# rows of lanes on the bench: three coordinates, their velocities, what moves them, how each flows;
-# then where they may be
-L_AT, L_SPEED, L_BY, L_DECAY, L_GAIN, L_LIFT = 0, 48, 96, 144, 192, 240
-L_LOW, L_HIGH = 288, 336
-COASTING = 384
-"""How much of the bench this takes."""
+CREW = 16  # bodies whose lanes are a row
+LANES_OF = 3 * CREW  # lanes of a row: x, y and turn of a body, and of the next
+TOGETHER = 16  # crews that take all their steps before the next ones do: they fit the nearest cache
+
+# course (g, 200), a row for each crew: where it may be; where it was and how it moved as the call
+# began, or where a mixed one is and how it moves; then whether its bodies are alike, and whether it
+# is plain now
+L_LOW, L_HIGH, L_AT, L_SPEED, UNIFORM, PLAIN = 0, LANES_OF, 2 * LANES_OF, 3 * LANES_OF, 192, 193
+COURSE = 200
+
+# stream (g+1, 288), of each mixed crew what moves its lanes, how they flow, and where the frame is
+# before and after a step; the last row is that of all plain crews
+L_BY, L_DECAY, L_GAIN, L_LIFT = 0, LANES_OF, 2 * LANES_OF, 3 * LANES_OF
+L_BEFORE, L_AFTER = 4 * LANES_OF, 5 * LANES_OF
+STREAM = 288
 
 
 def coast(
+    settings: Floats,
+    counts: Ranks,
+    kind: Bytes,
+    pose: FloatRows,
+    velocity: FloatRows,
+    load: FloatRows,
+    poses: FloatRows,
+    velocities: FloatRows,
+    load_bits: RankRows,
+    body: FloatRows,
+    home: FloatRows,
+    course: FloatRows,
+    stream: FloatRows,
     steps: int,
-    settings: Array,
-    kind: Whole,
-    pose: Array,
-    motion: Array,
-    load: Array,
-    body: Array,
-    home: Array,
-    bench: Array,
-    carried: Array,
+    known: bool,
 ) -> int:
-    """Take up to some steps, as long as every body stays at home; return how many.
+    """Take up to some steps, as long as no pair is near and every body at home; return how many.
 
-    `carried` (n+1, 12) is for where they get to.
+    Poses and velocities are the same memory as pose and velocity, a row for each full crew, and so
+    are the bits of loads, which tell whether nothing pushes, since not all zeros are alike. `known`
+    is whether the course is of the homes as they are.
     """
-    frame = (settings[FRAME_X], settings[FRAME_Y], settings[FRAME_VX], settings[FRAME_VY])
-    pull = settings[GRAVITY_X] + settings[GRAVITY_Y]
-    if pull - pull != 0.0:
+    clear = counts[PHASE] == BEGUN and counts[PAIRS] == 0 and counts[STILL] == 1
+    total = settings[GRAVITY_X] + settings[GRAVITY_Y]
+    if not clear or counts[PATIENCE] != 0 or total - total != 0.0:
         return 0
-    while steps > 0:
-        left = steps
-        for first in range(0, len(kind), LANES):
-            load_lanes(first, settings, kind, pose, motion, load, body, home, bench)
-            left = glide(left, settings, bench)
-            (
-                settings[FRAME_X],
-                settings[FRAME_Y],
-                settings[FRAME_VX],
-                settings[FRAME_VY],
-            ) = frame
-            store_lanes(first, bench, carried)
-        if left == steps:
-            break
-        steps = left
+    if not known:
+        know_course(kind, body, home, course, stream)
+    fall_alike(settings, stream[len(course)])
+    x, y = settings[FRAME_X], settings[FRAME_Y]
+    frame_x, frame_y = settings[FRAME_VX], settings[FRAME_VY]
+    tried = 0
+    while steps > 0 and steps != tried:
+        tried = steps
+        stretch = TOGETHER if steps > 1 else len(course)
+        for first in range(0, len(course), stretch):
+            last = min(first + stretch, len(course))
+            steps = glide(
+                steps, first, last, settings, kind, pose, velocity, load, poses, velocities,
+                load_bits, body, course, stream,
+            )  # fmt: skip
+            settings[FRAME_X], settings[FRAME_Y] = x, y
+            settings[FRAME_VX], settings[FRAME_VY] = frame_x, frame_y
+            if steps < tried:
+                put_back(last, poses, velocities, course)
+                break
     if steps > 0:
-        for i in range(len(kind)):
-            if kind[i] >= KINEMATIC:
-                for n in range(3):
-                    pose[i, n], motion[i, n] = carried[i, n], carried[i, 3 + n]
+        for g in range(len(course)):
+            if course[g, PLAIN] == 0.0:
+                end_mixed(CREW * g, kind, pose, velocity, course[g])
         for _ in range(steps):
             move_frame(settings)
     return steps
 
 
-def load_lanes(
+def know_course(kind: Whole, body: Array, home: Array, course: Array, stream: Array) -> None:
+    """Note where bodies may be, and which crews are uniform.
+
+    They flow as the first body that can be pushed. Nobody may be where no number is.
+    """
+    one = 0
+    while one < len(kind) - 1 and kind[one] != DYNAMIC:
+        one += 1
+    plain = stream[len(course)]
+    for k in range(CREW):
+        set_flow(k, body[one], plain)
+    for g in range(len(course)):
+        row = course[g]
+        alike = 0
+        for k in range(CREW):
+            i = CREW * g + k
+            for n in range(3):
+                row[L_LOW + 3 * k + n], row[L_HIGH + 3 * k + n] = -FAR, FAR
+            if i < len(kind) and kind[i] >= STATIC:
+                turn, room = home[i, HOME_TURN], home[i, TURN_ROOM]
+                row[L_LOW + 3 * k], row[L_HIGH + 3 * k] = home[i, LOW_X], home[i, HIGH_X]
+                row[L_LOW + 3 * k + 1], row[L_HIGH + 3 * k + 1] = home[i, LOW_Y], home[i, HIGH_Y]
+                row[L_LOW + 3 * k + 2], row[L_HIGH + 3 * k + 2] = turn - room, turn + room
+                alike += 1 if kind[i] == DYNAMIC and flows_as(body[one], body[i]) else 0
+        for m in range(LANES_OF):
+            row[L_LOW + m] = max(-FAR, row[L_LOW + m])
+            row[L_HIGH + m] = min(FAR, row[L_HIGH + m])
+        row[UNIFORM] = 1.0 if alike == CREW else 0.0
+
+
+def flows_as(one: Array, other: Array) -> bool:
+    """Return whether two bodies flow alike through a step."""
+    alike = 0
+    for n in range(2 * ANGULAR):
+        alike += 1 if one[FULL + n] == other[FULL + n] else 0
+    return alike == 2 * ANGULAR
+
+
+def set_flow(k: int, body: Array, flow: Array) -> None:
+    """Let the lanes of a crew's k-th body flow as it does."""
+    for n in range(3):
+        at = FULL + ANGULAR if n == 2 else FULL
+        flow[L_DECAY + 3 * k + n] = body[at + DECAY]
+        flow[L_GAIN + 3 * k + n] = body[at + GAIN]
+        flow[L_LIFT + 3 * k + n] = body[at + LIFT]
+
+
+def fall_alike(settings: Array, plain: Array) -> None:
+    """Note what moves plain crews, on which nothing acts but gravity."""
+    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
+    by_x, by_y = acceleration(gravity, (0.0, 0.0), 1.0)
+    for k in range(CREW):
+        plain[L_BY + 3 * k], plain[L_BY + 3 * k + 1] = by_x, by_y
+
+
+def glide(
+    steps: int,
+    first: int,
+    last: int,
+    settings: Array,
+    kind: Whole,
+    pose: Array,
+    velocity: Array,
+    load: Array,
+    poses: Array,
+    velocities: Array,
+    load_bits: Whole,
+    body: Array,
+    course: Array,
+    stream: Array,
+) -> int:
+    """Let crews take some steps, or as many as all stay at home in; return how many."""
+    plain = stream[len(course)]
+    note_frame(settings, plain, L_BEFORE)
+    move_frame(settings)
+    note_frame(settings, plain, L_AFTER)
+    out = 0
+    for g in range(first, last):
+        course[g, PLAIN] = course[g, UNIFORM]
+        if course[g, PLAIN] == 1.0:
+            if start_off(poses[g], velocities[g], load_bits[g], course[g], plain) == 0:
+                continue
+            put_back_one(g, poses, velocities, course)
+            course[g, PLAIN] = 0.0
+        out += start_off_mixed(g, settings, kind, pose, velocity, load, body, course, stream)
+    taken = 0
+    while out == 0:
+        taken += 1
+        if taken == steps:
+            break
+        move_frame(settings)
+        note_frame(settings, plain, L_AFTER)
+        for g in range(first, last):
+            if course[g, PLAIN] == 1.0:
+                out += go_on(poses[g], velocities[g], course[g], plain)
+            else:
+                out += go_on_mixed(settings, course[g], stream[g])
+    return taken
+
+
+@inlined
+def start_off(at: Array, speed: Array, load_bits: Whole, row: Array, flow: Array) -> int:
+    """Keep where a crew is and let it take a step; return how many of its lanes may not do so.
+
+    They are those that are pushed, or not at home before or after it. What is not a number, or
+    moves as none, is not at home.
+    """
+    out = 0
+    for m in range(LANES_OF):
+        here, now, by, gain = at[m], speed[m], flow[L_BY + m], flow[L_GAIN + m]
+        row[L_AT + m], row[L_SPEED + m] = here, now
+        to = here + way(gain, flow[L_LIFT + m], now, by)
+        at[m] = to
+        speed[m] = pace_later(flow[L_DECAY + m], now, pace_given(gain, by))
+        before, after = here - flow[L_BEFORE + m], to - flow[L_AFTER + m]
+        low, high = row[L_LOW + m], row[L_HIGH + m]
+        home = (before >= low) & (before <= high) & (after >= low) & (after <= high)
+        out += 0 if home & (load_bits[m] == 0) else 1
+    return out
+
+
+@inlined
+def go_on(at: Array, speed: Array, row: Array, flow: Array) -> int:
+    """Let a crew take a step; return how many of its lanes are not at home after it."""
+    out = 0
+    for m in range(LANES_OF):
+        now, by, gain = speed[m], flow[L_BY + m], flow[L_GAIN + m]
+        to = at[m] + way(gain, flow[L_LIFT + m], now, by)
+        at[m] = to
+        speed[m] = pace_later(flow[L_DECAY + m], now, pace_given(gain, by))
+        after = to - flow[L_AFTER + m]
+        out += 0 if (after >= row[L_LOW + m]) & (after <= row[L_HIGH + m]) else 1
+    return out
+
+
+def start_off_mixed(
+    g: int,
+    settings: Array,
+    kind: Whole,
+    pose: Array,
+    velocity: Array,
+    load: Array,
+    body: Array,
+    course: Array,
+    stream: Array,
+) -> int:
+    """Let any crew take a step in its row; return how many of its lanes may not do so."""
+    row, frame = course[g], stream[len(course)]
+    if not begin_mixed(CREW * g, settings, kind, pose, velocity, load, body, row, stream[g]):
+        return LANES_OF
+    out = 0
+    for m in range(LANES_OF):
+        before = row[L_AT + m] - frame[L_BEFORE + m]
+        out += 0 if (before >= row[L_LOW + m]) & (before <= row[L_HIGH + m]) else 1
+    return out + go_on_mixed(settings, row, stream[g])
+
+
+def go_on_mixed(settings: Array, row: Array, flow: Array) -> int:
+    """Let any crew take a step in its row; return how many of its lanes are not at home after."""
+    note_frame(settings, flow, L_AFTER)
+    return go_on(row[L_AT : L_AT + LANES_OF], row[L_SPEED : L_SPEED + LANES_OF], row, flow)
+
+
+def begin_mixed(
     first: int,
     settings: Array,
     kind: Whole,
     pose: Array,
-    motion: Array,
+    velocity: Array,
     load: Array,
     body: Array,
-    home: Array,
-    bench: Array,
-) -> None:
-    """Bring bodies to the bench; lanes without one rest, with all the room there is."""
-    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-    for m in range(LANES):
-        i = first + m
-        if i >= len(kind) or kind[i] < STATIC:
-            rest(m, bench)
-            for n in range(3):
-                bench[L_LOW + LANES * n + m], bench[L_HIGH + LANES * n + m] = -FAR, FAR
-            if i < len(kind) and not is_sound(i, pose, motion, load):
-                bench[L_LOW + m] = FAR
-            continue
-        bench[L_LOW + m], bench[L_HIGH + m] = home[i, LOW_X], home[i, HIGH_X]
-        bench[L_LOW + LANES + m], bench[L_HIGH + LANES + m] = home[i, LOW_Y], home[i, HIGH_Y]
-        turn, room = home[i, HOME_TURN], home[i, TURN_ROOM]
-        bench[L_LOW + 2 * LANES + m], bench[L_HIGH + 2 * LANES + m] = turn - room, turn + room
-        moves = motion[i, VX] != 0.0 or motion[i, VY] != 0.0 or motion[i, SPIN] != 0.0
-        if kind[i] == STATIC:
-            rest(m, bench)
-        if not is_sound(i, pose, motion, load) or (kind[i] == STATIC and moves):
-            bench[L_LOW + m] = FAR  # out of its room: it is for an ordinary step to tell
-        by_x = by_y = turn = 0.0
-        if kind[i] == DYNAMIC:
-            by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
-            turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
-        bench[L_BY + m], bench[L_BY + LANES + m] = by_x, by_y
-        bench[L_BY + 2 * LANES + m] = turn
+    row: Array,
+    flow: Array,
+) -> bool:
+    """Bring any crew to its row; return whether it is sound. What does not move rests."""
+    for m in range(LANES_OF):
+        row[L_AT + m] = row[L_SPEED + m] = 0.0
+        flow[L_BY + m] = flow[L_DECAY + m] = flow[L_GAIN + m] = flow[L_LIFT + m] = 0.0
+    for k in range(min(CREW, len(kind) - first)):
+        i = first + k
+        if not is_sound(i, kind, pose, velocity, load):
+            return False
         for n in range(3):
-            bench[L_AT + LANES * n + m] = pose[i, n]
-            if kind[i] != STATIC:
-                bench[L_SPEED + LANES * n + m] = motion[i, n]
-                at = FULL + ANGULAR if n == 2 else FULL
-                bench[L_DECAY + LANES * n + m] = body[i, at + DECAY]
-                bench[L_GAIN + LANES * n + m] = body[i, at + GAIN]
-                bench[L_LIFT + LANES * n + m] = body[i, at + LIFT]
+            row[L_AT + 3 * k + n] = pose[i, n] if kind[i] >= STATIC else 0.0
+            row[L_SPEED + 3 * k + n] = velocity[i, n] if kind[i] >= KINEMATIC else 0.0
+        if kind[i] >= KINEMATIC:
+            set_flow(k, body[i], flow)
+        if kind[i] == DYNAMIC:
+            gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
+            force, torque = (load[i, 0], load[i, 1]), load[i, 2]
+            by_x, by_y = acceleration(gravity, force, body[i, INVERSE_MASS])
+            flow[L_BY + 3 * k], flow[L_BY + 3 * k + 1] = by_x, by_y
+            flow[L_BY + 3 * k + 2] = angular_acceleration(torque, body[i, INVERSE_INERTIA])
+    return True
 
 
-def is_sound(i: int, pose: Array, motion: Array, load: Array) -> bool:
-    """Return whether all that users can set of a body are numbers, and not too large."""
-    total = pose[i, X] + pose[i, Y] + pose[i, TURN] + load[i, 0] + load[i, 1] + load[i, 2]
-    total += motion[i, VX] + motion[i, VY] + motion[i, SPIN]
-    return bool(total - total == 0.0)
+def is_sound(i: int, kind: Whole, pose: Array, velocity: Array, load: Array) -> bool:
+    """Return whether all that users can set of a body are numbers, and a static one is at rest."""
+    bad = moves = 0
+    for n in range(3):
+        total = pose[i, n] + velocity[i, n] + load[i, n]
+        bad += 0 if total - total == 0.0 else 1
+        moves += 1 if velocity[i, n] != 0.0 else 0
+    return bad == 0 and (kind[i] != STATIC or moves == 0)
 
 
-def rest(m: int, bench: Array) -> None:
-    """Let a lane stay where it is: nothing flows."""
-    for n in range(L_LOW // LANES):
-        bench[LANES * n + m] = 0.0
+def end_mixed(first: int, kind: Whole, pose: Array, velocity: Array, row: Array) -> None:
+    """Put those of a crew that move where its lanes got to."""
+    for k in range(min(CREW, len(kind) - first)):
+        i = first + k
+        if kind[i] >= KINEMATIC:
+            for n in range(3):
+                pose[i, n] = row[L_AT + 3 * k + n]
+                velocity[i, n] = row[L_SPEED + 3 * k + n]
 
 
-def store_lanes(first: int, bench: Array, carried: Array) -> None:
-    """Write where bodies got to, and how they move."""
-    for m in range(min(LANES, len(carried) - first)):
-        for n in range(6):  # places, then velocities
-            carried[first + m, n] = bench[LANES * n + m]
+def put_back(last: int, poses: Array, velocities: Array, course: Array) -> None:
+    """Put plain crews where they were as the call began."""
+    for g in range(last):
+        if course[g, PLAIN] == 1.0:
+            put_back_one(g, poses, velocities, course)
 
 
-def glide(steps: int, settings: Array, bench: Array) -> int:
-    """Let the lanes take some steps, or as many as they stay at home in; return how many."""
-    if leave(settings, bench):
-        return 0
-    for k in range(steps):
-        for m in range(3 * LANES):
-            speed, by = bench[L_SPEED + m], bench[L_BY + m]
-            bench[L_AT + m] += bench[L_GAIN + m] * speed + bench[L_LIFT + m] * by
-            bench[L_SPEED + m] = bench[L_DECAY + m] * speed + bench[L_GAIN + m] * by
-        move_frame(settings)
-        if leave(settings, bench):
-            return k
-    return steps
+def put_back_one(g: int, poses: Array, velocities: Array, course: Array) -> None:
+    """Put a plain crew where it was as the call began."""
+    for m in range(LANES_OF):
+        poses[g, m], velocities[g, m] = course[g, L_AT + m], course[g, L_SPEED + m]
 
 
-def leave(settings: Array, bench: Array) -> bool:
-    """Return whether some lane is where the list of pairs does not hold, or not a number."""
-    out = 0
-    for m in range(LANES):
-        x, y = bench[L_AT + m] - settings[FRAME_X], bench[L_AT + LANES + m] - settings[FRAME_Y]
-        turn = bench[L_AT + 2 * LANES + m]
-        inside = (
-            (x >= bench[L_LOW + m])
-            & (x <= bench[L_HIGH + m])
-            & (y >= bench[L_LOW + LANES + m])
-            & (y <= bench[L_HIGH + LANES + m])
-            & (turn >= bench[L_LOW + 2 * LANES + m])
-            & (turn <= bench[L_HIGH + 2 * LANES + m])
-        )
-        out += 0 if inside else 1
-    return out > 0
+def note_frame(settings: Array, flow: Array, when: int) -> None:
+    """Note where the frame is for each lane; turns are seen as they are."""
+    for k in range(CREW):
+        flow[when + 3 * k], flow[when + 3 * k + 1] = settings[FRAME_X], settings[FRAME_Y]

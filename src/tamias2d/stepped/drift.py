@@ -3,7 +3,13 @@
 Serves: a step. Hides: that a body is moved at its end only, once it is known what it meets.
 """
 
-from tamias2d.generated.definitions import acceleration, angular_acceleration
+from tamias2d.generated.definitions import (
+    acceleration,
+    angular_acceleration,
+    pace_given,
+    pace_later,
+    way,
+)
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     ANGULAR,
@@ -52,10 +58,10 @@ def drift(
 
 
 def flow(i: int, axis: int, at: int, by: float, body: Array, motion: Array, gained: Array) -> None:
-    """Take one coordinate of a body through the step, under an acceleration."""
-    before = motion[i, axis]
-    after = body[i, at + DECAY] * before + body[i, at + GAIN] * by
-    motion[i, DX + axis] = body[i, at + GAIN] * before + body[i, at + LIFT] * by
+    """Take one coordinate of a body through the step, under an acceleration (DD41)."""
+    before, gain = motion[i, axis], body[i, at + GAIN]
+    after = pace_later(body[i, at + DECAY], before, pace_given(gain, by))
+    motion[i, DX + axis] = way(gain, body[i, at + LIFT], before, by)
     motion[i, axis] = after
     gained[i, 3 + axis] = after - before
 

@@ -4,7 +4,7 @@ Serves: the look around and a step. Hides: how it moves on, by the mean of what 
 Where all fall together, nobody comes nearer to anybody, and the list holds for long.
 """
 
-from tamias2d.generated.definitions import acceleration
+from tamias2d.generated.definitions import acceleration, pace_given, pace_later, way
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     DECAY,
@@ -62,11 +62,11 @@ def choose_frame(
 
 
 def move_frame(settings: Array) -> None:
-    """Let the frame go on through a step."""
+    """Let the frame go on through a step (DD41)."""
     if settings[FRAME_MOVES] == 0.0:
         return
     decay, gain = settings[FRAME_FLOW + DECAY], settings[FRAME_FLOW + GAIN]
     lift = settings[FRAME_FLOW + LIFT]
     for speed, by, at in ((FRAME_VX, FRAME_BY_X, FRAME_X), (FRAME_VY, FRAME_BY_Y, FRAME_Y)):
-        settings[at] += gain * settings[speed] + lift * settings[by]
-        settings[speed] = decay * settings[speed] + gain * settings[by]
+        settings[at] += way(gain, lift, settings[speed], settings[by])
+        settings[speed] = pace_later(decay, settings[speed], pace_given(gain, settings[by]))

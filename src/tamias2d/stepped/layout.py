@@ -44,7 +44,8 @@ BEGUN, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5
 # pose (n+1, 3): m, m, rad
 X, Y, TURN = 0, 1, 2
 
-# motion (n+1, 8): velocity m/s, spin rad/s, and what has been moved since the step began
+# velocity (n+1, 3): m/s, m/s, rad/s; motion (n+1, 8) is what steps work on: velocity m/s, spin
+# rad/s, and what has been moved since the step began
 VX, VY, SPIN = 0, 1, 2
 DX, DY, DTURN = 4, 5, 6
 

@@ -4,10 +4,11 @@ Serves: the world, and `tamias2d warm`. Hides: nothing.
 """
 
 from tamias2d.kernels import Engine
+from tamias2d.stepped.coast import coast
 from tamias2d.stepped.ray_cast import cast
 from tamias2d.stepped.region_query import gather, survey
 from tamias2d.stepped.step import step
 
-CONTACT = Engine("contact engine", (step,))
+CONTACT = Engine("contact engine", (step, coast))
 QUERY = Engine("queries", (survey, cast, gather))
 MENU: tuple[Engine, ...] = (CONTACT, QUERY)

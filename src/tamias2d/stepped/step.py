@@ -26,9 +26,6 @@ from tamias2d.state import (
     Array,
 )
 from tamias2d.stepped.arrangement import arrange
-from tamias2d.stepped.coast import (
-    coast,
-)
 from tamias2d.stepped.drift import (
     arrive,
     drift,
@@ -90,6 +87,7 @@ from tamias2d.stepped.substeps import (
     solve,
 )
 from tamias2d.stepped.surroundings import (
+    CLEAR,
     DONE,
     UNSOUND,
     look_again,
@@ -105,6 +103,7 @@ def step(
     settings: Floats,
     counts: Ranks,
     pose: FloatRows,
+    velocity: FloatRows,
     motion: FloatRows,
     load: FloatRows,
     body: FloatRows,
@@ -147,20 +146,14 @@ def step(
 ) -> int:
     """Take the steps that are wanted, or say what there is too little room for.
 
-    Called again, it goes on.
+    Called again, it goes on. It stops where no pair is near: bodies may coast then.
     """
-    while counts[WANTED] > 0:
-        if (
-            counts[PHASE] == BEGUN
-            and counts[PAIRS] == 0
-            and counts[STILL] == 1
-            and counts[PATIENCE] == 0
-        ):
-            counts[WANTED] -= coast(
-                counts[WANTED], settings, kind, pose, motion, load, body, home, bench, carried
-            )
-            if counts[WANTED] == 0:
-                return DONE
+    if counts[PHASE] == BEGUN:
+        for i in range(len(kind)):
+            for n in range(3):
+                motion[i, n] = velocity[i, n]
+    alone = False
+    while counts[WANTED] > 0 and not alone:
         status = step_once(
             settings, counts, pose, motion, load, body, home, kind, used, ranked,
             shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
@@ -171,7 +164,11 @@ def step(
         if status != DONE:
             return status
         counts[WANTED] -= 1
-    return DONE
+        alone = counts[PAIRS] == 0 and counts[STILL] == 1 and counts[PATIENCE] == 0
+    for i in range(len(kind)):
+        for n in range(3):
+            velocity[i, n] = motion[i, n]
+    return CLEAR if alone else DONE
 
 
 def step_once(

@@ -4,7 +4,12 @@ Serves: a step. Hides: that what contacts did before is carried by bodies, so th
 visited twice in a substep, and once more as the step begins.
 """
 
-from tamias2d.generated.definitions import acceleration, angular_acceleration
+from tamias2d.generated.definitions import (
+    acceleration,
+    angular_acceleration,
+    pace_given,
+    pace_later,
+)
 from tamias2d.state import Array
 from tamias2d.stepped.direct import (
     ready,
@@ -130,9 +135,9 @@ def begin(
             turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
             decay, gain = body[i, SUB + DECAY], body[i, SUB + GAIN]
             note[KEPT_BY_DRAG] = note[KEPT_BY_DRAG + 1] = decay
-            note[GIVEN], note[GIVEN + 1] = gain * by_x, gain * by_y
+            note[GIVEN], note[GIVEN + 1] = pace_given(gain, by_x), pace_given(gain, by_y)
             decay, gain = body[i, SUB + ANGULAR + DECAY], body[i, SUB + ANGULAR + GAIN]
-            note[KEPT_BY_DRAG + 2], note[GIVEN + 2] = decay, gain * turn
+            note[KEPT_BY_DRAG + 2], note[GIVEN + 2] = decay, pace_given(gain, turn)
 
 
 def hasten(again: bool, counts: Whole, motion: Array, hits: Whole, carried: Array) -> None:
@@ -148,7 +153,8 @@ def hasten(again: bool, counts: Whole, motion: Array, hits: Whole, carried: Arra
         for n in range(3):
             note[CARRIED + n] += motion[i, n] - note[NOTED + n]
             before = motion[i, n] if again else note[NOTED + n]
-            motion[i, n] = note[KEPT_BY_DRAG + n] * before + note[GIVEN + n] + note[CARRIED + n]
+            flown = pace_later(note[KEPT_BY_DRAG + n], before, note[GIVEN + n])
+            motion[i, n] = flown + note[CARRIED + n]
             note[NOTED + n] = motion[i, n]
 
 

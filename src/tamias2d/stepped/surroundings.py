@@ -35,6 +35,7 @@ CROWD = 3  # pairs to a shape: where there are more, a list is made for less lon
 MENDABLE = 0.125  # of all bodies: so many may leave their rooms until all look around again
 
 DONE, MORE_FOUND, MORE_PAIRS, MORE_BLOCKS, UNSOUND, MORE_WEB = 0, 1, 2, 3, 4, 5  # of a step
+CLEAR = 6  # it is done, and no pair is near
 
 
 def look_again(

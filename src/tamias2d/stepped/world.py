@@ -3,6 +3,8 @@
 Serves: the simulator. Hides: how much room the arrays have, and the kernel.
 """
 
+from collections.abc import Callable
+from functools import partial
 from inspect import signature
 from typing import Any
 
@@ -11,7 +13,7 @@ import numpy as np
 from tamias2d.generated import drag
 from tamias2d.state import Array
 from tamias2d.stepped.alignment import aligned_zeros
-from tamias2d.stepped.coast import COASTING
+from tamias2d.stepped.coast import COURSE, CREW, LANES_OF, STREAM
 from tamias2d.stepped.elimination import WEAVE
 from tamias2d.stepped.layout import (
     DECAY,
@@ -37,13 +39,13 @@ from tamias2d.stepped.menu import CONTACT
 from tamias2d.stepped.rows import WIDTH
 from tamias2d.stepped.solver import BENCH
 from tamias2d.stepped.step import step
-from tamias2d.stepped.surroundings import DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, MORE_WEB
+from tamias2d.stepped.surroundings import CLEAR, DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, MORE_WEB
 from tamias2d.stepped.thin import ISLE, WEB
 from tamias2d.stepped.tree import lowest
 
 _ORDER = tuple(signature(step).parameters)
 _BODY = (
-    *("pose", "motion", "load", "body", "home", "carried", "kind", "used"),
+    *("pose", "velocity", "motion", "load", "body", "home", "carried", "kind", "used"),
     *("island", "rest", "energy", "isle"),
 )
 _SHAPE = (
@@ -61,6 +63,7 @@ class World:
         """Start an empty world; `plain` takes its steps by the functions as they are."""
         self.size = 0  # rows of bodies in use, absent ones too
         self.pose = aligned_zeros((1, 3))
+        self.velocity = aligned_zeros((1, 3))
         self.motion = aligned_zeros((1, 8))
         self.load = aligned_zeros((1, 3))
         self.body = aligned_zeros((1, 18))
@@ -97,7 +100,7 @@ class World:
         self.fill = aligned_zeros((3, 128), dtype=np.int64)
         self.rows = aligned_zeros((4, WIDTH))
         self.lanes = aligned_zeros((4, 50), dtype=np.uint32)
-        self.bench = aligned_zeros(max(BENCH, COASTING))
+        self.bench = aligned_zeros(BENCH)
         self.times = aligned_zeros(16)
         self.scratch = aligned_zeros((8, TOUCH))
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
@@ -105,6 +108,9 @@ class World:
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
+        self._coast: Callable[[int, bool], int] = lambda _steps, _known: 0
+        self._alone = True  # whether it is worth while to try to coast
+        self._known = False  # whether where bodies coast is known, since homes are as they were
 
     def flow(self, new: Whole, rate: Array, column: int) -> None:
         """Write how velocity and place of some bodies flow in a step and in a substep (IM1, IM6).
@@ -164,30 +170,65 @@ class World:
 
     def step(self, count: int = 1) -> int:
         """Take some steps; return how they ended: done, or that what was set is not sound."""
-        self.counts[WANTED], self.counts[SOUND] = count, 0
         if not self._arguments:
-            corners = 2 * int(self.shape_count.max(initial=0))
-            if corners >= len(self.scratch):
-                self.scratch = aligned_zeros((corners + 1, TOUCH))
-            self._arguments = tuple(getattr(self, name) for name in _ORDER)
-        while (status := self._engine.step(*self._arguments)) != DONE:
-            if status == MORE_FOUND:
-                self.found = aligned_zeros((self.counts[NEEDED] * 5 // 4 + 16, 4), dtype=np.int64)
-            elif status == MORE_PAIRS:
-                self._more_pairs(int(self.counts[NEEDED] * 5 // 4 + 16))
-            elif status == MORE_BLOCKS:
-                room = int(self.counts[NEEDED] * 5 // 4 + 4)
-                self.rows = aligned_zeros((room, WIDTH))
-                self.lanes = aligned_zeros((room, 50), dtype=np.uint32)
-            elif status == MORE_WEB:
-                room = int(self.counts[NEEDED] * 5 // 4 + 16)
-                self.web = aligned_zeros((room, WEB), dtype=np.int64)
-                self.weave = aligned_zeros((room, WEAVE))
-            else:
-                self.counts[PHASE] = 0
-                return int(status)
-            self._arguments = tuple(getattr(self, name) for name in _ORDER)
-        return DONE
+            self._gather_arguments()
+        sound = 0
+        while True:
+            if self._alone:
+                count -= self._coast(count, self._known)
+                self._known = True
+                if count == 0:
+                    return DONE
+            self.counts[WANTED], self.counts[SOUND] = count, sound
+            self._alone = self._known = False
+            while (status := self._engine.step(*self._arguments)) != DONE:
+                if status == CLEAR:
+                    break
+                if not self._has_more_room(status):
+                    self.counts[PHASE] = 0
+                    return int(status)
+            if status == DONE:
+                return DONE
+            self._alone = True
+            count, sound = int(self.counts[WANTED]), 1
+            if count == 0:
+                return DONE
+
+    def _has_more_room(self, status: int) -> bool:
+        """Make the room that the engine asked for; return whether it was that."""
+        room = int(self.counts[NEEDED] * 5 // 4 + 16)
+        if status == MORE_FOUND:
+            self.found = aligned_zeros((room, 4), dtype=np.int64)
+        elif status == MORE_PAIRS:
+            self._more_pairs(room)
+        elif status == MORE_BLOCKS:
+            self.rows = aligned_zeros((room, WIDTH))
+            self.lanes = aligned_zeros((room, 50), dtype=np.uint32)
+        elif status == MORE_WEB:
+            self.web = aligned_zeros((room, WEB), dtype=np.int64)
+            self.weave = aligned_zeros((room, WEAVE))
+        else:
+            return False
+        self._arguments = tuple(getattr(self, name) for name in _ORDER)
+        return True
+
+    def _gather_arguments(self) -> None:
+        """Keep what the engine is called with, until an array is another one."""
+        corners = 2 * int(self.shape_count.max(initial=0))
+        if corners >= len(self.scratch):
+            self.scratch = aligned_zeros((corners + 1, TOUCH))
+        self._arguments = tuple(getattr(self, name) for name in _ORDER)
+        bodies = (self.pose, self.velocity, self.load)
+        full = len(self.kind) // CREW
+        rows = [array[: CREW * full].reshape(full, LANES_OF) for array in bodies]
+        crews = -(-len(self.kind) // CREW)
+        self._coast = partial(
+            self._engine.coast,
+            *(self.settings, self.counts, self.kind, *bodies, *rows[:2], rows[2].view(np.int64)),
+            *(self.body, self.home, aligned_zeros((crews, COURSE))),
+            aligned_zeros((crews + 1, STREAM)),
+        )
+        self._known = False
 
     def _more_pairs(self, room: int) -> None:
         self.hits = aligned_zeros((10, 2 * room), dtype=np.int64)  # a pair has two bodies
