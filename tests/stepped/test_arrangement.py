@@ -6,7 +6,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.scene import catalogue
 from tamias2d.simulator import Simulator
-from tamias2d.stepped.layout import ARRANGED, ISLANDED, PAIRS, SIDE, STILL
+from tamias2d.stepped.layout import ARRANGED, ISLANDED, OF_A, OF_B, PAIRS, SIDE, STILL
 from tests.simulator.crowd import crowd
 
 
@@ -26,7 +26,7 @@ def test_contacts_stay_arranged_as_they_would_be_anew(name: str) -> None:
 def listed(sim: Simulator) -> list[tuple[int, int]]:
     """The bodies of all pairs on the list."""
     world = sim._world
-    pairs = world.shape_body[world.pairs[world.counts[SIDE], : world.counts[PAIRS]]]
+    pairs = world.pairs[world.counts[SIDE], : world.counts[PAIRS], OF_A : OF_B + 1]
     return [(int(min(pair)), int(max(pair))) for pair in pairs]
 
 

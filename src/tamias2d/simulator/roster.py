@@ -26,6 +26,8 @@ from tamias2d.stepped.layout import (
     INNER,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    OF_A,
+    OF_B,
     PAIRS,
     REACH,
     SIDE,
@@ -247,7 +249,7 @@ class Roster:
         """Take the pairs of bodies out of the list, and what was set for them; wake the others."""
         world = self.world
         side, size = world.counts[SIDE], world.counts[PAIRS]
-        owner = world.shape_body[world.pairs[side, :size]]
+        owner = world.pairs[side, :size, OF_A : OF_B + 1]
         left = np.isin(owner, rows).any(axis=1)
         world.wake(owner[left & (world.traces[side, :size, COUNT] > 0)].ravel())
         kept = np.flatnonzero(~left)

@@ -28,6 +28,8 @@ from tamias2d.stepped.layout import (
     GRAVITY_Y,
     HALF_PLANE,
     INNER,
+    OF_A,
+    OF_B,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
@@ -100,7 +102,7 @@ def fly(
             now, i, j = border, k, k
             wait(k, now, settings, pose, motion, load, body, kind)
         else:
-            i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+            i, j = pair[p, OF_A], pair[p, OF_B]
             bent = happen(
                 p, now, settings, pose, motion, load, body, gained, kind, shape_body, shape_kind,
                 shape_first, shape_count, shape_radius, corner, turned, pair, touch, trace,

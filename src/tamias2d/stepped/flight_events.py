@@ -17,6 +17,8 @@ from tamias2d.stepped.layout import (
     INNER,
     NX,
     NY,
+    OF_A,
+    OF_B,
     PAIRS,
     POINT,
     SENSOR,
@@ -67,7 +69,7 @@ def find_meetings(
     for p in range(counts[PAIRS]):
         times[p] = MISSED
         s, t = pair[p, 0], pair[p, 1]
-        i, j = shape_body[s], shape_body[t]
+        i, j = pair[p, OF_A], pair[p, OF_B]
         bent = gained[i, BENT] + gained[j, BENT] > 0.0
         reach = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
         if not bent and stay_near(gained[i], gained[j], reach):
@@ -122,8 +124,10 @@ def renew_meetings(
 ) -> None:
     """Find anew when two bodies meet others, and each other: their lines are not what they were."""
     for p in range(counts[PAIRS]):
+        a, b = pair[p, OF_A], pair[p, OF_B]
+        if a != i and a != j and b != i and b != j:
+            continue
         s, t = pair[p, 0], pair[p, 1]
-        a, b = shape_body[s], shape_body[t]
         new = ((a == i) | (b == i)) & (kind[i] == DYNAMIC)
         new = new | (((a == j) | (b == j)) & (kind[j] == DYNAMIC))
         if new and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:

@@ -97,6 +97,9 @@ FAT = 4
 # how far from there it may be or is known, and how far the shape reaches, m
 MIDDLE_X, MIDDLE_Y, HALF_WIDTH, HALF_HEIGHT, MIDDLE_REACH = 0, 1, 2, 3, 4
 
+# pair (p, 4): two shapes, and their bodies
+OF_A, OF_B = 2, 3
+
 # touch (p, 32): normal from a to b; a point from the centre of body A, m, with its separation, m,
 # accumulated impulses, N s, and preload, m; the pair's surfaces; what is told of the last step: the
 # point's impulse over all of it, N s, and where it was in the world, m; the cache of the narrow

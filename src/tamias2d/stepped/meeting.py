@@ -18,6 +18,8 @@ from tamias2d.stepped.layout import (
     HITS,
     ISLANDED,
     LIVE,
+    OF_A,
+    OF_B,
     PAIRS,
     POINT,
     SENSOR,
@@ -47,7 +49,6 @@ def meet(
     counts: Whole,
     pose: Array,
     motion: Array,
-    shape_body: Whole,
     shape_kind: Whole,
     shape_first: Whole,
     shape_count: Whole,
@@ -69,7 +70,7 @@ def meet(
     same = counts[ARRANGED] == 1
     for p in range(counts[PAIRS]):
         s, t = pair[p, 0], pair[p, 1]
-        i, j = shape_body[s], shape_body[t]
+        i, j = pair[p, OF_A], pair[p, OF_B]
         if counts[DORMANT] > 0 and island[i, LIVE] + island[j, LIVE] == 0:
             continue
         x, y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]

@@ -97,8 +97,8 @@ def mend(
     room = total <= len(found)
     for p in range(total if room else 0):
         room = room and add_pair(
-            found[p, 0], found[p, 1], counts, ranked, surface, mixed, pairs[side], touches[side],
-            traces[side],
+            found[p, 0], found[p, 1], counts, ranked, shape_body, surface, mixed, pairs[side],
+            touches[side], traces[side],
         )  # fmt: skip
     return room
 

@@ -12,6 +12,8 @@ from tamias2d.stepped.layout import (
     COUNT,
     FRICTION,
     ISLANDED,
+    OF_A,
+    OF_B,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     PAIRS,
@@ -28,6 +30,7 @@ def take_over(
     total: int,
     counts: Whole,
     ranked: Whole,
+    shape_body: Whole,
     found: Whole,
     surface: Array,
     mixed: Array,
@@ -69,8 +72,8 @@ def take_over(
         if not known:
             if size < len(pair):
                 new_pair(
-                    ranked[0, a], ranked[0, b], surface, mixed, size, next_pair, next_touch,
-                    next_trace,
+                    ranked[0, a], ranked[0, b], shape_body, surface, mixed, size, next_pair,
+                    next_touch, next_trace,
                 )  # fmt: skip
             size += 1
     if size <= len(pair):
@@ -90,6 +93,7 @@ def add_pair(
     b: int,
     counts: Whole,
     ranked: Whole,
+    shape_body: Whole,
     surface: Array,
     mixed: Array,
     pair: Whole,
@@ -110,13 +114,13 @@ def add_pair(
     if end == len(pair):
         return False
     for p in range(end, at, -1):
-        for k in range(2):
+        for k in range(4):
             pair[p, k] = pair[p - 1, k]
         for k in range(TOUCH):
             touch[p, k] = touch[p - 1, k]
         for k in range(6):
             trace[p, k] = trace[p - 1, k]
-    new_pair(ranked[0, a], ranked[0, b], surface, mixed, at, pair, touch, trace)
+    new_pair(ranked[0, a], ranked[0, b], shape_body, surface, mixed, at, pair, touch, trace)
     counts[PAIRS] = end + 1
     counts[ARRANGED] = counts[ISLANDED] = 0  # pairs have other places
     return True
@@ -150,7 +154,8 @@ def copy_pair(
     next_trace: Whole,
 ) -> None:
     """Copy what is known of a pair; of one that does not touch, only how its surfaces mix."""
-    next_pair[new, 0], next_pair[new, 1] = pair[old, 0], pair[old, 1]
+    for k in range(4):
+        next_pair[new, k] = pair[old, k]
     if trace[old, COUNT] > 0 or trace[old, TOUCHED] != 0:
         for k in range(TOUCH):
             next_touch[new, k] = touch[old, k]
@@ -171,6 +176,7 @@ def blank(p: int, trace: Whole) -> None:
 def new_pair(
     s: int,
     t: int,
+    shape_body: Whole,
     surface: Array,
     mixed: Array,
     new: int,
@@ -183,6 +189,7 @@ def new_pair(
     `mixed` (k, 4) holds what was set for pairs of shapes: both, friction, restitution.
     """
     pair[new, 0], pair[new, 1] = s, t
+    pair[new, OF_A], pair[new, OF_B] = shape_body[s], shape_body[t]
     blank(new, trace)
     touch[new, PAIR_FRICTION] = both_friction(surface[s, FRICTION], surface[t, FRICTION])
     touch[new, PAIR_RESTITUTION] = both_restitution(

@@ -33,6 +33,7 @@ from tamias2d.stepped.layout import (
     INVERSE_MASS,
     NX,
     NY,
+    OF_A,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     POINT,
@@ -283,7 +284,6 @@ def soften_lanes(row: Array, substep: float) -> None:
 def keep_impulses(
     counts: Whole,
     pair: Whole,
-    shape_body: Whole,
     pose: Array,
     rows: Array,
     lanes: Whole,
@@ -295,7 +295,7 @@ def keep_impulses(
         row = rows[b]
         for m in range(lanes[b, FILLED]):
             p = lanes[b, SLOT + m]
-            i = shape_body[pair[p, 0]]
+            i = pair[p, OF_A]
             for n in range(lanes[b, POINTS]):
                 at = SHARED + n * SIZE + m
                 touch[p, TOTAL + POINT * n] = row[at + P_TOTAL]

@@ -28,6 +28,8 @@ from tamias2d.stepped.layout import (
     ISLAND,
     LIVE,
     NIGHT,
+    OF_A,
+    OF_B,
     PAIRS,
     PATIENCE,
     PEACE,
@@ -55,7 +57,6 @@ def look_who_sleeps(
     motion: Array,
     load: Array,
     kind: Whole,
-    shape_body: Whole,
     pair: Whole,
     trace: Whole,
     island: Whole,
@@ -71,7 +72,7 @@ def look_who_sleeps(
         else:
             note_support(kind[i], pose[i], motion[i], island[i], rest[i])
     for p in range(counts[PAIRS]):
-        i, j = shape_body[pair[p, 0]], shape_body[pair[p, 1]]
+        i, j = pair[p, OF_A], pair[p, OF_B]
         if trace[p, COUNT] > 0 and island[i, LIVE] != island[j, LIVE]:
             wake_island(max(island[i, NIGHT], island[j, NIGHT]), island)
     count_sleepers(counts, kind, island)
@@ -98,11 +99,11 @@ def note_support(kind: int, pose: Array, motion: Array, island: Whole, rest: Arr
     island[QUIET] = 1 if kind != ABSENT else 0
 
 
-def rouse(counts: Whole, pair: Whole, shape_body: Whole, hits: Whole, island: Whole) -> bool:
+def rouse(counts: Whole, pair: Whole, hits: Whole, island: Whole) -> bool:
     """Wake what is met by something that may wake it; return whether anything was."""
     woken = False
     for k in range(counts[HITS]):
-        i, j = shape_body[pair[hits[0, k], 0]], shape_body[pair[hits[0, k], 1]]
+        i, j = pair[hits[0, k], OF_A], pair[hits[0, k], OF_B]
         if island[i, LIVE] != island[j, LIVE]:
             night = max(island[i, NIGHT], island[j, NIGHT])
             wake_island(night, island)
@@ -136,24 +137,20 @@ def keep_still(kind: Whole, island: Whole, motion: Array, used: Whole) -> None:
                 motion[i, DX + n] = 0.0
 
 
-def keep_touching(
-    counts: Whole, pair: Whole, shape_body: Whole, island: Whole, trace: Whole
-) -> None:
+def keep_touching(counts: Whole, pair: Whole, island: Whole, trace: Whole) -> None:
     """Let pairs of what sleeps that touched touch on, so that nothing ends or begins."""
     for p in range(counts[PAIRS]):
-        if island[shape_body[pair[p, 0]], LIVE] + island[shape_body[pair[p, 1]], LIVE] == 0:
+        if island[pair[p, OF_A], LIVE] + island[pair[p, OF_B], LIVE] == 0:
             trace[p, TOUCHED] |= trace[p, TOUCHED] >> 1
 
 
-def note_company(
-    counts: Whole, pair: Whole, shape_body: Whole, kind: Whole, hits: Whole, island: Whole
-) -> None:
+def note_company(counts: Whole, pair: Whole, kind: Whole, hits: Whole, island: Whole) -> None:
     """Note of each body whether it touches anything, and whether that is moved by nobody's push."""
     find_islands(counts, kind, hits, island)
     for i in range(len(kind)):
         island[i, COMPANY] = ALONE
     for k in range(counts[HITS]):
-        i, j = shape_body[pair[hits[0, k], 0]], shape_body[pair[hits[0, k], 1]]
+        i, j = pair[hits[0, k], OF_A], pair[hits[0, k], OF_B]
         moved = (kind[i] != DYNAMIC and island[i, LIVE] == 1) or (
             kind[j] != DYNAMIC and island[j, LIVE] == 1
         )

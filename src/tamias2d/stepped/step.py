@@ -222,7 +222,7 @@ def step_once(
         counts[SOUND] = 1
         if counts[PATIENCE] > 0:
             look_who_sleeps(
-                settings, counts, pose, motion, load, kind, shape_body, pairs[counts[SIDE]],
+                settings, counts, pose, motion, load, kind, pairs[counts[SIDE]],
                 traces[counts[SIDE]], island, rest,
             )  # fmt: skip
         marked = mark_left(settings, kind, pose, home, used)
@@ -248,12 +248,12 @@ def step_once(
     if counts[PHASE] == KNOWN:
         pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
         meet(
-            settings, counts, pose, motion, shape_body, shape_kind, shape_first, shape_count,
+            settings, counts, pose, motion, shape_kind, shape_first, shape_count,
             shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
         )  # fmt: skip
-        while counts[DORMANT] > 0 and rouse(counts, pair, shape_body, hits, island):
+        while counts[DORMANT] > 0 and rouse(counts, pair, hits, island):
             meet(
-                settings, counts, pose, motion, shape_body, shape_kind, shape_first, shape_count,
+                settings, counts, pose, motion, shape_kind, shape_first, shape_count,
                 shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
             )  # fmt: skip
         status = arrange(counts, trace, kind, used, hits, fill, rows, lanes, isle, web)
@@ -269,12 +269,12 @@ def step_once(
             island, energy, bouncing, web, weave,
         )  # fmt: skip
         age_touches(counts, trace)
-        keep_impulses(counts, pair, shape_body, pose, rows, lanes, touch, trace)
+        keep_impulses(counts, pair, pose, rows, lanes, touch, trace)
         if counts[PATIENCE] > 0:
-            note_company(counts, pair, shape_body, kind, hits, island)
+            note_company(counts, pair, kind, hits, island)
         if counts[DORMANT] > 0:
             keep_still(kind, island, motion, used)
-            keep_touching(counts, pair, shape_body, island, trace)
+            keep_touching(counts, pair, island, trace)
         drift(settings, motion, load, body, kind, used, carried)
         move_frame(settings)
         far = goes_far(kind, motion, body)

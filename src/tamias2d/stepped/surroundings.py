@@ -144,7 +144,9 @@ def look_around(
         counts[NEEDED] = total
         return MORE_FOUND
     sort_pairs(total, found, curve[3, : len(shape_body) + 1])
-    size = take_over(total, counts, ranked, found, surface, mixed, pairs, touches, traces)
+    size = take_over(
+        total, counts, ranked, shape_body, found, surface, mixed, pairs, touches, traces
+    )
     if size > pairs.shape[1]:
         counts[NEEDED] = size
         return MORE_PAIRS

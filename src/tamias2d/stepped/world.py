@@ -93,7 +93,7 @@ class World:
         self.node = aligned_zeros((2, 4))
         self.middle = aligned_zeros((0, 8))
         self.found = aligned_zeros((16, 4), dtype=np.int64)
-        self.pairs = aligned_zeros((2, 16, 2), dtype=np.int32)
+        self.pairs = aligned_zeros((2, 16, 4), dtype=np.int32)
         self.touches = aligned_zeros((2, 16, TOUCH))
         self.traces = aligned_zeros((2, 16, 6), dtype=np.int32)
         self.hits = aligned_zeros((10, 32), dtype=np.int64)
