@@ -47,7 +47,7 @@ class Questions:
         self._ranked = np.zeros((2, 0), dtype=np.int64)
         self._sizes = np.zeros(2, dtype=np.int64)
         self._box = self._node = np.zeros((0, 4))
-        self._curve = np.zeros((4, 0), dtype=np.int64)
+        self._curve = np.zeros((5, 0), dtype=np.int64)
 
     def rays(self, start: object, end: object, mask: object) -> Hits:
         """Return what rays from points to points, (2,) or (k, 2) each, meet first."""

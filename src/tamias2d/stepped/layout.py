@@ -86,8 +86,9 @@ FRICTION, RESTITUTION, SHAPE_REACH, SHAPE_INNER = 0, 1, 2, 3
 # filter (m, 4): which shapes meet at all
 CATEGORY, MASK, GROUP, SENSOR = 0, 1, 2, 3
 
-# curve (4, m + 256): the shapes along the tree's curve; where on it each shape is; and for sorting
-PLACE = 1
+# curve (5, m + 256): the shapes along the tree's curve; where on it each shape is; two for sorting;
+# and where in the first run of the list the pairs of each rank begin
+PLACE, STARTS = 1, 4
 
 # box (m, 8): low and high corner of what is k-th along the tree's curve; then those of the shape,
 # with the room that its body has

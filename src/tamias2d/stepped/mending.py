@@ -15,10 +15,11 @@ from tamias2d.stepped.layout import (
     MENDED,
     PLACE,
     SIDE,
+    STARTS,
     TIME_STEP,
     Whole,
 )
-from tamias2d.stepped.pair_list import add_pair
+from tamias2d.stepped.pair_list import add_pairs
 from tamias2d.stepped.pairs import (
     boxes_overlap,
     circles_apart,
@@ -29,6 +30,7 @@ from tamias2d.stepped.pairs import (
     note_pair,
     reaches,
     sides_apart,
+    sort_pairs,
 )
 from tamias2d.stepped.tree import BUNCH, lowest
 from tamias2d.stepped.turning import turn_shape
@@ -94,13 +96,13 @@ def mend(
     for i in range(len(used)):
         used[i] = 0
     side = counts[SIDE]
-    room = total <= len(found)
-    for p in range(total if room else 0):
-        room = room and add_pair(
-            found[p, 0], found[p, 1], counts, ranked, shape_body, surface, mixed, pairs[side],
-            touches[side], traces[side],
-        )  # fmt: skip
-    return room
+    if total > len(found):
+        return False
+    sort_pairs(total, found, curve[3, : len(shape_body) + 1])
+    return add_pairs(
+        total, counts, ranked, shape_body, found, curve[STARTS], surface, mixed, pairs[side],
+        touches[side], traces[side],
+    )  # fmt: skip
 
 
 def resettle(

@@ -32,6 +32,7 @@ def take_over(
     ranked: Whole,
     shape_body: Whole,
     found: Whole,
+    starts: Whole,
     surface: Array,
     mixed: Array,
     pairs: Whole,
@@ -79,6 +80,7 @@ def take_over(
     if size <= len(pair):
         counts[SIDE] = 1 - side
         counts[PAIRS] = counts[SORTED] = size
+        note_starts(ranked, next_pair, size, starts)
     return size
 
 
@@ -88,59 +90,92 @@ def comes_before(p: int, q: int, ranked: Whole, pair: Whole) -> bool:
     return bool(s < t or (s == t and ranked[1, pair[p, 1]] < ranked[1, pair[q, 1]]))
 
 
-def add_pair(
-    a: int,
-    b: int,
+def note_starts(ranked: Whole, pair: Whole, size: int, starts: Whole) -> None:
+    """Write where in the first run the pairs of each rank begin, and where it ends."""
+    k = 0
+    for rank in range(len(ranked[1]) + 1):
+        while k < size and ranked[1, pair[k, 0]] < rank:
+            k += 1
+        starts[rank] = k
+
+
+def add_pairs(
+    total: int,
     counts: Whole,
     ranked: Whole,
     shape_body: Whole,
+    found: Whole,
+    starts: Whole,
     surface: Array,
     mixed: Array,
     pair: Whole,
     touch: Array,
     trace: Whole,
 ) -> bool:
-    """Put a pair, by its ranks, into the second run if it is on neither; return if there was room.
+    """Put sorted pairs into the second run that are on neither; return whether there was room.
 
     The list is two runs in canonical order: what was found when all looked around, and since.
     """
-    end = counts[PAIRS]
-    at = place_of(a, b, 0, counts[SORTED], ranked, pair)
-    if at < counts[SORTED] and is_pair(at, a, b, ranked, pair):
-        return True
-    at = place_of(a, b, counts[SORTED], end, ranked, pair)
-    if at < end and is_pair(at, a, b, ranked, pair):
-        return True
-    if end == len(pair):
+    new = keep_new(total, counts, ranked, found, starts, pair)
+    if counts[PAIRS] + new > len(pair):
         return False
-    for p in range(end, at, -1):
-        for k in range(4):
-            pair[p, k] = pair[p - 1, k]
-        for k in range(TOUCH):
-            touch[p, k] = touch[p - 1, k]
-        for k in range(6):
-            trace[p, k] = trace[p - 1, k]
-    new_pair(ranked[0, a], ranked[0, b], shape_body, surface, mixed, at, pair, touch, trace)
-    counts[PAIRS] = end + 1
-    counts[ARRANGED] = counts[ISLANDED] = 0  # pairs have other places
+    if new > 0:
+        counts[ARRANGED] = counts[ISLANDED] = 0  # pairs have other places
+    old, place = counts[PAIRS] - 1, counts[PAIRS] + new - 1
+    counts[PAIRS] += new
+    while new > 0:  # from the end, so that each moves once
+        a, b = found[new - 1, 0], found[new - 1, 1]
+        if old >= counts[SORTED] and is_after(old, a, b, ranked, pair):
+            move_pair(old, place, pair, touch, trace)
+            old -= 1
+        else:
+            new_pair(
+                ranked[0, a], ranked[0, b], shape_body, surface, mixed, place, pair, touch, trace
+            )
+            new -= 1
+        place -= 1
     return True
 
 
-def place_of(a: int, b: int, low: int, high: int, ranked: Whole, pair: Whole) -> int:
-    """Return the first place of a run that is not before a pair of ranks."""
-    while low < high:
-        middle = (low + high) // 2
-        s, t = ranked[1, pair[middle, 0]], ranked[1, pair[middle, 1]]
-        if s < a or (s == a and t < b):
-            low = middle + 1
-        else:
-            high = middle
-    return low
+def keep_new(
+    total: int, counts: Whole, ranked: Whole, found: Whole, starts: Whole, pair: Whole
+) -> int:
+    """Keep those of the sorted pairs found that are not on the list; return how many."""
+    new = 0
+    second = counts[SORTED]
+    for p in range(total):
+        a, b = found[p, 0], found[p, 1]
+        known = False
+        for k in range(starts[a], starts[a + 1]):
+            known = known | (ranked[1, pair[k, 1]] == b)
+        while second < counts[PAIRS] and not is_after(second, a, b, ranked, pair):
+            known = known | is_pair(second, a, b, ranked, pair)
+            second += 1
+        if not known:
+            found[new, 0], found[new, 1] = a, b
+            new += 1
+    return new
+
+
+def is_after(p: int, a: int, b: int, ranked: Whole, pair: Whole) -> bool:
+    """Return whether a pair on the list comes after one of these ranks."""
+    s, t = ranked[1, pair[p, 0]], ranked[1, pair[p, 1]]
+    return bool(s > a or (s == a and t > b))
 
 
 def is_pair(p: int, a: int, b: int, ranked: Whole, pair: Whole) -> bool:
     """Return whether a pair on the list has these ranks."""
     return bool(ranked[1, pair[p, 0]] == a and ranked[1, pair[p, 1]] == b)
+
+
+def move_pair(old: int, new: int, pair: Whole, touch: Array, trace: Whole) -> None:
+    """Move a pair with all that is known of it."""
+    for k in range(4):
+        pair[new, k] = pair[old, k]
+    for k in range(TOUCH):
+        touch[new, k] = touch[old, k]
+    for k in range(6):
+        trace[new, k] = trace[old, k]
 
 
 def copy_pair(

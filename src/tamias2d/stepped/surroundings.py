@@ -20,6 +20,7 @@ from tamias2d.stepped.layout import (
     PAIRS,
     PHASE,
     SINCE,
+    STARTS,
     STATIC,
     STILL,
     TIME_STEP,
@@ -145,8 +146,9 @@ def look_around(
         return MORE_FOUND
     sort_pairs(total, found, curve[3, : len(shape_body) + 1])
     size = take_over(
-        total, counts, ranked, shape_body, found, surface, mixed, pairs, touches, traces
-    )
+        total, counts, ranked, shape_body, found, curve[STARTS], surface, mixed, pairs, touches,
+        traces,
+    )  # fmt: skip
     if size > pairs.shape[1]:
         counts[NEEDED] = size
         return MORE_PAIRS

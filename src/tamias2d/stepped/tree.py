@@ -27,7 +27,7 @@ def grow_tree(
     """Order the bounded shapes along a curve, and put boxes around them; return how many.
 
     `ranked` (2, m) holds the shapes in canonical order first, `box` (m, 8) their boxes. Written are
-    `curve` (4, m + 256), which holds the shapes along the curve first, and `node` (2k, 4).
+    `curve` (5, m + 256), which holds the shapes along the curve first, and `node` (2k, 4).
     """
     order, leaf, keys = ranked[0], curve[0], curve[1]
     count = 0

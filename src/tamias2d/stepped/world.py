@@ -89,7 +89,7 @@ class World:
         self.corner = aligned_zeros((0, 4))
         self.turned = aligned_zeros((0, 4))
         self.box = aligned_zeros((0, 8))
-        self.curve = aligned_zeros((4, 256), dtype=np.int64)
+        self.curve = aligned_zeros((5, 256), dtype=np.int64)
         self.node = aligned_zeros((2, 4))
         self.middle = aligned_zeros((0, 8))
         self.found = aligned_zeros((16, 4), dtype=np.int64)
@@ -163,7 +163,7 @@ class World:
                 setattr(self, name, _longer(getattr(self, name), room))
             self.shape_body[taken:] = len(self.pose) - 1
             self.node = aligned_zeros((2 * lowest(room), 4))
-            self.curve = aligned_zeros((4, room + 256), dtype=np.int64)
+            self.curve = aligned_zeros((5, room + 256), dtype=np.int64)
         if corners > len(self.corner):
             room = max(corners, len(self.corner) * 3 // 2)
             self.corner, self.turned = _longer(self.corner, room), _longer(self.turned, room)
