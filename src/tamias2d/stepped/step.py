@@ -239,7 +239,7 @@ def step_once(
     if counts[PHASE] == STALE:
         status = look_around(
             settings, counts, pose, motion, load, body, home, kind, ranked, shape_body, shape_kind,
-            shape_first, shape_count, shape_radius, surface, filters, mixed, corner, turned, box,
+            shape_first, shape_count, shape_radius, surface, filters, mixed, turned, box,
             curve, node, middle, found, pairs, touches, traces,
         )  # fmt: skip
         if status != DONE:
@@ -287,6 +287,11 @@ def step_once(
         bench[FLOWN], bench[LOOKS_LEFT] = 0.0, LOOKS_AROUND
     while counts[PHASE] != ARRIVING:
         if counts[PHASE] == OUTRUN:
+            if bench[FLOWN] > 0.0:  # corners have been turned along the flight
+                turn_corners(
+                    shape_body, shape_kind, shape_first, shape_count, kind, STATIC, pose, corner,
+                    turned,
+                )  # fmt: skip
             marked = mark_outrun(settings, kind, pose, motion, body, home, used)
             holds = look_again(
                 marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
@@ -296,7 +301,7 @@ def step_once(
             status = DONE if holds else look_around(
                 settings, counts, pose, motion, load, body, home, kind, ranked, shape_body,
                 shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
-                corner, turned, box, curve, node, middle, found, pairs, touches, traces,
+                turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
             if status != DONE:
                 return status

@@ -21,7 +21,6 @@ from tamias2d.stepped.layout import (
     PHASE,
     SINCE,
     STARTS,
-    STATIC,
     STILL,
     TIME_STEP,
     Whole,
@@ -29,9 +28,9 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.mending import mend
 from tamias2d.stepped.pair_list import take_over
 from tamias2d.stepped.pairs import fatten, find_pairs, sort_pairs
-from tamias2d.stepped.turning import turn_corners
 
 LONGEST = 64  # steps ahead that a list is made for, at most
+SHORTEST = 3  # steps ahead that a list is made for where it is full of pairs
 CROWD = 3  # pairs to a shape: where there are more, a list is made for less long
 MENDABLE = 0.125  # of all bodies: so many may leave their rooms until all look around again
 
@@ -107,7 +106,6 @@ def look_around(
     surface: Array,
     filters: Whole,
     mixed: Array,
-    corner: Array,
     turned: Array,
     box: Array,
     curve: Whole,
@@ -121,14 +119,10 @@ def look_around(
     """Make the list of pairs anew, for as many steps ahead as has been worth while."""
     if counts[SINCE] > 0:
         if counts[PAIRS] > CROWD * len(shape_body):
-            counts[HORIZON] = max(counts[HORIZON] // 2, 2)
+            counts[HORIZON] = max(counts[HORIZON] // 2, SHORTEST)
         elif 2 * counts[SINCE] >= counts[HORIZON]:
             counts[HORIZON] = min(2 * counts[HORIZON], LONGEST)
         counts[SINCE] = 0
-    if counts[PHASE] == OUTRUN:  # they have been turned along the flight
-        turn_corners(
-            shape_body, shape_kind, shape_first, shape_count, kind, STATIC, pose, corner, turned
-        )
     choose_frame(settings, counts, kind, motion, load, body)
     settle(settings, counts[HORIZON] * settings[TIME_STEP], kind, pose, motion, body, home)
     for k in range(len(shape_body)):
