@@ -12,6 +12,7 @@ stays together. Where there are too many impacts in a step, what meets waits for
 
 from tamias2d.state import Array
 from tamias2d.stepped.flight_events import (
+    SHALLOW,
     THROUGH,
     earliest,
     find_meetings,
@@ -99,10 +100,10 @@ def fly(
         if border <= now:
             if looks > (-LOOKS_AROUND if cannot_wait(k, gained, kind) else 0):
                 return border
-            now, i, j = border, k, k
+            now, i, j, waits = border, k, k, True
             wait(k, now, settings, pose, motion, load, body, kind)
         else:
-            i, j = pair[p, OF_A], pair[p, OF_B]
+            i, j, waits = pair[p, OF_A], pair[p, OF_B], left <= 0
             bent = happen(
                 p, now, settings, pose, motion, load, body, gained, kind, shape_body, shape_kind,
                 shape_first, shape_count, shape_radius, corner, turned, pair, touch, trace,
@@ -122,8 +123,9 @@ def fly(
         gained[i, BORDER] = leaves_at(i, now, settings, kind, pose, motion, body, home)
         gained[j, BORDER] = leaves_at(j, now, settings, kind, pose, motion, body, home)
         renew_meetings(
-            i, j, now, settings, counts, pose, motion, kind, shape_body, shape_kind, shape_first,
-            shape_count, shape_radius, surface, filters, corner, turned, pair, times, scratch,
+            i, j, now, SHALLOW if waits else 0.0, settings, counts, pose, motion, body, kind,
+            shape_body, shape_kind, shape_first, shape_count, shape_radius, surface, filters,
+            corner, turned, pair, times, scratch,
         )  # fmt: skip
     return MISSED
 

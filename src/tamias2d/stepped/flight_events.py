@@ -34,6 +34,7 @@ from tamias2d.stepped.sweep import MISSED, NEAR, WIDE, place, time_of_impact
 
 THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back,
 # but not farther than the smaller one reaches
+SHALLOW = 0.5  # of that: how far what waits may come into what is not a wall, or that into it
 SWUNG = 0.35  # of the smaller reach: how far one may turn about a contact, which the solver follows
 
 
@@ -78,8 +79,8 @@ def find_meetings(
         if filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
             continue
         by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
-        turn = abs(motion[i, DTURN]) * body[i, ARM] + abs(motion[j, DTURN]) * body[j, ARM]
-        deep = min(THROUGH * width(body[i, INNER], body[j, INNER]), reach)
+        turn = turn_of(i, j, motion, body)
+        deep = depth_of(i, j, reach, body)
         if not bent and abs(by_x) + abs(by_y) + turn <= deep:
             continue
         into = max(0.0, -touch[p, NX] * by_x - touch[p, NY] * by_y) if touches else WIDE
@@ -90,6 +91,16 @@ def find_meetings(
             )  # fmt: skip
             found += times[p] <= 1.0
     return found
+
+
+def turn_of(i: int, j: int, motion: Array, body: Array) -> float:
+    """Return how far corners of two bodies go by turning in a step, m."""
+    return abs(motion[i, DTURN]) * body[i, ARM] + abs(motion[j, DTURN]) * body[j, ARM]
+
+
+def depth_of(i: int, j: int, reach: float, body: Array) -> float:
+    """Return how far one body may go into another and be pushed back, m."""
+    return min(THROUGH * width(body[i, INNER], body[j, INNER]), reach)
 
 
 def stay_near(one: Array, other: Array, reach: float) -> bool:
@@ -104,10 +115,12 @@ def renew_meetings(
     i: int,
     j: int,
     now: float,
+    shallow: float,
     settings: Array,
     counts: Whole,
     pose: Array,
     motion: Array,
+    body: Array,
     kind: Whole,
     shape_body: Whole,
     shape_kind: Whole,
@@ -122,7 +135,10 @@ def renew_meetings(
     times: Array,
     scratch: Array,
 ) -> None:
-    """Find anew when two bodies meet others, and each other: their lines are not what they were."""
+    """Find anew when two bodies meet others, and each other: their lines are not what they were.
+
+    What can be pushed comes into them, if by no more than a share of what can be undone.
+    """
     for p in range(counts[PAIRS]):
         a, b = pair[p, OF_A], pair[p, OF_B]
         if a != i and a != j and b != i and b != j:
@@ -131,6 +147,12 @@ def renew_meetings(
         new = ((a == i) | (b == i)) & (kind[i] == DYNAMIC)
         new = new | (((a == j) | (b == j)) & (kind[j] == DYNAMIC))
         if new and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
+            way = abs(motion[b, DX] - motion[a, DX]) + abs(motion[b, DY] - motion[a, DY])
+            way += turn_of(a, b, motion, body)
+            deep = depth_of(a, b, min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH]), body)
+            if kind[a] == kind[b] and way * (1.0 - now) <= shallow * deep:
+                times[p] = MISSED
+                continue
             times[p] = next_meeting(
                 s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
                 shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
