@@ -1,5 +1,7 @@
 """Views are the state; forces and impulses do what mechanics says; bad values are named."""
 
+import copy
+import pickle
 from typing import Any
 
 import numpy as np
@@ -29,12 +31,31 @@ def test_what_is_written_counts_and_reading_copies_nothing() -> None:
     sim.velocity[1] = 3.0, 4.0
     sim.angular_velocity += 2.0
     sim.step(100)
-    assert place is not sim.position
     np.testing.assert_allclose(place, [[1, 0], [13, 4], [21, 0]], rtol=ULPS)
     np.testing.assert_allclose(sim.orientation, 2.0, rtol=ULPS)
     sim.position = np.array([[0, 0], [5, 0], [9, 0]])
     assert place.tolist() == [[0, 0], [5, 0], [9, 0]]
     assert sim.time == pytest.approx(1.0, rel=ULPS)
+
+
+def test_reading_positions_takes_nothing_until_bodies_are_added() -> None:
+    sim = flight(gravity=(0.0, 0.0))
+    place = sim.position
+    sim.step()
+    sim.remove(1)
+    sim.step()
+    assert sim.position is place  # a step of few bodies takes little longer than making a view
+    for count in (1, 1, 100):
+        row = np.atleast_1d(sim.add(None, mass=1.0, position=np.full((count, 2), 5.0)))
+        np.testing.assert_array_equal(sim.position[row], 5.0)
+        sim.position[row] = 7.0, 8.0
+        sim.velocity[row] = 100.0, 0.0
+        sim.step()
+        np.testing.assert_allclose(sim.position[row], [[8.0, 8.0]] * count, rtol=ULPS)
+    for other in (pickle.loads(pickle.dumps(sim)), copy.deepcopy(sim)):
+        assert not np.shares_memory(other.position, sim.position)
+        other.step()
+        np.testing.assert_allclose(other.position[row], [[9.0, 8.0]] * 100, rtol=ULPS)
 
 
 def test_a_force_lasts_until_it_is_changed_and_an_applied_one_for_a_step() -> None:

@@ -111,10 +111,12 @@ class Simulator(Views):
         names = [f"'{body.name}'" for body in scene.bodies]
         refuse_unstated(self._world, batch, names.__getitem__, scene.restitution_of_pairs)
         self._roster.place(batch)
+        self._look()
         self._roster.mix(scene.friction_of_pairs, scene.restitution_of_pairs)
 
     def _begin(self, world: World) -> None:
         self._world = world
+        self._look()
         self._roster = Roster(world)
         self._questions = Questions(self._world)
         self._acting: Acting | None = None
@@ -308,6 +310,7 @@ class Simulator(Views):
     def _add(self, batch: Batch, position: object) -> Any:
         refuse_unstated(self._world, batch, self._name_of)
         rows = self._roster.place(batch)
+        self._look()
         self._unsettled = True
         one = len(rows) == 1 and np.ndim(position) == 1  # type: ignore[arg-type]
         return int(rows[0]) if one else rows

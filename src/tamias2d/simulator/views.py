@@ -15,8 +15,13 @@ from tamias2d.stepped.world import World
 class Views:
     """What can be read and written between steps; assigning to a view writes into it."""
 
-    __slots__ = ("_world",)
+    __slots__ = ("_position", "_world")
     _world: World
+    _position: Array  # kept, since a step of few bodies takes little longer than making a view
+
+    def _look(self) -> None:
+        """Look at the arrays of the world anew, which adding may put elsewhere."""
+        self._position = self._world.pose[: self._world.size, :2]
 
     @property
     def gravity(self) -> Array:
@@ -29,8 +34,8 @@ class Views:
 
     @property
     def position(self) -> Array:
-        """Of the centres of mass, m: a view (n, 2)."""
-        return self._world.pose[: self._world.size, :2]
+        """Of the centres of mass, m: a view (n, 2), the same one until bodies are added."""
+        return self._position
 
     @position.setter
     def position(self, value: ArrayLike) -> None:
