@@ -11,16 +11,16 @@ stays together. Where there are too many impacts in a step, what meets waits for
 """
 
 from tamias2d.state import Array
+from tamias2d.stepped.flight_agenda import TOURNAMENT, WINNER, list_by_body, play_again, play_all
 from tamias2d.stepped.flight_events import (
     SHALLOW,
     THROUGH,
-    earliest,
     find_meetings,
     meet_at,
     next_meeting,
     renew_meetings,
 )
-from tamias2d.stepped.flight_impact import BENT, BEYOND, BORDER, LEANT, WAY, note_impact, rebound
+from tamias2d.stepped.flight_impact import BENT, BEYOND, LEANT, WAY, note_impact, rebound
 from tamias2d.stepped.flight_rooms import leaves_at, way_of
 from tamias2d.stepped.flight_wait import cannot_wait, stand_by, wait
 from tamias2d.stepped.layout import (
@@ -67,6 +67,7 @@ def fly(
     touch: Array,
     trace: Whole,
     times: Array,
+    agenda: Whole,
     scratch: Array,
     looks: int,
     since: float,
@@ -74,15 +75,17 @@ def fly(
     """Let all impacts of a step happen that the solver has not seen, in their order.
 
     `gained` (n+1, 12) holds in columns 3 to 5 what forces add to velocities in this step; `times`
-    (p,) is for when pairs meet, `scratch` (k, 32) for the corners of two shapes. Returns the
-    fraction of the step from which pairs are to be looked for and this is to be called again, as
-    `since`, if `looks` are left; else `MISSED`. Until its next meeting a body is where nothing else
-    is: there it waits for the next step, after too many impacts or looks in this one.
+    (n+1+p,) is for when bodies leave their rooms and pairs meet, `agenda` (3, k) for their order,
+    and `scratch` (k, 32) for the corners of two shapes. Returns the fraction of the step from which
+    pairs are to be looked for and this is to be called again, as `since`, if `looks` are left; else
+    `MISSED`. Until its next meeting a body is where nothing else is: there it waits for the next
+    step, after too many impacts or looks in this one.
     """
     if since == 0.0:
         begin_flight(settings, kind, motion, body, gained)
-    for k in range(len(kind)):
-        gained[k, BORDER] = MISSED
+    bodies, events = len(kind), len(kind) + counts[PAIRS]
+    for k in range(bodies):
+        times[k] = MISSED
     found = find_meetings(
         since, settings, counts, pose, motion, body, gained, shape_body, shape_kind, shape_first,
         shape_count, shape_radius, surface, filters, corner, turned, pair, touch, trace, times,
@@ -90,19 +93,22 @@ def fly(
     )  # fmt: skip
     if found == 0:
         return MISSED
+    list_by_body(counts, bodies, pair, agenda)
+    play_all(events, times, agenda)
     left = IMPACTS + 4 * found
-    last = -WAITS * len(kind)
+    last = -WAITS * bodies
     while left > last:
-        p, k = earliest(counts[PAIRS], times), first_out(gained)
-        now, border = times[p], gained[k, BORDER]
-        if min(now, border) > 1.0:
+        event = agenda[TOURNAMENT, WINNER]
+        now = times[event]
+        if now > 1.0:
             return MISSED
-        if border <= now:
-            if looks > (-LOOKS_AROUND if cannot_wait(k, gained, kind) else 0):
-                return border
-            now, i, j, waits = border, k, k, True
-            wait(k, now, settings, pose, motion, load, body, kind)
+        if event < bodies:
+            if looks > (-LOOKS_AROUND if cannot_wait(event, gained, kind) else 0):
+                return now
+            i, j, waits = event, event, True
+            wait(i, now, settings, pose, motion, load, body, kind)
         else:
+            p = event - bodies
             i, j, waits = pair[p, OF_A], pair[p, OF_B], left <= 0
             bent = happen(
                 p, now, settings, pose, motion, load, body, gained, kind, shape_body, shape_kind,
@@ -118,15 +124,17 @@ def fly(
                     shape_kind, shape_first, shape_count, shape_radius, surface, corner, turned,
                     scratch,
                 )  # fmt: skip
-                times[p] = later if later > now else MISSED  # it does not close in where it is
+                times[event] = later if later > now else MISSED  # it does not close in where it is
+                play_again(event, events, times, agenda)
                 continue
-        gained[i, BORDER] = leaves_at(i, now, settings, kind, pose, motion, body, home)
-        gained[j, BORDER] = leaves_at(j, now, settings, kind, pose, motion, body, home)
-        renew_meetings(
-            i, j, now, SHALLOW if waits else 0.0, settings, counts, pose, motion, body, kind,
-            shape_body, shape_kind, shape_first, shape_count, shape_radius, surface, filters,
-            corner, turned, pair, times, scratch,
-        )  # fmt: skip
+        for one, but in ((i, -1), (j, i if kind[i] == DYNAMIC else -1)):
+            times[one] = leaves_at(one, now, settings, kind, pose, motion, body, home)
+            play_again(one, events, times, agenda)
+            renew_meetings(
+                one, but, now, SHALLOW if waits else 0.0, settings, counts, pose, motion, body,
+                kind, shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
+                filters, corner, turned, pair, times, agenda, scratch,
+            )  # fmt: skip
     return MISSED
 
 
@@ -189,12 +197,3 @@ def begin_flight(settings: Array, kind: Whole, motion: Array, body: Array, gaine
         gained[i, WAY] = way
         gained[i, BEYOND] = way - (THROUGH * wide if wide <= WIDE else 0.0)
         gained[i, LEANT] = 1.0 if pulled and still and kind[i] == DYNAMIC else 0.0
-
-
-def first_out(gained: Array) -> int:
-    """Return the body that leaves first the room in which its neighbours are known."""
-    first = 0
-    for i in range(1, len(gained)):
-        if gained[i, BORDER] < gained[first, BORDER]:
-            first = i
-    return first

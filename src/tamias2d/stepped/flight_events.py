@@ -4,6 +4,7 @@ Serves: flight. Hides: how shapes are turned to where they are at an instant.
 """
 
 from tamias2d.state import Array
+from tamias2d.stepped.flight_agenda import PAIRS_OF, STARTS_OF, play_again
 from tamias2d.stepped.flight_impact import BENT, BEYOND, WAY, contact_of, rate_along, seen_from_b
 from tamias2d.stepped.layout import (
     ARM,
@@ -67,8 +68,9 @@ def find_meetings(
     can come farther in.
     """
     found = 0
+    bodies = len(pose)
     for p in range(counts[PAIRS]):
-        times[p] = MISSED
+        times[bodies + p] = MISSED
         s, t = pair[p, 0], pair[p, 1]
         i, j = pair[p, OF_A], pair[p, OF_B]
         bent = gained[i, BENT] + gained[j, BENT] > 0.0
@@ -85,11 +87,11 @@ def find_meetings(
             continue
         into = max(0.0, -touch[p, NX] * by_x - touch[p, NY] * by_y) if touches else WIDE
         if bent or into + turn > max(deep, SWUNG * reach):
-            times[p] = next_meeting(
+            times[bodies + p] = next_meeting(
                 s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
                 shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
             )  # fmt: skip
-            found += times[p] <= 1.0
+            found += times[bodies + p] <= 1.0
     return found
 
 
@@ -113,7 +115,7 @@ def stay_near(one: Array, other: Array, reach: float) -> bool:
 
 def renew_meetings(
     i: int,
-    j: int,
+    but: int,
     now: float,
     shallow: float,
     settings: Array,
@@ -133,39 +135,30 @@ def renew_meetings(
     turned: Array,
     pair: Whole,
     times: Array,
+    agenda: Whole,
     scratch: Array,
 ) -> None:
-    """Find anew when two bodies meet others, and each other: their lines are not what they were.
+    """Find anew when a body meets others `but` one: its line is not what it was.
 
-    What can be pushed comes into them, if by no more than a share of what can be undone.
+    What can be pushed comes into it, if by no more than a share of what can be undone.
     """
-    for p in range(counts[PAIRS]):
-        a, b = pair[p, OF_A], pair[p, OF_B]
-        if a != i and a != j and b != i and b != j:
+    if kind[i] != DYNAMIC:
+        return
+    bodies = len(pose)
+    for k in range(agenda[STARTS_OF, i], agenda[STARTS_OF, i + 1]):
+        p = agenda[PAIRS_OF, k]
+        s, t, a, b = pair[p, 0], pair[p, 1], pair[p, OF_A], pair[p, OF_B]
+        if but in (a, b) or filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0:
             continue
-        s, t = pair[p, 0], pair[p, 1]
-        new = ((a == i) | (b == i)) & (kind[i] == DYNAMIC)
-        new = new | (((a == j) | (b == j)) & (kind[j] == DYNAMIC))
-        if new and filters[s, SENSOR] == 0 and filters[t, SENSOR] == 0:
-            way = abs(motion[b, DX] - motion[a, DX]) + abs(motion[b, DY] - motion[a, DY])
-            way += turn_of(a, b, motion, body)
-            deep = depth_of(a, b, min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH]), body)
-            if kind[a] == kind[b] and way * (1.0 - now) <= shallow * deep:
-                times[p] = MISSED
-                continue
-            times[p] = next_meeting(
-                s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
-                shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
-            )  # fmt: skip
-
-
-def earliest(pairs: int, times: Array) -> int:
-    """Return the pair that meets first."""
-    first = 0
-    for p in range(1, pairs):
-        if times[p] < times[first]:
-            first = p
-    return first
+        way = abs(motion[b, DX] - motion[a, DX]) + abs(motion[b, DY] - motion[a, DY])
+        way += turn_of(a, b, motion, body)
+        deep = depth_of(a, b, min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH]), body)
+        harmless = kind[a] == kind[b] and way * (1.0 - now) <= shallow * deep
+        times[bodies + p] = MISSED if harmless else next_meeting(
+            s, t, now, settings[TIME_STEP], pose, motion, shape_body, shape_kind,
+            shape_first, shape_count, shape_radius, surface, corner, turned, scratch,
+        )  # fmt: skip
+        play_again(bodies + p, bodies + counts[PAIRS], times, agenda)
 
 
 def width(one: float, other: float) -> float:

@@ -46,9 +46,9 @@ from tamias2d.stepped.sweep import NEAR, WIDE
 from tamias2d.stepped.trajectory import bend
 
 # columns of what bodies gained that are free: 1 where a line is bent; 1 where a body has contacts,
-# so that its velocity at the end says little of that on its way; when it leaves its room; and as
-# flight begins, how far it goes, and by how much farther than it is thick, m
-BENT, LEANT, BORDER, WAY, BEYOND = 0, 1, 2, 6, 7
+# so that its velocity at the end says little of that on its way; as flight begins, how far it goes,
+# and by how much farther than it is thick, m
+BENT, LEANT, WAY, BEYOND = 0, 1, 6, 7
 
 
 def seen_from_b(i: int, j: int, now: float, at_a: Vector, pose: Array, motion: Array) -> Vector:

@@ -17,6 +17,7 @@ from tamias2d.kernels.arrays import (
     FloatRows,
     Floats,
     IndexBlocks,
+    IndexRows,
     Indices,
     PlaceRows,
     RankRows,
@@ -136,6 +137,7 @@ def step(
     bench: Floats,
     carried: FloatRows,
     times: Floats,
+    agenda: IndexRows,
     scratch: FloatRows,
     island: RankRows,
     rest: FloatRows,
@@ -158,7 +160,7 @@ def step(
             settings, counts, pose, motion, load, body, home, kind, used, ranked,
             shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
             filters, mixed, corner, turned, box, curve, node, middle, found, pairs, touches,
-            traces, hits, fill, rows, lanes, bench, carried, times, scratch,
+            traces, hits, fill, rows, lanes, bench, carried, times, agenda, scratch,
             island, rest, energy, isle, web, weave,
         )  # fmt: skip
         if status != DONE:
@@ -207,6 +209,7 @@ def step_once(
     bench: Array,
     carried: Array,
     times: Array,
+    agenda: Whole,
     scratch: Array,
     island: Whole,
     rest: Array,
@@ -310,7 +313,7 @@ def step_once(
         bench[FLOWN] = fly(
             settings, counts, pose, motion, load, body, home, kind, carried, shape_body,
             shape_kind, shape_first, shape_count, shape_radius, surface, filters, corner, turned,
-            pair, touch, trace, times, scratch, int(bench[LOOKS_LEFT]), bench[FLOWN],
+            pair, touch, trace, times, agenda, scratch, int(bench[LOOKS_LEFT]), bench[FLOWN],
         )  # fmt: skip
         counts[PHASE] = OUTRUN if bench[FLOWN] <= 1.0 else ARRIVING
     if counts[PATIENCE] > 0:

@@ -101,7 +101,8 @@ class World:
         self.rows = aligned_zeros((4, WIDTH))
         self.lanes = aligned_zeros((4, 50), dtype=np.uint32)
         self.bench = aligned_zeros(BENCH)
-        self.times = aligned_zeros(16)
+        self.times = aligned_zeros(0)
+        self.agenda = aligned_zeros((3, 0), dtype=np.int32)
         self.scratch = aligned_zeros((8, TOUCH))
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
         self.counts = aligned_zeros(23, dtype=np.int64)
@@ -209,7 +210,7 @@ class World:
             self.weave = aligned_zeros((room, WEAVE))
         else:
             return False
-        self._arguments = tuple(getattr(self, name) for name in _ORDER)
+        self._list_arguments()
         return True
 
     def _gather_arguments(self) -> None:
@@ -217,7 +218,7 @@ class World:
         corners = 2 * int(self.shape_count.max(initial=0))
         if corners >= len(self.scratch):
             self.scratch = aligned_zeros((corners + 1, TOUCH))
-        self._arguments = tuple(getattr(self, name) for name in _ORDER)
+        self._list_arguments()
         bodies = (self.pose, self.velocity, self.load)
         full = len(self.kind) // CREW
         rows = [array[: CREW * full].reshape(full, LANES_OF) for array in bodies]
@@ -230,9 +231,15 @@ class World:
         )
         self._known = False
 
+    def _list_arguments(self) -> None:
+        events = len(self.pose) + self.pairs.shape[1]
+        if events != len(self.times):
+            self.times = aligned_zeros(events)
+            self.agenda = aligned_zeros((3, 4 * events), dtype=np.int32)
+        self._arguments = tuple(getattr(self, name) for name in _ORDER)
+
     def _more_pairs(self, room: int) -> None:
         self.hits = aligned_zeros((10, 2 * room), dtype=np.int64)  # a pair has two bodies
-        self.times = aligned_zeros(room)
         for name in ("pairs", "touches", "traces"):
             old = getattr(self, name)
             new = aligned_zeros((2, room, old.shape[2]), dtype=old.dtype)
