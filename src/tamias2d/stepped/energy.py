@@ -86,7 +86,6 @@ from tamias2d.stepped.rows import (
     SIZE,
 )
 
-STILLNESS = 1e-6  # of the energy of a fall through one step: motion in which a pile just settles
 GRACE = 1e-12  # of the energy: what rounding may add; one impact alone never takes more
 ALIKE = 1e-9  # of their sizes: differences of velocities that are none
 
@@ -125,7 +124,7 @@ def makes_energy(
     This is cheap, and nearly always all that has to be asked where nothing bounces.
     """
     gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-    first = last = given = whole = 0.0
+    first = last = given = 0.0
     for k in range(counts[ACTIVE]):
         i = hits[ACTIVE_BODY, k]
         if kind[i] != DYNAMIC:
@@ -137,10 +136,7 @@ def makes_energy(
         last += kinetic_energy(mass, now, inertia, motion[i, SPIN])
         force, shift = (load[i, 0], load[i, 1]), (motion[i, DX], motion[i, DY])
         given += work(mass, gravity, force, load[i, 2], shift, motion[i, DTURN])
-        whole += mass
-    fall = (settings[TIME_STEP] * gravity[0], settings[TIME_STEP] * gravity[1])
-    still = STILLNESS * kinetic_energy(whole, fall, 0.0, 0.0)
-    return bool(last > kinetic_energy_most(first, given) * (1.0 + GRACE) + still)
+    return bool(last > kinetic_energy_most(first, given) * (1.0 + GRACE))
 
 
 def mass_and_inertia(i: int, body: Array) -> tuple[float, float]:
