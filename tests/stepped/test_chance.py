@@ -173,6 +173,8 @@ FALLING = (
     (Chance(4871717, 4, True, 1.0, 0.0, 1e-3, 0.0), 5.847563660623238),
     (Chance(1016746406, 114, False, 0.5, 0.0, 1.0, 9.274865957485265), 28.0),
     (Chance(2358350915, 135, True, 0.01743619166601207, 0.0, 1e-3, 10.0), 26.0),
+    # what slides is pushed out of the ground by far less than it falls in a step
+    (Chance(316512, 2, False, 0.0, 0.0, 1e-3, 6.3515625), 26.5),
 )
 
 

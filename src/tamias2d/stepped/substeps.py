@@ -15,11 +15,8 @@ from tamias2d.stepped.direct import (
     ready,
     settle_islands,
 )
-from tamias2d.stepped.energy import (
-    bound_energy,
-    makes_energy,
-    note_velocities,
-)
+from tamias2d.stepped.energy import makes_energy, note_velocities
+from tamias2d.stepped.energy_bound import bound_energy
 from tamias2d.stepped.islands import (
     know_islands,
 )
