@@ -44,7 +44,8 @@ def race(
 ) -> Times:
     """Let engines take steps in turns, each repetition from the start of the scene.
 
-    They are asked for `call` steps at once. A first repetition of one turn is not counted.
+    They are asked for `call` steps at once. A first repetition of one turn is not counted, and
+    neither is the first call of any, in which an engine gets to know the scene.
     """
     _run(makers, scene, max(_TURN, call), call)
     turns: dict[str, list[list[float]]] = {}
@@ -59,6 +60,8 @@ def _run(makers: Sequence[Maker], scene: Scene, steps: int, call: int) -> dict[s
     times: dict[str, list[float]] = {engine.name: [] for engine in engines}
     with undisturbed():
         turn = max(_TURN, call)
+        for engine in engines:
+            engine.step(call)
         for start in range(0, steps, turn):
             engines.append(engines.pop(0))  # nobody is always the first
             for engine in engines:
