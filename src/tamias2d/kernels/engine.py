@@ -16,7 +16,7 @@ from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
 from tamias2d.kernels.copied import Function
 
-_PACE = 6000  # bytes of source a second, to say about how long it takes
+_PACE = 5000  # bytes of source a second, to say about how long it takes
 
 
 @dataclass(frozen=True)
