@@ -69,11 +69,13 @@ def load(lane: Whole, motion: Array, bench: Array) -> None:
         bench[B_VX_B + m], bench[B_VY_B + m], bench[B_SPIN_B + m] = b[VX], b[VY], b[SPIN]
 
 
-def load_moved(lane: Whole, motion: Array, bench: Array) -> None:
-    """Bring what the bodies of a block have moved since the step began."""
+def load_all(lane: Whole, motion: Array, bench: Array) -> None:
+    """Bring the velocities of a block's bodies, and what they have moved since the step began."""
     for m in range(LANES):
         a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
+        bench[B_VX_A + m], bench[B_VY_A + m], bench[B_SPIN_A + m] = a[VX], a[VY], a[SPIN]
         bench[B_DX_A + m], bench[B_DY_A + m], bench[B_TURN_A + m] = a[DX], a[DY], a[DTURN]
+        bench[B_VX_B + m], bench[B_VY_B + m], bench[B_SPIN_B + m] = b[VX], b[VY], b[SPIN]
         bench[B_DX_B + m], bench[B_DY_B + m], bench[B_TURN_B + m] = b[DX], b[DY], b[DTURN]
 
 
@@ -271,8 +273,7 @@ def sweep(
     """Correct all impulses once, softly: friction first, so that pushes have the last word."""
     for b in range(blocks):
         row, lane = rows[b], lanes[b]
-        load(lane, motion, bench)
-        load_moved(lane, motion, bench)
+        load_all(lane, motion, bench)
         rub_lanes(FIRST, row, bench)
         if lane[POINTS] == 2:
             rub_lanes(SECOND, row, bench)
