@@ -1,0 +1,16 @@
+"""The arrays of the engine begin with a line of a cache, whatever made them."""
+
+import pickle
+
+from tamias2d import Simulator
+from tamias2d.scene import catalogue
+from tamias2d.stepped.alignment import LINE
+
+
+def test_rows_touch_no_line_twice_when_made_grown_or_restored() -> None:
+    sim = Simulator(catalogue.load("pyramid-30"))
+    sim.step(2)
+    for one in (sim, pickle.loads(pickle.dumps(sim))):
+        world = one._world
+        for name in ("motion", "velocity", "touches", "rows", "box", "middle", "found"):
+            assert getattr(world, name).ctypes.data % LINE == 0, name
