@@ -53,18 +53,19 @@ def test_a_cut_file_is_one_message(saved: dict[str, bytes], tmp_path: Path, suff
         assert "cut, damaged or of another kind" in refusal(path)
 
 
-def test_a_damaged_file_is_not_read_in_our_process(
-    saved: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("end", ["os.abort()", "1 / 0", "os._exit(3.5)", "os.kill(os.getpid(), 9)"])
+def test_a_reader_that_ends_its_process_does_not_end_ours(
+    saved: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, end: str
 ) -> None:
-    """There rerun's reader aborts at some damages, and the whole process with it."""
+    """Rerun's aborts at some damages."""
     from tamias2d.record.rerun import reading
 
-    opened: list[str] = []
-    monkeypatch.setattr(reading, "RrdReader", opened.append)
-    path = tmp_path / "cut.rrd"
-    path.write_bytes(saved[".rrd"][:9000])
-    refusal(path)
-    assert not opened
+    (tmp_path / "fatal.py").write_text(f"import os\n{end}\n")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    monkeypatch.setattr(reading, "UNPACKING", "fatal")
+    path = tmp_path / "whole.rrd"
+    path.write_bytes(saved[".rrd"])
+    assert "cut, damaged or of another kind" in refusal(path)
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

@@ -123,9 +123,13 @@ def _scene(header: headers.Header, where: str) -> Scene:
 
 def write(run: Run, path: Path) -> None:
     """Write a run as `.npz`; raise `RecordingError` if that cannot be done."""
-    arrays: dict[str, Any] = arrays_of(run)
+    store(headers.header_of(run), arrays_of(run), path)
+
+
+def store(header: headers.Header, arrays: dict[str, Any], path: Path) -> None:
+    """Write a header and the arrays of a run as `.npz`; raises as `write` does."""
     with aside(path) as draft, draft.open("wb") as file:
-        np.savez(file, header=np.array(headers.header_of(run).dumps()), **arrays)
+        np.savez(file, header=np.array(header.dumps()), **arrays)
 
 
 def read(path: Path) -> tuple[headers.Header, Arrays]:

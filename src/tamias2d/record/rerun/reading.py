@@ -1,113 +1,54 @@
-"""Reading the header and the exact history back from an `.rrd`.
+"""Reading an `.rrd` in a process of its own, which hands over what an `.npz` would hold.
 
-Serves: replay. Hides: how rows of the file become arrays.
+Serves: replay. Hides: the other process, since rerun's reader aborts at some damages and takes the
+process along.
 """
 
 from __future__ import annotations
 
-import warnings
-from collections import defaultdict
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
-from rerun.chunk import RrdReader
+import subprocess
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 from tamias2d.errors import RecordingError
-from tamias2d.record import header as headers, history
-from tamias2d.record.rerun import layout
-from tamias2d.record.rerun.program import damaged, verify
+from tamias2d.record import history
+from tamias2d.record.rerun.program import verify
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
-    from numpy.typing import NDArray
-
     from tamias2d.record.header import Header
     from tamias2d.record.history import Arrays
 
-    Part = tuple[NDArray[np.int64], NDArray[Any]]  # steps and values of one chunk
-    Columns = dict[tuple[str, str], list[Part]]  # by entity and component
+UNPACKING = "tamias2d.record.rerun.unpacking"
+REFUSED = 3
+"""With this code the other process ends when it has said what is wrong."""
 
 
 def read(path: Path) -> tuple[Header, Arrays]:
     """Read header and arrays; raise `RecordingError` if the file is damaged or not one of ours."""
-    verify(path)
-    try:
-        with warnings.catch_warnings(action="ignore"):  # one that has lost its footer is still good
-            text, columns = _columns(path)
-    except Exception as fault:  # the many that rerun, arrow and strange columns can raise
-        raise damaged(path) from fault
-    if text is None:
-        raise RecordingError(
-            f"{path}: a recording of another program: it has no {layout.HEADER} in it. "
-            "Give one that `run.save` has written."
+    if not verify(path):
+        raise _damaged(path)
+    with TemporaryDirectory(prefix="tamias2d-") as folder:
+        exact = Path(folder, "exact.npz")
+        # -P: what lies where the user happens to be is not imported
+        done = subprocess.run(
+            [sys.executable, "-P", "-m", UNPACKING, str(path), str(exact)],
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            check=False,
         )
-    header = headers.loads(text, where=str(path))
-    found = _totals(columns) | _impacts(columns)
-    history.check_length("times", found["times"], header.samples, where=str(path))
-    return header, found | _bodies(header, columns, where=str(path))
+        if done.returncode == REFUSED:
+            raise RecordingError(done.stdout)
+        if done.returncode:
+            raise _damaged(path)
+        return history.read(exact)
 
 
-def _columns(path: Path) -> tuple[str | None, Columns]:
-    """Gather the exact numbers of all chunks, and the text of the header."""
-    header, columns = None, defaultdict(list)
-    for chunk in RrdReader(path).stream():
-        batch = chunk.to_record_batch()
-        for name in batch.schema.names:
-            if name.startswith(f"{layout.HEADER}:"):
-                header = batch.column(name)[0][0].as_py()
-            elif name.startswith("tamias2d."):
-                steps = None if chunk.is_static else np.asarray(batch.column(layout.STEP))
-                values = _values(batch.column(name))
-                part = (np.zeros(len(values), np.int64) if steps is None else steps, values)
-                columns[chunk.entity_path, name].append(part)
-    return header, columns
-
-
-def _values(column: Any) -> NDArray[Any]:
-    """Rows as numbers (r,) or as vectors (r, 2)."""
-    rows = column.flatten()
-    is_vector = hasattr(rows.type, "list_size")
-    flat = np.asarray(rows.flatten() if is_vector else rows)
-    return flat.reshape(-1, rows.type.list_size) if is_vector else flat
-
-
-def _totals(columns: Columns) -> Arrays:
-    return {
-        name: _joined(columns, layout.RECORDING, f"{layout.SAMPLE}:{name}")
-        for name in ("times", *history.TOTALS)
-    }
-
-
-def _impacts(columns: Columns) -> Arrays:
-    """All that there are; a run without impacts has no such columns, and gives arrays of none."""
-    arrays = {}
-    for name, width in history.OF_IMPACTS.items():
-        rows = _joined(columns, layout.IMPACTS, f"{layout.IMPACT}:{name}")
-        empty = np.empty((0, width)[:width], np.int64 if name == "bodies" else np.float64)
-        arrays[f"impacts.{name}"] = rows if len(rows) else empty
-    return arrays
-
-
-def _bodies(header: Header, columns: Columns, *, where: str) -> Arrays:
-    """Arrays (k, n) and (k, n, 2); what does not move has one row for all samples."""
-    arrays = {}
-    for name in history.OF_BODIES:
-        arrays[name] = np.empty(history.shapes_of(header)[name])
-        for index, body in enumerate(header.bodies):
-            rows = _joined(columns, layout.body_path(body), f"{layout.STATE}:{name}")
-            if len(rows) != 1:
-                of = f"{name} of body {body!r}"
-                history.check_length(of, rows, header.samples, where=where)
-            arrays[name][:, index] = rows
-    return arrays
-
-
-def _joined(columns: Columns, entity: str, component: str) -> NDArray[Any]:
-    """All rows of a component, in the order of their steps."""
-    parts = columns.get((entity, component))
-    if not parts:
-        return np.empty(0)
-    steps = np.concatenate([steps for steps, _ in parts])
-    values = np.concatenate([values for _, values in parts])
-    return values[np.argsort(steps, kind="stable")]
+def _damaged(path: Path) -> RecordingError:
+    """Say that a file cannot be read, and what can be done."""
+    return RecordingError(
+        f"{path}: cannot be read as .rrd: it is cut, damaged or of another kind. What is left of a "
+        "cut one: `rerun rrd merge --continue-on-error CUT.rrd -o REST.rrd`."
+    )
