@@ -23,7 +23,7 @@ FRAME_MOVES, FRAME_BY_X, FRAME_BY_Y, FRAME_FLOW = 7, 8, 9, 10
 
 # counts (23,), as whole numbers
 SUBSTEPS, PAIRS, SIDE, HORIZON, SINCE, NEEDED, BLOCKS, STILL = range(8)
-LEAVES, HITS, ACTIVE, PHASE, STATIC_BLOCK, THIN = 8, 9, 10, 11, 12, 13
+LEAVES, HITS, ACTIVE, PHASE, BOUNCING, THIN = 8, 9, 10, 11, 12, 13
 WANTED, SOUND = 14, 15  # steps that are left of a call, and whether its values have been checked
 PATIENCE, DORMANT = 16, 17  # steps of quiet until sleep, 0 for never; how many bodies sleep
 SORTED, MENDED = 18, 19  # pairs of the first run of the list; bodies that left since it was made
@@ -117,3 +117,4 @@ FLOWN_NORMAL = 30
 
 # trace (p, 6)
 COUNT, FEATURE, TOUCHED, HINT = 0, 1, 3, 4
+IS, WAS = 1, 2  # bits of `TOUCHED`: in this step, and in the last one

@@ -16,6 +16,7 @@ from tamias2d.stepped.layout import (
     HIT_B,
     HIT_COLOUR,
     HITS,
+    IS,
     ISLANDED,
     LIVE,
     OF_A,
@@ -29,6 +30,7 @@ from tamias2d.stepped.layout import (
     TOUCHED,
     VX,
     VY,
+    WAS,
     Whole,
     X,
     Y,
@@ -37,14 +39,13 @@ from tamias2d.stepped.manifold import (
     collide,
 )
 
-SENSED = 4  # the bit of `TOUCHED`, within a step, for a pair with a sensor that overlaps
-
 CLOSE = 0.02  # of the smaller reach: what is nearer is a contact already
 AHEAD = 0.1  # of the smaller reach: how far the motion of a step can make it one
 BULLET = 2.0  # of the smaller reach: what moves farther in a step is met in flight
 
 
 def meet(
+    again: bool,
     settings: Array,
     counts: Whole,
     pose: Array,
@@ -64,11 +65,14 @@ def meet(
 ) -> None:
     """Find the contacts of all pairs, and list the pairs that have some.
 
-    Where they are those of the last step, with as many points, their arrangement holds.
+    What was noted of the last step is aged, unless that has been done. Where contacts are those of
+    the last step, with as many points, their arrangement holds.
     """
     total = 0
     same = counts[ARRANGED] == 1
     for p in range(counts[PAIRS]):
+        if trace[p, TOUCHED] != 0 and not again:
+            trace[p, TOUCHED] = WAS * (trace[p, TOUCHED] & IS)
         s, t = pair[p, 0], pair[p, 1]
         i, j = pair[p, OF_A], pair[p, OF_B]
         if counts[DORMANT] > 0 and island[i, LIVE] + island[j, LIVE] == 0:
@@ -111,14 +115,7 @@ def meet(
             hits[HIT, total], hits[HIT_A, total], hits[HIT_B, total] = p, i, j
             total += 1
         elif touch[p, GAP] <= 0.0 or (count == 2 and touch[p, GAP + POINT] <= 0.0):
-            trace[p, TOUCHED] |= SENSED
+            trace[p, TOUCHED] |= IS  # it overlaps a sensor
     if not same or counts[HITS] != total:
         counts[ARRANGED] = counts[ISLANDED] = 0
     counts[HITS] = total
-
-
-def age_touches(counts: Whole, trace: Whole) -> None:
-    """Move what was noted of the last step; a pair with a sensor was seen as this one began."""
-    for p in range(counts[PAIRS]):
-        noted = trace[p, TOUCHED]
-        trace[p, TOUCHED] = ((noted & 1) << 1) | ((noted & SENSED) // SENSED)

@@ -20,6 +20,7 @@ from tamias2d.generated.soft_contact import (
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     BLOCKS,
+    BOUNCING,
     COUNT,
     DYNAMIC,
     GAP,
@@ -31,9 +32,9 @@ from tamias2d.stepped.layout import (
     HITS,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    IS,
     NX,
     NY,
-    OF_A,
     PAIR_FRICTION,
     PAIR_RESTITUTION,
     POINT,
@@ -44,7 +45,6 @@ from tamias2d.stepped.layout import (
     RUB,
     SHAPE_REACH,
     SPIN,
-    STATIC_BLOCK,
     SUBSTEPS,
     TIME_STEP,
     TOTAL,
@@ -121,8 +121,6 @@ def colour(
         fill[0, c] += 1
     block = 0
     for c in range(2 * COLOURS + 2):
-        if c == 2 * MOVING:
-            counts[STATIC_BLOCK] = block
         fill[1, c] = block
         block += fill[0, c] if c >= 2 * COLOURS else (fill[0, c] + LANES - 1) // LANES
     counts[BLOCKS] = block
@@ -157,6 +155,7 @@ def seat_pairs(
     lanes: Whole,
 ) -> None:
     """Give each touching pair its lane, with what stays as long as it is there."""
+    counts[BOUNCING] = 0
     for k in range(counts[HITS]):
         p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
         b, m = seat_of(k, hits, fill)
@@ -166,6 +165,7 @@ def seat_pairs(
         row[R_MASS_B + m], row[R_INERTIA_B + m] = body[j, INVERSE_MASS], body[j, INVERSE_INERTIA]
         row[R_FRICTION + m] = touch[p, PAIR_FRICTION]
         row[R_RESTITUTION + m] = touch[p, PAIR_RESTITUTION]
+        counts[BOUNCING] += touch[p, PAIR_RESTITUTION] > 0.0
         row[R_ROUND_A + m], row[R_ROUND_B + m] = shape_radius[s], shape_radius[t]
         row[R_REACH + m] = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
 
@@ -180,18 +180,14 @@ def seat_of(k: int, hits: Whole, fill: Whole) -> tuple[int, int]:
 
 def fill_rows(
     counts: Whole,
-    pair: Whole,
     touch: Array,
-    surface: Array,
-    kind: Whole,
     pose: Array,
     motion: Array,
     hits: Whole,
     fill: Whole,
     rows: Array,
-) -> int:
-    """Write how each touching pair touches; return how many of them may bounce."""
-    bouncing = 0
+) -> None:
+    """Write how each touching pair touches."""
     for k in range(counts[HITS]):
         p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
         b, m = seat_of(k, hits, fill)
@@ -199,10 +195,10 @@ def fill_rows(
         row = rows[b]
         normal_x, normal_y = touch[p, NX], touch[p, NY]
         row[R_NX + m], row[R_NY + m] = normal_x, normal_y
-        row[R_LOAD + m] = (touch[p, PUSH] + touch[p, PUSH + POINT]) / points
-        bouncing += touch[p, PAIR_RESTITUTION] > 0.0
-        reach = min(surface[pair[p, 0], SHAPE_REACH], surface[pair[p, 1], SHAPE_REACH])
-        fixed = kind[i] != DYNAMIC or kind[j] != DYNAMIC
+        pushes = touch[p, PUSH] + (touch[p, PUSH + POINT] if points == 2 else 0.0)
+        row[R_LOAD + m] = pushes / points
+        reach = row[R_REACH + m]
+        fixed = row[R_MASS_A + m] == 0.0 or row[R_MASS_B + m] == 0.0
         delta_x, delta_y = pose[j, X] - pose[i, X], pose[j, Y] - pose[i, Y]
         for n in range(points):
             at = SHARED + n * SIZE + m
@@ -234,7 +230,6 @@ def fill_rows(
                 arm_b,
                 (normal_x, normal_y),
             )
-    return bouncing
 
 
 def finish_rows(settings: Array, counts: Whole, rows: Array, lanes: Whole) -> None:
@@ -283,25 +278,23 @@ def soften_lanes(row: Array, substep: float) -> None:
 
 def keep_impulses(
     counts: Whole,
-    pair: Whole,
     pose: Array,
+    hits: Whole,
+    fill: Whole,
     rows: Array,
-    lanes: Whole,
     touch: Array,
     trace: Whole,
 ) -> None:
     """Write the impulses back to their pairs, with where they were; what was pushed touched."""
-    for b in range(counts[BLOCKS]):
-        row = rows[b]
-        for m in range(lanes[b, FILLED]):
-            p = lanes[b, SLOT + m]
-            i = pair[p, OF_A]
-            for n in range(lanes[b, POINTS]):
-                at = SHARED + n * SIZE + m
-                touch[p, TOTAL + POINT * n] = row[at + P_TOTAL]
-                touch[p, WHERE + POINT * n] = pose[i, X] + touch[p, PX + POINT * n]
-                touch[p, WHERE + POINT * n + 1] = pose[i, Y] + touch[p, PY + POINT * n]
-                if row[at + P_TOTAL] > 0.0:
-                    trace[p, TOUCHED] |= 1
-                touch[p, PUSH + POINT * n] = row[at + P_PUSH]
-                touch[p, RUB + POINT * n] = row[at + P_RUB]
+    for k in range(counts[HITS]):
+        p, i = hits[HIT, k], hits[HIT_A, k]
+        b, m = seat_of(k, hits, fill)
+        for n in range(1 + hits[HIT_COLOUR, k] % 2):
+            at = SHARED + n * SIZE + m
+            touch[p, TOTAL + POINT * n] = rows[b, at + P_TOTAL]
+            touch[p, WHERE + POINT * n] = pose[i, X] + touch[p, PX + POINT * n]
+            touch[p, WHERE + POINT * n + 1] = pose[i, Y] + touch[p, PY + POINT * n]
+            if rows[b, at + P_TOTAL] > 0.0:
+                trace[p, TOUCHED] |= IS
+            touch[p, PUSH + POINT * n] = rows[b, at + P_PUSH]
+            touch[p, RUB + POINT * n] = rows[b, at + P_RUB]

@@ -66,10 +66,7 @@ from tamias2d.stepped.layout import (
     WANTED,
     Whole,
 )
-from tamias2d.stepped.meeting import (
-    age_touches,
-    meet,
-)
+from tamias2d.stepped.meeting import meet
 from tamias2d.stepped.rows import (
     fill_rows,
     finish_rows,
@@ -251,12 +248,12 @@ def step_once(
     if counts[PHASE] == KNOWN:
         pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
         meet(
-            settings, counts, pose, motion, shape_kind, shape_first, shape_count,
+            False, settings, counts, pose, motion, shape_kind, shape_first, shape_count,
             shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
         )  # fmt: skip
         while counts[DORMANT] > 0 and rouse(counts, pair, hits, island):
             meet(
-                settings, counts, pose, motion, shape_kind, shape_first, shape_count,
+                True, settings, counts, pose, motion, shape_kind, shape_first, shape_count,
                 shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
             )  # fmt: skip
         status = arrange(counts, trace, kind, used, hits, fill, rows, lanes, isle, web)
@@ -265,14 +262,13 @@ def step_once(
         if counts[SEATED] == 0:
             seat_pairs(counts, pair, touch, shape_radius, surface, body, hits, fill, rows, lanes)
             counts[SEATED] = 1
-        bouncing = fill_rows(counts, pair, touch, surface, kind, pose, motion, hits, fill, rows)
+        fill_rows(counts, touch, pose, motion, hits, fill, rows)
         finish_rows(settings, counts, rows, lanes)
         solve(
             settings, counts, pose, motion, load, body, kind, hits, rows, lanes, bench, carried,
-            island, energy, bouncing, web, weave,
+            island, energy, web, weave,
         )  # fmt: skip
-        age_touches(counts, trace)
-        keep_impulses(counts, pair, pose, rows, lanes, touch, trace)
+        keep_impulses(counts, pose, hits, fill, rows, touch, trace)
         if counts[PATIENCE] > 0:
             note_company(counts, pair, kind, hits, island)
         if counts[DORMANT] > 0:

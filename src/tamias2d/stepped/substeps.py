@@ -25,6 +25,7 @@ from tamias2d.stepped.layout import (
     ACTIVE_ROW,
     ANGULAR,
     BLOCKS,
+    BOUNCING,
     DECAY,
     DTURN,
     DX,
@@ -73,7 +74,6 @@ def solve(
     carried: Array,
     island: Whole,
     energy: Array,
-    bouncing: int,
     web: Whole,
     weave: Array,
 ) -> None:
@@ -94,6 +94,7 @@ def solve(
         shift(substep, counts, motion, hits)
         settle_islands(True, substep, counts, rows, lanes, motion, web, weave)
         relax(blocks, rows, lanes, motion, bench, substep)
+    bouncing = counts[BOUNCING]
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
     if bouncing > 0 or makes_energy(settings, counts, motion, load, body, kind, hits, energy):
         if bouncing > 0:
