@@ -1,4 +1,4 @@
-"""The arrangement of contacts: blocks, thin islands, and which bodies take part.
+"""The arrangement of contacts: slabs, blocks, thin islands, and which bodies take part.
 
 Serves: a step. Hides: that all of it stays from step to step while the same pairs touch.
 """
@@ -7,7 +7,6 @@ from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     ACTIVE,
     ACTIVE_BODY,
-    ACTIVE_ROW,
     ARRANGED,
     HIT_A,
     HIT_B,
@@ -18,9 +17,10 @@ from tamias2d.stepped.layout import (
     THIN,
     Whole,
 )
-from tamias2d.stepped.rows import clear_lanes, colour
+from tamias2d.stepped.rows import clear_lanes, colour, give_places
+from tamias2d.stepped.slabs import divide
 from tamias2d.stepped.surroundings import DONE, MORE_BLOCKS, MORE_WEB
-from tamias2d.stepped.thin import plan
+from tamias2d.stepped.thin import number_islands, plan
 
 
 def arrange(
@@ -28,8 +28,10 @@ def arrange(
     trace: Whole,
     kind: Whole,
     used: Whole,
+    pose: Array,
     hits: Whole,
     fill: Whole,
+    slabs: Whole,
     rows: Array,
     lanes: Whole,
     isle: Whole,
@@ -40,27 +42,27 @@ def arrange(
         for k in range(counts[ACTIVE]):
             used[hits[ACTIVE_BODY, k]] = 1
         return DONE
-    needed = colour(counts, trace, kind, hits, used, fill)
-    if needed > len(rows):
-        counts[NEEDED] = needed
-        return MORE_BLOCKS
-    counts[THIN] = plan(counts, kind, hits, fill, isle, web)
-    if counts[THIN] < 0:
-        counts[NEEDED] = -counts[THIN]
-        return MORE_WEB
+    colour(counts, trace, kind, hits, used)
     mark_active(counts, kind, used, hits)
-    clear_lanes(len(used) - 1, fill, rows, lanes)
+    islands = number_islands(counts, kind, hits, isle, web)
+    if islands >= 0:
+        divide(islands, counts, kind, used, pose, hits, isle, slabs)
+        needed = give_places(counts, hits, fill, slabs)
+        if needed > len(rows):
+            counts[NEEDED] = needed
+            return MORE_BLOCKS
+        islands = plan(islands, counts, kind, hits, isle, web)
+    if islands < 0:
+        counts[NEEDED] = -islands
+        return MORE_WEB
+    counts[THIN] = islands
+    clear_lanes(len(used) - 1, counts, hits, rows, lanes)
     counts[ARRANGED], counts[SEATED] = 1, 0
     return DONE
 
 
-def mark_active(
-    counts: Whole,
-    kind: Whole,
-    used: Whole,
-    hits: Whole,
-) -> int:
-    """List the moving bodies that have contacts; return how many.
+def mark_active(counts: Whole, kind: Whole, used: Whole, hits: Whole) -> None:
+    """List the moving bodies that have contacts, in the order of touching.
 
     Their colours, which are not needed any more, become marks.
     """
@@ -74,9 +76,3 @@ def mark_active(
                 hits[ACTIVE_BODY, active] = i
                 active += 1
     counts[ACTIVE] = active
-    listed = 0
-    for i in range(len(kind)):
-        if used[i] == 1:
-            hits[ACTIVE_ROW, listed] = i
-            listed += 1
-    return active

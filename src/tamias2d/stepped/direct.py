@@ -53,7 +53,6 @@ from tamias2d.stepped.layout import (
     INVERSE_INERTIA,
     INVERSE_MASS,
     SPIN,
-    THIN,
     VX,
     VY,
     Whole,
@@ -120,16 +119,17 @@ def ready(islands: int, body: Array, rows: Array, lanes: Whole, web: Whole, weav
 
 def settle_islands(
     relaxing: bool,
+    first: int,
+    last: int,
     substep: float,
-    counts: Whole,
     rows: Array,
     lanes: Whole,
     motion: Array,
     web: Whole,
     weave: Array,
 ) -> None:
-    """Solve all thin islands, with the speed that removes overlap, or to take that out again."""
-    for n in range(counts[THIN]):
+    """Solve some thin islands, with the speed that removes overlap, or to take that out again."""
+    for n in range(first, last):
         if web[n, I_FRESH] != LEFT_ALONE:
             settle_island(n, relaxing, substep, rows, lanes, motion, web, weave)
 

@@ -21,7 +21,7 @@ GRAVITY_X, GRAVITY_Y, TIME_STEP = 0, 1, 2
 FRAME_VX, FRAME_VY, FRAME_X, FRAME_Y = 3, 4, 5, 6
 FRAME_MOVES, FRAME_BY_X, FRAME_BY_Y, FRAME_FLOW = 7, 8, 9, 10
 
-# counts (23,), as whole numbers
+# counts (25,), as whole numbers
 SUBSTEPS, PAIRS, SIDE, HORIZON, SINCE, NEEDED, BLOCKS, STILL = range(8)
 LEAVES, HITS, ACTIVE, PHASE, BOUNCING, THIN = 8, 9, 10, 11, 12, 13
 WANTED, SOUND = 14, 15  # steps that are left of a call, and whether its values have been checked
@@ -29,14 +29,16 @@ PATIENCE, DORMANT = 16, 17  # steps of quiet until sleep, 0 for never; how many 
 SORTED, MENDED = 18, 19  # pairs of the first run of the list; bodies that left since it was made
 ARRANGED, ISLANDED = 20, 21  # whether blocks, and islands, are those of what touches now
 SEATED = 22  # whether lanes have what stays in them while the arrangement does
+SLABS, JOINTS = 23, 24  # how many stretches are solved in turns; touching pairs of thin islands
 
 # hits (10, 2p): pairs that touch, in canonical order, with their colours and places in them; then
 # moving bodies that they touch, in the order of touching, and in that of their rows; those of the
 # pairs that are in thin islands; and for finding them what is peeled, and off which body; and the
-# bodies of the pairs
+# bodies of the pairs; in the end, in the place of what was peeled, touching pairs slab by slab
 HIT, HIT_COLOUR, HIT_PLACE, ACTIVE_BODY, ACTIVE_ROW = 0, 1, 2, 3, 4
 HIT_THIN, HIT_PEELED, HIT_PEELED_OFF = 5, 6, 7
 HIT_A, HIT_B = 8, 9
+HIT_BY_SLAB = HIT_PEELED
 
 # what is known of a step that has begun (PHASE)
 BEGUN, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5

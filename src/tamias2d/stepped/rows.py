@@ -27,6 +27,7 @@ from tamias2d.stepped.layout import (
     HIT,
     HIT_A,
     HIT_B,
+    HIT_BY_SLAB,
     HIT_COLOUR,
     HIT_PLACE,
     HITS,
@@ -44,6 +45,7 @@ from tamias2d.stepped.layout import (
     PY,
     RUB,
     SHAPE_REACH,
+    SLABS,
     SPIN,
     SUBSTEPS,
     TIME_STEP,
@@ -73,6 +75,10 @@ ALLOWED = 0.005  # of the smaller reach: an overlap for which no preload is lear
 PRELOADED = 0.2  # of the smaller reach: a preload, at most
 FASTEST = 0.02  # of the smaller reach: how far an overlap is pushed apart in a substep, at most
 
+# slabs (k, 4): where the touching pairs, the blocks, the moving bodies and the thin islands of each
+# stretch begin that is solved in turns
+S_HIT, S_BLOCK, S_BODY, S_ISLE = 0, 1, 2, 3
+
 # a block: what its points share, then each point
 R_NX, R_NY, R_MASS_A, R_INERTIA_A, R_MASS_B, R_INERTIA_B = 0, 16, 32, 48, 64, 80
 R_FRICTION, R_ROUND_A, R_ROUND_B, R_LIMIT, R_RESTITUTION = 96, 112, 128, 144, 160
@@ -86,21 +92,12 @@ FIRST, SECOND = SHARED, SHARED + SIZE
 WIDTH = SECOND + SIZE
 
 
-def colour(
-    counts: Whole,
-    trace: Whole,
-    kind: Whole,
-    hits: Whole,
-    used: Whole,
-    fill: Whole,
-) -> int:
-    """Give each of the touching pairs a colour and a place in it; return how many blocks it takes.
+def colour(counts: Whole, trace: Whole, kind: Whole, hits: Whole, used: Whole) -> None:
+    """Give each of the touching pairs a colour.
 
-    `used` (n+1,) is for the colours of a body, `fill` (3, 128) for the sizes of the colours; a
-    colour of two-point contacts follows that of one-point contacts.
+    `used` (n+1,) is for the colours of a body; a colour of two-point contacts follows that of
+    one-point contacts.
     """
-    for k in range(128):
-        fill[0, k] = 0
     for i in range(len(used)):
         used[i] = 0
     for k in range(counts[HITS]):
@@ -116,30 +113,46 @@ def colour(
         else:
             used[i] |= 1 << c
             used[j] |= 1 << c
-        c = 2 * c + (trace[p, COUNT] - 1)
-        hits[HIT_COLOUR, k], hits[HIT_PLACE, k] = c, fill[0, c]
-        fill[0, c] += 1
+        hits[HIT_COLOUR, k] = 2 * c + (trace[p, COUNT] - 1)
+
+
+def give_places(counts: Whole, hits: Whole, fill: Whole, slabs: Whole) -> int:
+    """Give each touching pair its place in the blocks; return how many blocks it takes.
+
+    `fill` (2, 128) is for the sizes of the colours of a slab, and where they go on.
+    """
     block = 0
-    for c in range(2 * COLOURS + 2):
-        fill[1, c] = block
-        block += fill[0, c] if c >= 2 * COLOURS else (fill[0, c] + LANES - 1) // LANES
-    counts[BLOCKS] = block
+    for q in range(counts[SLABS]):
+        slabs[q, S_BLOCK] = block
+        for c in range(2 * COLOURS + 2):
+            fill[0, c] = 0
+        for m in range(slabs[q, S_HIT], slabs[q + 1, S_HIT]):
+            fill[0, hits[HIT_COLOUR, hits[HIT_BY_SLAB, m]]] += 1
+        for c in range(2 * COLOURS + 2):
+            fill[1, c] = block * LANES
+            block += fill[0, c] if c >= 2 * COLOURS else (fill[0, c] + LANES - 1) // LANES
+        for m in range(slabs[q, S_HIT], slabs[q + 1, S_HIT]):
+            k = hits[HIT_BY_SLAB, m]
+            c = hits[HIT_COLOUR, k]
+            hits[HIT_PLACE, k] = fill[1, c]
+            fill[1, c] += LANES if c >= 2 * COLOURS else 1
+    slabs[counts[SLABS], S_BLOCK] = counts[BLOCKS] = block
     return block
 
 
-def clear_lanes(idle: int, fill: Whole, rows: Array, lanes: Whole) -> None:
+def clear_lanes(idle: int, counts: Whole, hits: Whole, rows: Array, lanes: Whole) -> None:
     """Let the lanes work on the idle body, where the blocks of a colour are not full."""
-    for c in range(2 * COLOURS + 2):
-        single = c >= 2 * COLOURS
-        for m in range(fill[0, c] if single else (fill[0, c] + LANES - 1) // LANES):
-            b = fill[1, c] + m
-            filled = 1 if single else min(fill[0, c] - m * LANES, LANES)
-            lanes[b, FILLED], lanes[b, POINTS] = filled, 1 + c % 2
-            if filled < LANES:
-                for k in range(WIDTH):
-                    rows[b, k] = 0.0
-                for k in range(LANES):
-                    lanes[b, BODY_A + k] = lanes[b, BODY_B + k] = idle
+    for b in range(counts[BLOCKS]):
+        lanes[b, FILLED] = 0
+    for k in range(counts[HITS]):
+        b, _ = seat_of(k, hits)
+        lanes[b, FILLED], lanes[b, POINTS] = lanes[b, FILLED] + 1, 1 + hits[HIT_COLOUR, k] % 2
+    for b in range(counts[BLOCKS]):
+        if lanes[b, FILLED] < LANES:
+            for k in range(WIDTH):
+                rows[b, k] = 0.0
+            for k in range(LANES):
+                lanes[b, BODY_A + k] = lanes[b, BODY_B + k] = idle
 
 
 def seat_pairs(
@@ -150,7 +163,6 @@ def seat_pairs(
     surface: Array,
     body: Array,
     hits: Whole,
-    fill: Whole,
     rows: Array,
     lanes: Whole,
 ) -> None:
@@ -158,7 +170,7 @@ def seat_pairs(
     counts[BOUNCING] = 0
     for k in range(counts[HITS]):
         p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
-        b, m = seat_of(k, hits, fill)
+        b, m = seat_of(k, hits)
         lanes[b, BODY_A + m], lanes[b, BODY_B + m], lanes[b, SLOT + m] = i, j, p
         row, s, t = rows[b], pair[p, 0], pair[p, 1]
         row[R_MASS_A + m], row[R_INERTIA_A + m] = body[i, INVERSE_MASS], body[i, INVERSE_INERTIA]
@@ -170,12 +182,9 @@ def seat_pairs(
         row[R_REACH + m] = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
 
 
-def seat_of(k: int, hits: Whole, fill: Whole) -> tuple[int, int]:
+def seat_of(k: int, hits: Whole) -> tuple[int, int]:
     """Return the block and the lane of a touching pair."""
-    c, place = hits[HIT_COLOUR, k], hits[HIT_PLACE, k]
-    if c >= 2 * COLOURS:
-        return fill[1, c] + place, 0
-    return fill[1, c] + place // LANES, place % LANES
+    return hits[HIT_PLACE, k] // LANES, hits[HIT_PLACE, k] % LANES
 
 
 def fill_rows(
@@ -184,13 +193,12 @@ def fill_rows(
     pose: Array,
     motion: Array,
     hits: Whole,
-    fill: Whole,
     rows: Array,
 ) -> None:
     """Write how each touching pair touches."""
     for k in range(counts[HITS]):
         p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
-        b, m = seat_of(k, hits, fill)
+        b, m = seat_of(k, hits)
         points = 1 + hits[HIT_COLOUR, k] % 2
         row = rows[b]
         normal_x, normal_y = touch[p, NX], touch[p, NY]
@@ -280,7 +288,6 @@ def keep_impulses(
     counts: Whole,
     pose: Array,
     hits: Whole,
-    fill: Whole,
     rows: Array,
     touch: Array,
     trace: Whole,
@@ -288,7 +295,7 @@ def keep_impulses(
     """Write the impulses back to their pairs, with where they were; what was pushed touched."""
     for k in range(counts[HITS]):
         p, i = hits[HIT, k], hits[HIT_A, k]
-        b, m = seat_of(k, hits, fill)
+        b, m = seat_of(k, hits)
         for n in range(1 + hits[HIT_COLOUR, k] % 2):
             at = SHARED + n * SIZE + m
             touch[p, TOTAL + POINT * n] = rows[b, at + P_TOTAL]

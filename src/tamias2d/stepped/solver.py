@@ -256,9 +256,9 @@ def rub_met(lane: Whole, least: float, row: Array, bench: Array) -> None:
             rub_met_lanes(SECOND, least, row, bench)
 
 
-def warm(blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array) -> None:
+def warm(first: int, last: int, rows: Array, lanes: Whole, motion: Array, bench: Array) -> None:
     """Apply the impulses of before."""
-    for b in range(blocks):
+    for b in range(first, last):
         row, lane = rows[b], lanes[b]
         load(lane, motion, bench)
         warm_lanes(FIRST, row, bench)
@@ -268,10 +268,16 @@ def warm(blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array) ->
 
 
 def sweep(
-    blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array, substep: float
+    first: int,
+    last: int,
+    rows: Array,
+    lanes: Whole,
+    motion: Array,
+    bench: Array,
+    substep: float,
 ) -> None:
     """Correct all impulses once, softly: friction first, so that pushes have the last word."""
-    for b in range(blocks):
+    for b in range(first, last):
         row, lane = rows[b], lanes[b]
         load_all(lane, motion, bench)
         rub_lanes(FIRST, row, bench)
@@ -284,13 +290,19 @@ def sweep(
 
 
 def relax(
-    blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array, substep: float
+    first: int,
+    last: int,
+    rows: Array,
+    lanes: Whole,
+    motion: Array,
+    bench: Array,
+    substep: float,
 ) -> None:
     """Correct all impulses once so that no softness is left in the velocities.
 
     What meets in this substep gets its push here, and so its friction after it.
     """
-    for b in range(blocks):
+    for b in range(first, last):
         row, lane = rows[b], lanes[b]
         load(lane, motion, bench)
         rub_lanes(FIRST, row, bench)
@@ -304,10 +316,16 @@ def relax(
 
 
 def bounce(
-    blocks: int, rows: Array, lanes: Whole, motion: Array, bench: Array, slowest: float
+    first: int,
+    last: int,
+    rows: Array,
+    lanes: Whole,
+    motion: Array,
+    bench: Array,
+    slowest: float,
 ) -> None:
     """Let what has met part."""
-    for b in range(blocks):
+    for b in range(first, last):
         row, lane = rows[b], lanes[b]
         load(lane, motion, bench)
         bounce_lanes(FIRST, row, bench, slowest)

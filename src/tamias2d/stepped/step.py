@@ -129,6 +129,7 @@ def step(
     traces: IndexBlocks,
     hits: RankRows,
     fill: RankRows,
+    slabs: RankRows,
     rows: FloatRows,
     lanes: PlaceRows,
     bench: Floats,
@@ -157,7 +158,7 @@ def step(
             settings, counts, pose, motion, load, body, home, kind, used, ranked,
             shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
             filters, mixed, corner, turned, box, curve, node, middle, found, pairs, touches,
-            traces, hits, fill, rows, lanes, bench, carried, times, agenda, scratch,
+            traces, hits, fill, slabs, rows, lanes, bench, carried, times, agenda, scratch,
             island, rest, energy, isle, web, weave,
         )  # fmt: skip
         if status != DONE:
@@ -201,6 +202,7 @@ def step_once(
     traces: Whole,
     hits: Whole,
     fill: Whole,
+    slabs: Whole,
     rows: Array,
     lanes: Whole,
     bench: Array,
@@ -256,19 +258,19 @@ def step_once(
                 True, settings, counts, pose, motion, shape_kind, shape_first, shape_count,
                 shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
             )  # fmt: skip
-        status = arrange(counts, trace, kind, used, hits, fill, rows, lanes, isle, web)
+        status = arrange(counts, trace, kind, used, pose, hits, fill, slabs, rows, lanes, isle, web)
         if status != DONE:
             return status
         if counts[SEATED] == 0:
-            seat_pairs(counts, pair, touch, shape_radius, surface, body, hits, fill, rows, lanes)
+            seat_pairs(counts, pair, touch, shape_radius, surface, body, hits, rows, lanes)
             counts[SEATED] = 1
-        fill_rows(counts, touch, pose, motion, hits, fill, rows)
+        fill_rows(counts, touch, pose, motion, hits, rows)
         finish_rows(settings, counts, rows, lanes)
         solve(
-            settings, counts, pose, motion, load, body, kind, hits, rows, lanes, bench, carried,
-            island, energy, web, weave,
+            settings, counts, pose, motion, load, body, kind, hits, slabs, rows, lanes, bench,
+            carried, island, energy, web, weave,
         )  # fmt: skip
-        keep_impulses(counts, pose, hits, fill, rows, touch, trace)
+        keep_impulses(counts, pose, hits, rows, touch, trace)
         if counts[PATIENCE] > 0:
             note_company(counts, pair, kind, hits, island)
         if counts[DORMANT] > 0:

@@ -37,6 +37,7 @@ from tamias2d.stepped.layout import (
     GRAVITY_Y,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    SLABS,
     SPIN,
     SUB,
     SUBSTEPS,
@@ -47,6 +48,7 @@ from tamias2d.stepped.layout import (
     VY,
     Whole,
 )
+from tamias2d.stepped.rows import S_BLOCK, S_BODY, S_ISLE
 from tamias2d.stepped.solver import (
     bounce,
     relax,
@@ -68,6 +70,7 @@ def solve(
     body: Array,
     kind: Whole,
     hits: Whole,
+    slabs: Whole,
     rows: Array,
     lanes: Whole,
     bench: Array,
@@ -81,25 +84,22 @@ def solve(
     if counts[ACTIVE] == 0:
         return
     substeps = counts[SUBSTEPS]
-    blocks = counts[BLOCKS]
     substep = settings[TIME_STEP] / substeps
     ready(counts[THIN], body, rows, lanes, web, weave)
     note_velocities(EARLIER, counts, motion, hits, energy)
-    begin(settings, counts, motion, load, body, kind, hits, carried)
-    warm(blocks, rows, lanes, motion, bench)
-    for k in range(substeps):
-        hasten(k > 0, counts, motion, hits, carried)
-        settle_islands(False, substep, counts, rows, lanes, motion, web, weave)
-        sweep(blocks, rows, lanes, motion, bench, substep)
-        shift(substep, counts, motion, hits)
-        settle_islands(True, substep, counts, rows, lanes, motion, web, weave)
-        relax(blocks, rows, lanes, motion, bench, substep)
+    slabs_in_turns = counts[SLABS]
+    for front in range(slabs_in_turns + 2 * substeps):
+        for stage in range(max(front - slabs_in_turns + 1, 0), min(front, 2 * substeps) + 1):
+            take_stage(
+                stage, front - stage, substep, settings, counts, motion, load, body, kind, hits,
+                slabs, rows, lanes, bench, carried, web, weave,
+            )  # fmt: skip
     bouncing = counts[BOUNCING]
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
     if bouncing > 0 or makes_energy(settings, counts, motion, load, body, kind, hits, energy):
         if bouncing > 0:
             note_velocities(UNBOUNCED, counts, motion, hits, energy)
-            bounce(blocks, rows, lanes, motion, bench, slowest)
+            bounce(0, counts[BLOCKS], rows, lanes, motion, bench, slowest)
         know_islands(counts, kind, hits, island)
         bound_energy(
             settings, counts, pose, motion, load, body, kind, hits, island,
@@ -107,9 +107,51 @@ def solve(
         )  # fmt: skip
 
 
-def begin(
+def take_stage(
+    stage: int,
+    slab: int,
+    substep: float,
     settings: Array,
     counts: Whole,
+    motion: Array,
+    load: Array,
+    body: Array,
+    kind: Whole,
+    hits: Whole,
+    slabs: Whole,
+    rows: Array,
+    lanes: Whole,
+    bench: Array,
+    carried: Array,
+    web: Whole,
+    weave: Array,
+) -> None:
+    """Take a slab through one stage: first the begin of the step, then two for each substep.
+
+    Its contacts are with bodies of its own and of the next slab, which the slab before it has
+    taken to this stage already.
+    """
+    first = slabs[slab + 1, S_BODY] if slab > 0 else 0
+    last = slabs[min(slab + 2, counts[SLABS]), S_BODY]
+    block, end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
+    isle, isle_end = slabs[slab, S_ISLE], slabs[slab + 1, S_ISLE]
+    if stage == 0:
+        begin(first, last, settings, motion, load, body, kind, hits, carried)
+        warm(block, end, rows, lanes, motion, bench)
+    elif stage % 2 == 1:
+        hasten(stage > 1, first, last, motion, hits, carried)
+        settle_islands(False, isle, isle_end, substep, rows, lanes, motion, web, weave)
+        sweep(block, end, rows, lanes, motion, bench, substep)
+    else:
+        shift(substep, first, last, motion, hits)
+        settle_islands(True, isle, isle_end, substep, rows, lanes, motion, web, weave)
+        relax(block, end, rows, lanes, motion, bench, substep)
+
+
+def begin(
+    first: int,
+    last: int,
+    settings: Array,
     motion: Array,
     load: Array,
     body: Array,
@@ -122,7 +164,7 @@ def begin(
     Noted, too, is what gravity, forces and drag do to them in a substep.
     """
     gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-    for k in range(counts[ACTIVE]):
+    for k in range(first, last):
         i = hits[ACTIVE_ROW, k]
         note = carried[i]
         for n in range(3):
@@ -138,14 +180,14 @@ def begin(
             note[KEPT_BY_DRAG + 2], note[GIVEN + 2] = decay, pace_given(gain, turn)
 
 
-def hasten(again: bool, counts: Whole, motion: Array, hits: Whole, carried: Array) -> None:
+def hasten(again: bool, first: int, last: int, motion: Array, hits: Whole, carried: Array) -> None:
     """Let forces change velocities for a substep, and contacts as they have before.
 
     What contacts have changed so far is carried: impulses add up, so this is what applying each of
     them again would do. In the first substep that is what the last step did, and bodies begin with
     the velocities that were noted.
     """
-    for k in range(counts[ACTIVE]):
+    for k in range(first, last):
         i = hits[ACTIVE_ROW, k]
         note = carried[i]
         for n in range(3):
@@ -156,9 +198,9 @@ def hasten(again: bool, counts: Whole, motion: Array, hits: Whole, carried: Arra
             note[NOTED + n] = motion[i, n]
 
 
-def shift(substep: float, counts: Whole, motion: Array, hits: Whole) -> None:
+def shift(substep: float, first: int, last: int, motion: Array, hits: Whole) -> None:
     """Move bodies along for a substep, s."""
-    for k in range(counts[ACTIVE]):
+    for k in range(first, last):
         i = hits[ACTIVE_ROW, k]
         motion[i, DX] += substep * motion[i, VX]
         motion[i, DY] += substep * motion[i, VY]

@@ -1,6 +1,6 @@
 """Thin islands: bodies that hang together by contacts like a chain or a tree, or nearly so.
 
-Serves: the colours, and the direct solver, which takes these islands. Hides: how bodies are
+Serves: the arrangement, and the direct solver, which takes these islands. Hides: how bodies are
 grouped, and in which order a thin island is eliminated: always the body with the fewest neighbours
 first, so that almost nothing new comes to be connected.
 
@@ -11,21 +11,20 @@ from tamias2d.stepped.layout import (
     DYNAMIC,
     HIT_A,
     HIT_B,
-    HIT_COLOUR,
     HIT_PEELED,
     HIT_PEELED_OFF,
-    HIT_PLACE,
     HIT_THIN,
     HITS,
+    JOINTS,
     Whole,
 )
-from tamias2d.stepped.rows import COLOURS, LANES
+from tamias2d.stepped.rows import seat_of
 
-# isle (n+1, 7), of a body: how many contacts with moving bodies are left to it, and these as one
+# isle (n+1, 8), of a body: how many contacts with moving bodies are left to it, and these as one
 # number, by exclusive or; the body that stands for its tree, or -1; its knot; and of that body how
-# many are in the tree, its contacts with the ground, and its number among the thin ones
-DEGREE, THREAD, TREE, KNOT, BODIES, GROUNDED, NUMBER = 0, 1, 2, 3, 4, 5, 6
-ISLE = 7
+# many are in the tree, its contacts with the ground, and its number among the thin ones; its slab
+DEGREE, THREAD, TREE, KNOT, BODIES, GROUNDED, NUMBER, SLAB = 0, 1, 2, 3, 4, 5, 6, 7
+ISLE = 8
 
 # web: columns of lists that have nothing else to do with each other
 K_BODY, K_HEAD, K_DEGREE, K_TURN = 0, 1, 2, 3  # a knot: a moving body of a thin island
@@ -74,7 +73,7 @@ def thread_contacts(counts: Whole, kind: Whole, hits: Whole, isle: Whole) -> Non
     """Count the contacts of each body with moving ones, and join their numbers to one."""
     for k in range(counts[HITS]):
         for i in (hits[HIT_A, k], hits[HIT_B, k]):
-            isle[i, DEGREE] = isle[i, THREAD] = isle[i, GROUNDED] = 0
+            isle[i, DEGREE] = isle[i, THREAD] = isle[i, GROUNDED] = isle[i, SLAB] = 0
             isle[i, BODIES], isle[i, KNOT], isle[i, NUMBER] = 1, -1, -1
     for k in range(counts[HITS]):
         i, j = hits[HIT_A, k], hits[HIT_B, k]
@@ -110,19 +109,13 @@ def tree_of(k: int, kind: Whole, hits: Whole, isle: Whole) -> int:
     return isle[i, TREE] if kind[i] == DYNAMIC else isle[j, TREE]
 
 
-def plan(
-    counts: Whole,
-    kind: Whole,
-    hits: Whole,
-    fill: Whole,
-    isle: Whole,
-    web: Whole,
-) -> int:
-    """List the joints and the turns of all thin islands; return how many islands there are.
+def number_islands(counts: Whole, kind: Whole, hits: Whole, isle: Whole, web: Whole) -> int:
+    """Find all thin islands, and give each a number and room for knots and joints.
 
-    Or less than zero: for how much room `web` has too little.
+    Returns how many there are, or less than zero: for how much room `web` has too little.
     """
     listed = find_trees(counts, kind, hits, isle)
+    counts[JOINTS] = listed
     if listed == 0:
         return 0
     if 5 * listed + 16 > len(web):
@@ -143,11 +136,19 @@ def plan(
         web[n, LEAF], web[n, PASS] = joints, web[n, I_KNOT]
         joints += count
     web[islands, I_KNOT], web[islands, I_JOINT] = knots, joints
+    return islands
+
+
+def plan(islands: int, counts: Whole, kind: Whole, hits: Whole, isle: Whole, web: Whole) -> int:
+    """List the joints and the turns of all thin islands, as they have been numbered.
+
+    Returns less than zero for how much room `web` has too little, else how many islands there are.
+    """
     links = 0
-    for m in range(listed):
+    for m in range(counts[JOINTS]):
         k = hits[HIT_THIN, m]
         number = isle[tree_of(k, kind, hits, isle), NUMBER]
-        links = join(k, links, number, kind, hits, fill, isle, web)
+        links = join(k, links, number, kind, hits, isle, web)
     tape = 0
     for n in range(islands):
         links, tape = eliminate(n, links, tape, web)
@@ -162,18 +163,14 @@ def join(
     number: int,
     kind: Whole,
     hits: Whole,
-    fill: Whole,
     isle: Whole,
     web: Whole,
 ) -> int:
     """List a touching pair as a joint, with its knots and its link; return how many links."""
-    c, place = hits[HIT_COLOUR, k], hits[HIT_PLACE, k]
     i, j = hits[HIT_A, k], hits[HIT_B, k]
     joint = web[number, LEAF]
     web[number, LEAF] += 1
-    single = c >= 2 * COLOURS
-    web[joint, J_BLOCK] = fill[1, c] + (place if single else place // LANES)
-    web[joint, J_LANE] = 0 if single else place % LANES
+    web[joint, J_BLOCK], web[joint, J_LANE] = seat_of(k, hits)
     for n in range(2):
         body = j if n == 1 else i
         if kind[body] == DYNAMIC and isle[body, KNOT] < 0:

@@ -37,6 +37,7 @@ from tamias2d.stepped.layout import (
 )
 from tamias2d.stepped.menu import CONTACT
 from tamias2d.stepped.rows import WIDTH
+from tamias2d.stepped.slabs import MOST_SLABS
 from tamias2d.stepped.solver import BENCH
 from tamias2d.stepped.step import step
 from tamias2d.stepped.surroundings import CLEAR, DONE, MORE_BLOCKS, MORE_FOUND, MORE_PAIRS, MORE_WEB
@@ -97,7 +98,8 @@ class World:
         self.touches = aligned_zeros((2, 16, TOUCH))
         self.traces = aligned_zeros((2, 16, 6), dtype=np.int32)
         self.hits = aligned_zeros((10, 32), dtype=np.int64)
-        self.fill = aligned_zeros((3, 128), dtype=np.int64)
+        self.fill = aligned_zeros((2, 128), dtype=np.int64)
+        self.slabs = aligned_zeros((MOST_SLABS + 2, 4), dtype=np.int64)
         self.rows = aligned_zeros((4, WIDTH))
         self.lanes = aligned_zeros((4, 50), dtype=np.uint32)
         self.bench = aligned_zeros(BENCH)
@@ -105,7 +107,7 @@ class World:
         self.agenda = aligned_zeros((3, 0), dtype=np.int32)
         self.scratch = aligned_zeros((8, TOUCH))
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
-        self.counts = aligned_zeros(23, dtype=np.int64)
+        self.counts = aligned_zeros(25, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
