@@ -134,14 +134,14 @@ def test_known_answers() -> None:
 
 
 def test_of_what_is_met_at_once_the_first_in_canonical_order_is_told() -> None:
-    """Where two boxes meet, a ray meets both; the wider one is first, by its corners."""
+    """Where two boxes meet, a ray meets both; the left one is first, by where it is."""
     for order in ((0, 1), (1, 0)):
         sim = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))
         for k in order:
             box = t2.Box(width=1.0 + k, height=1.0)
             sim.add(box, mass=1.0, position=(1.5 * k - 0.5, 0.0), restitution=0.0)
         hit = sim.ray_cast((0.0, 5.0), (0.0, -5.0))
-        assert sim.position[hit.body[0]].tolist() == [1.0, 0.0]
+        assert sim.position[hit.body[0]].tolist() == [-0.5, 0.0]
 
 
 def test_what_was_moved_is_found_where_it_is() -> None:

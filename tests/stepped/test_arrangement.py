@@ -26,7 +26,8 @@ def test_contacts_stay_arranged_as_they_would_be_anew(name: str) -> None:
 def listed(sim: Simulator) -> list[tuple[int, int]]:
     """The bodies of all pairs on the list."""
     world = sim._world
-    pairs = world.pairs[world.counts[SIDE], : world.counts[PAIRS], OF_A : OF_B + 1]
+    seats = world.pairs[world.counts[SIDE], : world.counts[PAIRS], OF_A : OF_B + 1]
+    pairs = world.owner[seats]
     return [(int(min(pair)), int(max(pair))) for pair in pairs]
 
 

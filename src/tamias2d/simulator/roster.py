@@ -32,10 +32,13 @@ from tamias2d.stepped.layout import (
     REACH,
     SIDE,
     SORTED,
+    X,
+    Y,
 )
-from tamias2d.stepped.world import World
+from tamias2d.stepped.world import SHAPE_ROWS, World
 
 Whole = NDArray[np.int64]
+STRETCH = 4.0  # reaches of a body, by which the canonical order goes along
 
 
 class Roster:
@@ -117,13 +120,15 @@ class Roster:
         """Let go of what was removed, and give all that is new its rank."""
         if not (len(self._leaving) or self._new):
             return
-        if len(self._leaving):
-            self._let_go(self._leaving)
-            self._leaving = self._leaving[:0]
-        if self._new:
-            self._rank(np.array(list(self._new), dtype=np.int64))
+        new, gone = np.array(list(self._new), dtype=np.int64), self._leaving
+        if len(gone):
+            self._let_go(gone)
+            self._leaving = gone[:0]
+        if len(new):
+            self._rank(new)
             self._new.clear()
             self._form_number.clear()
+        self.world.settle(np.concatenate((gone, new)))
         self._publish()
 
     def _let_go(self, rows: Whole) -> None:
@@ -139,7 +144,7 @@ class Roster:
         self._free = sorted({*self._free, *rows.tolist()}, reverse=True)
 
     def _rank(self, rows: Whole) -> None:
-        """Order new bodies by what and where they are."""
+        """Order new bodies by what and where they are, and seat them and their shapes so."""
         world = self.world
         new = np.zeros(len(world.pose), dtype=bool)
         new[rows] = True
@@ -150,12 +155,41 @@ class Roster:
         touching = np.concatenate((world.surface, np.zeros((1, 4))))[first[rows]]
         meeting = np.concatenate((world.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]]
         columns = [column for table in (*tables, touching, meeting) for column in table.T]
-        keys = [world.kind[rows], self._forms(), *columns]
+        stretch, y = self._stretches(rows), world.pose[rows, Y]
+        keys = [world.kind[rows], stretch, y, *columns, self._forms()]
         sequence = rows[np.lexsort(keys[::-1])]
         self.rank[sequence] = np.arange(self._next, self._next + len(rows))
         self._next += len(rows)
-        order = np.lexsort((owned, self.rank[world.shape_body[owned]]))
-        self._order = np.concatenate((self._order, owned[order]))
+        world.sit(sequence, np.sort(world.seat[rows]))
+        self._arrange_shapes(owned, np.lexsort((owned, self.rank[world.shape_body[owned]])))
+        self._order = np.concatenate((self._order, owned))
+
+    def _stretches(self, rows: Whole) -> Array:
+        """Return in which stretch of the x axis each body is, all some bodies wide.
+
+        Those that are near each other are so in the order, too, and thus in memory.
+        """
+        reach = self.world.body[rows, REACH]
+        width = STRETCH * np.median(reach[reach > 0.0]) if (reach > 0.0).any() else np.inf
+        with np.errstate(all="ignore"):
+            stretch: Array = np.floor(self.world.pose[rows, X] / width)
+        return stretch
+
+    def _arrange_shapes(self, slots: Whole, order: Whole) -> None:
+        """Put new shapes, and their corners where these lie together, in an order."""
+        world = self.world
+        for name in SHAPE_ROWS:
+            values = getattr(world, name)
+            values[slots] = values[slots[order]]
+        moved = np.arange(len(world.shape_body))
+        moved[slots[order]] = slots
+        world.mixed[:, :2] = moved[world.mixed[:, :2].astype(np.int64)]
+        count = world.shape_count[slots].astype(np.int64)
+        start, total = np.cumsum(count) - count, int(count.sum())
+        old = np.repeat(world.shape_first[slots] - start, count) + np.arange(total)
+        if total and old.max() - old.min() + 1 == total:
+            world.corner[old.min() : old.min() + total] = world.corner[old]
+            world.shape_first[slots] = old.min() + start
 
     def _forms(self) -> Whole:
         """Return a number for the form of each new body, in the order of the forms themselves."""
@@ -249,7 +283,7 @@ class Roster:
         """Take the pairs of bodies out of the list, and what was set for them; wake the others."""
         world = self.world
         side, size = world.counts[SIDE], world.counts[PAIRS]
-        owner = world.pairs[side, :size, OF_A : OF_B + 1]
+        owner = world.owner[world.pairs[side, :size, OF_A : OF_B + 1]]
         left = np.isin(owner, rows).any(axis=1)
         world.wake(owner[left & (world.traces[side, :size, COUNT] > 0)].ravel())
         kept = np.flatnonzero(~left)

@@ -105,7 +105,7 @@ class Views:
     @property
     def asleep(self) -> NDArray[np.bool_]:
         """Which bodies sleep: a new array (n,)."""
-        night: NDArray[np.int64] = self._world.island[: self._world.size, NIGHT]
+        night: NDArray[np.int64] = self._world.island[self._world.seat[: self._world.size], NIGHT]
         return np.greater(night, 0)
 
     @property

@@ -81,6 +81,7 @@ def coast(
     load_bits: RankRows,
     body: FloatRows,
     home: FloatRows,
+    seat: Ranks,
     course: FloatRows,
     stream: FloatRows,
     steps: int,
@@ -97,7 +98,7 @@ def coast(
     if not clear or counts[PATIENCE] != 0 or total - total != 0.0:
         return 0
     if not known:
-        know_course(kind, body, home, course, stream)
+        know_course(kind, body, home, seat, course, stream)
     fall_alike(settings, stream[len(course)])
     x, y = settings[FRAME_X], settings[FRAME_Y]
     frame_x, frame_y = settings[FRAME_VX], settings[FRAME_VY]
@@ -125,7 +126,9 @@ def coast(
     return steps
 
 
-def know_course(kind: Whole, body: Array, home: Array, course: Array, stream: Array) -> None:
+def know_course(
+    kind: Whole, body: Array, home: Array, seat: Whole, course: Array, stream: Array
+) -> None:
     """Note where bodies may be, and which crews are uniform.
 
     They flow as the first body that can be pushed. Nobody may be where no number is.
@@ -144,10 +147,11 @@ def know_course(kind: Whole, body: Array, home: Array, course: Array, stream: Ar
             for n in range(3):
                 row[L_LOW + 3 * k + n], row[L_HIGH + 3 * k + n] = -FAR, FAR
             if i < len(kind) and kind[i] >= STATIC:
-                turn, room = home[i, HOME_TURN], home[i, TURN_ROOM]
-                row[L_LOW + 3 * k], row[L_HIGH + 3 * k] = home[i, LOW_X], home[i, HIGH_X]
-                row[L_LOW + 3 * k + 1], row[L_HIGH + 3 * k + 1] = home[i, LOW_Y], home[i, HIGH_Y]
-                row[L_LOW + 3 * k + 2], row[L_HIGH + 3 * k + 2] = turn - room, turn + room
+                room = home[seat[i]]
+                turn, most = room[HOME_TURN], room[TURN_ROOM]
+                row[L_LOW + 3 * k], row[L_HIGH + 3 * k] = room[LOW_X], room[HIGH_X]
+                row[L_LOW + 3 * k + 1], row[L_HIGH + 3 * k + 1] = room[LOW_Y], room[HIGH_Y]
+                row[L_LOW + 3 * k + 2], row[L_HIGH + 3 * k + 2] = turn - most, turn + most
                 alike += 1 if kind[i] == DYNAMIC and flows_as(body[one], body[i]) else 0
         for m in range(LANES_OF):
             row[L_LOW + m] = max(-FAR, row[L_LOW + m])

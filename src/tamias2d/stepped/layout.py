@@ -41,7 +41,7 @@ HIT_A, HIT_B = 8, 9
 HIT_BY_SLAB = HIT_PEELED
 
 # what is known of a step that has begun (PHASE)
-BEGUN, STALE, KNOWN, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5
+BEGUN, STALE, KNOWN, MET, OUTRUN, SWEPT, ARRIVING = 0, 1, 2, 3, 4, 5, 6
 
 # pose (n+1, 3): m, m, rad
 X, Y, TURN = 0, 1, 2

@@ -51,6 +51,7 @@ from tamias2d.stepped.layout import (
     GRAVITY_Y,
     KINEMATIC,
     KNOWN,
+    MET,
     OUTRUN,
     PAIRS,
     PATIENCE,
@@ -102,14 +103,17 @@ def step(
     counts: Ranks,
     pose: FloatRows,
     velocity: FloatRows,
-    motion: FloatRows,
     load: FloatRows,
-    body: FloatRows,
+    owner: Ranks,
+    seated_pose: FloatRows,
+    motion: FloatRows,
+    seated_load: FloatRows,
+    seated_body: FloatRows,
     home: FloatRows,
-    kind: Bytes,
+    seated_kind: Bytes,
     used: Ranks,
     ranked: RankRows,
-    shape_body: Indices,
+    shape_seat: Indices,
     shape_kind: Indices,
     shape_first: Indices,
     shape_count: Indices,
@@ -146,17 +150,16 @@ def step(
 ) -> int:
     """Take the steps that are wanted, or say what there is too little room for.
 
-    Called again, it goes on. It stops where no pair is near: bodies may coast then.
+    Called again, it goes on. It stops where no pair is near: bodies may coast then. What users see
+    is in the order of adding, what steps work on in that of seats, which are near where bodies are.
     """
     if counts[PHASE] == BEGUN:
-        for i in range(len(kind)):
-            for n in range(3):
-                motion[i, n] = velocity[i, n]
+        seat_all(owner, pose, velocity, load, seated_pose, motion, seated_load)
     alone = False
     while counts[WANTED] > 0 and not alone:
         status = step_once(
-            settings, counts, pose, motion, load, body, home, kind, used, ranked,
-            shape_body, shape_kind, shape_first, shape_count, shape_radius, surface,
+            settings, counts, seated_pose, motion, seated_load, seated_body, home, seated_kind,
+            used, ranked, shape_seat, shape_kind, shape_first, shape_count, shape_radius, surface,
             filters, mixed, corner, turned, box, curve, node, middle, found, pairs, touches,
             traces, hits, fill, slabs, rows, lanes, bench, carried, times, agenda, scratch,
             island, rest, energy, isle, web, weave,
@@ -165,10 +168,28 @@ def step(
             return status
         counts[WANTED] -= 1
         alone = counts[PAIRS] == 0 and counts[STILL] == 1 and counts[PATIENCE] == 0
-    for i in range(len(kind)):
+    for i in range(len(owner)):
+        one = owner[i]
         for n in range(3):
-            velocity[i, n] = motion[i, n]
+            pose[one, n], velocity[one, n] = seated_pose[i, n], motion[i, n]
     return CLEAR if alone else DONE
+
+
+def seat_all(
+    owner: Whole,
+    pose: Array,
+    velocity: Array,
+    load: Array,
+    seated_pose: Array,
+    motion: Array,
+    seated_load: Array,
+) -> None:
+    """Bring what users can set to the seats of the bodies."""
+    for i in range(len(owner)):
+        one = owner[i]
+        for n in range(3):
+            seated_pose[i, n], motion[i, n] = pose[one, n], velocity[one, n]
+            seated_load[i, n] = load[one, n]
 
 
 def step_once(
@@ -247,8 +268,8 @@ def step_once(
         if status != DONE:
             return status
         counts[PHASE] = KNOWN
+    pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
     if counts[PHASE] == KNOWN:
-        pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
         meet(
             False, settings, counts, pose, motion, shape_kind, shape_first, shape_count,
             shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
@@ -258,6 +279,8 @@ def step_once(
                 True, settings, counts, pose, motion, shape_kind, shape_first, shape_count,
                 shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
             )  # fmt: skip
+        counts[PHASE] = MET
+    if counts[PHASE] == MET:
         status = arrange(counts, trace, kind, used, pose, hits, fill, slabs, rows, lanes, isle, web)
         if status != DONE:
             return status

@@ -45,18 +45,25 @@ from tamias2d.stepped.thin import ISLE, WEB
 from tamias2d.stepped.tree import lowest
 
 _ORDER = tuple(signature(step).parameters)
-_BODY = (
-    *("pose", "velocity", "motion", "load", "body", "home", "carried", "kind", "used"),
-    *("island", "rest", "energy", "isle"),
+_BODY = ("pose", "velocity", "load", "body", "kind")
+_SEAT = (
+    *("seated_pose", "seated_load", "seated_body", "seated_kind", "motion", "home", "carried"),
+    *("used", "island", "rest", "energy", "isle"),
 )
-_SHAPE = (
+SHAPE_ROWS = (
     *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
-    *("surface", "filters", "box", "middle"),
+    *("surface", "filters"),
 )
+_SHAPE = (*("shape_seat", "box", "middle", *SHAPE_ROWS),)
 
 
 class World:
-    """n bodies and m shapes in arrays whose columns `layout` names."""
+    """n bodies and m shapes in arrays whose columns `layout` names.
+
+    Rows of bodies are in the order of adding, as users see them. What the engine works on, which is
+    all that is not named in `_BODY`, is by seats: `seat` tells that of a row, `owner` is its
+    inverse.
+    """
 
     def __init__(
         self, *, gravity: tuple[float, float], time_step: float, substeps: int, plain: bool = False
@@ -65,12 +72,18 @@ class World:
         self.size = 0  # rows of bodies in use, absent ones too
         self.pose = aligned_zeros((1, 3))
         self.velocity = aligned_zeros((1, 3))
-        self.motion = aligned_zeros((1, 8))
         self.load = aligned_zeros((1, 3))
         self.body = aligned_zeros((1, 18))
+        self.kind = aligned_zeros(1, dtype=np.int8)
+        self.seat = aligned_zeros(1, dtype=np.int64)
+        self.owner = aligned_zeros(1, dtype=np.int64)
+        self.seated_pose = aligned_zeros((1, 3))
+        self.seated_load = aligned_zeros((1, 3))
+        self.seated_body = aligned_zeros((1, 18))
+        self.seated_kind = aligned_zeros(1, dtype=np.int8)
+        self.motion = aligned_zeros((1, 8))
         self.home = aligned_zeros((1, 6))
         self.carried = aligned_zeros((1, 12))
-        self.kind = aligned_zeros(1, dtype=np.int8)
         self.used = aligned_zeros(1, dtype=np.int64)
         self.island = aligned_zeros((1, 7), dtype=np.int64)
         self.rest = aligned_zeros((1, 8))
@@ -80,6 +93,7 @@ class World:
         self.weave = aligned_zeros((2, WEAVE))
         self.ranked = aligned_zeros((2, 0), dtype=np.int64)
         self.shape_body = aligned_zeros(0, dtype=np.int32)
+        self.shape_seat = aligned_zeros(0, dtype=np.int32)
         self.shape_kind = aligned_zeros(0, dtype=np.int32)
         self.shape_first = aligned_zeros(0, dtype=np.int32)
         self.shape_count = aligned_zeros(0, dtype=np.int32)
@@ -131,9 +145,19 @@ class World:
             self.body[new, at + GAIN] = drag.position(none, one, none, rate, time)[0]
             self.body[new, at + LIFT] = drag.position(none, none, one, rate, time)[0]
 
+    def sit(self, rows: Whole, seats: Whole) -> None:
+        """Give some bodies other seats, which together were theirs."""
+        self.seat[rows], self.owner[seats] = seats, rows
+
+    def settle(self, rows: Whole) -> None:
+        """Tell the engine of some bodies, which are new or gone, and whose shape is whose."""
+        seats = self.seat[rows]
+        self.seated_body[seats], self.seated_kind[seats] = self.body[rows], self.kind[rows]
+        self.shape_seat[:] = self.seat[self.shape_body]
+
     def wake(self, rows: Whole) -> None:
         """Wake bodies that sleep, with their islands."""
-        nights = self.island[rows, NIGHT]
+        nights = self.island[self.seat[rows], NIGHT]
         woken = np.isin(self.island[:, NIGHT], nights[nights > 0])
         self.island[woken, NIGHT] = self.island[woken, QUIET] = 0
 
@@ -148,14 +172,17 @@ class World:
             return
         idle = len(self.pose) - 1
         room = max(self.size + count, len(self.pose) * 3 // 2) + 1
-        for name in _BODY:
+        for name in (*_BODY, *_SEAT, "seat", "owner"):
             setattr(self, name, _longer(getattr(self, name), room))
+        self.seat[idle:] = self.owner[idle:] = np.arange(idle, room)
         self.shape_body[self.shape_body == idle] = room - 1
 
     def clear(self, rows: Whole) -> None:
         """Forget all that is known of some bodies."""
         for name in _BODY:
             getattr(self, name)[rows] = 0
+        for name in _SEAT:
+            getattr(self, name)[self.seat[rows]] = 0
 
     def make_shape_room(self, shapes: int, corners: int) -> None:
         """Make room for so many shapes and corners in all."""
@@ -228,7 +255,7 @@ class World:
         self._coast = partial(
             self._engine.coast,
             *(self.settings, self.counts, self.kind, *bodies, *rows[:2], rows[2].view(np.int64)),
-            *(self.body, self.home, aligned_zeros((crews, COURSE))),
+            *(self.body, self.home, self.seat, aligned_zeros((crews, COURSE))),
             aligned_zeros((crews + 1, STREAM)),
         )
         self._known = False
