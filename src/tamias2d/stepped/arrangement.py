@@ -29,6 +29,7 @@ def arrange(
     kind: Whole,
     used: Whole,
     pose: Array,
+    body: Array,
     hits: Whole,
     fill: Whole,
     slabs: Whole,
@@ -46,7 +47,7 @@ def arrange(
     mark_active(counts, kind, used, hits)
     islands = number_islands(counts, kind, hits, isle, web)
     if islands >= 0:
-        divide(islands, counts, kind, used, pose, hits, isle, slabs)
+        divide(islands, counts, kind, used, pose, body, hits, isle, slabs)
         needed = give_places(counts, hits, fill, slabs)
         if needed > len(rows):
             counts[NEEDED] = needed

@@ -2,7 +2,7 @@
 
 Serves: the arrangement. Hides: along which axis they follow each other, and how wide they are.
 
-A slab is as wide as two bodies that touch are apart, at least: so contacts are within a slab, or
+A slab is at least as wide as two bodies that touch are apart: so contacts are within a slab, or
 with the next one. Then a slab may be ahead of the next one by a stage of the solver, which goes
 through a large scene only once in a step, as a front of some slabs, instead of once in each stage.
 
@@ -19,18 +19,18 @@ from tamias2d.stepped.layout import (
     HIT_B,
     HIT_BY_SLAB,
     HITS,
-    KINEMATIC,
+    REACH,
     SLABS,
     Whole,
     X,
     Y,
 )
 from tamias2d.stepped.rows import S_BODY, S_HIT, S_ISLE
-from tamias2d.stepped.thin import NUMBER, SLAB, tree_of
+from tamias2d.stepped.thin import NUMBER, SLAB, TREE
 
 CONTACTS_IN_SLAB = 1024  # to a slab, about
 MOST_SLABS = 256
-ROOMIER = 1.0 + 1e-9  # than bodies that touch are apart: rounding may not put another slab between
+TOO_FAR = 2.5  # reaches of the largest body: farther apart nothing touches
 
 
 def divide(
@@ -39,6 +39,7 @@ def divide(
     kind: Whole,
     used: Whole,
     pose: Array,
+    body: Array,
     hits: Whole,
     isle: Whole,
     slabs: Whole,
@@ -47,10 +48,33 @@ def divide(
 
     Of thin islands, which touch no others, each is in one slab.
     """
-    number = choose(islands, counts, kind, pose, hits, isle)
+    number = choose(islands, counts, kind, pose, body, hits, isle)
     counts[SLABS] = number
     for q in range(number + 1):
         slabs[q, S_ISLE] = -(-q * islands // number)
+    if number == 1:
+        list_all(counts, used, hits, slabs)
+    else:
+        list_by_slab(counts, kind, used, hits, isle, slabs)
+
+
+def list_all(counts: Whole, used: Whole, hits: Whole, slabs: Whole) -> None:
+    """List all that touches as one slab."""
+    slabs[1, S_HIT], slabs[1, S_BODY] = counts[HITS], counts[ACTIVE]
+    for k in range(counts[HITS]):
+        hits[HIT_BY_SLAB, k] = k
+    listed = 0
+    for i in range(len(used)):
+        if used[i] == 1:
+            hits[ACTIVE_ROW, listed] = i
+            listed += 1
+
+
+def list_by_slab(
+    counts: Whole, kind: Whole, used: Whole, hits: Whole, isle: Whole, slabs: Whole
+) -> None:
+    """List pairs and moving bodies slab by slab, by counting."""
+    number = counts[SLABS]
     clear_column(S_HIT, number, slabs)
     for k in range(counts[HITS]):
         slabs[slab_of(k, kind, hits, isle) + 2, S_HIT] += 1
@@ -61,7 +85,7 @@ def divide(
     for k in range(counts[ACTIVE]):
         slabs[isle[hits[ACTIVE_BODY, k], SLAB] + 2, S_BODY] += 1
     add_up(S_BODY, number, slabs)
-    for i in range(len(used) if counts[ACTIVE] > 0 else 0):
+    for i in range(len(used)):
         if used[i] == 1:
             hits[ACTIVE_ROW, take_place(isle[i, SLAB], S_BODY, slabs)] = i
 
@@ -85,67 +109,46 @@ def take_place(q: int, column: int, slabs: Whole) -> int:
     return int(place)
 
 
-def choose(islands: int, counts: Whole, kind: Whole, pose: Array, hits: Whole, isle: Whole) -> int:
+def choose(
+    islands: int,
+    counts: Whole,
+    kind: Whole,
+    pose: Array,
+    body: Array,
+    hits: Whole,
+    isle: Whole,
+) -> int:
     """Give each body that can be pushed and touches something its slab; return how many there are.
 
-    Bodies that are not named in the end are in the first one.
+    Where something moves that cannot be pushed there is one only, for that would be in none.
     """
     wanted = min(counts[HITS] // CONTACTS_IN_SLAB, MOST_SLABS)
-    if wanted < 2 or some_moves_by_itself(counts, kind, hits):
+    if wanted < 2:
         return 1
-    axis, number, low, width = X, 1, 0.0, 0.0
-    for along in (X, Y):
-        first, last, apart = extent_along(along, counts, kind, pose, hits, isle)
-        room = float(wanted) if apart < 0.0 or last - first > apart == 0.0 else 1.0
-        if apart > 0.0:
-            room = (last - first) / (ROOMIER * apart)
-        fitting = int(min(room, float(wanted)))
-        if fitting > number:
-            axis, number, low, width = along, fitting, first, (last - first) / fitting
-    if number == 1:
+    one = hits[ACTIVE_BODY, 0]
+    low_x, high_x, low_y, high_y = pose[one, X], pose[one, X], pose[one, Y], pose[one, Y]
+    reach = 0.0
+    pushed = 0
+    for k in range(counts[ACTIVE]):
+        i = hits[ACTIVE_BODY, k]
+        pushed += kind[i] == DYNAMIC
+        low_x, high_x = min(low_x, pose[i, X]), max(high_x, pose[i, X])
+        low_y, high_y = min(low_y, pose[i, Y]), max(high_y, pose[i, Y])
+        reach = max(reach, body[i, REACH])
+    along_x = high_x - low_x > high_y - low_y
+    low, extent = (low_x, high_x - low_x) if along_x else (low_y, high_y - low_y)
+    number = int(min(extent / (TOO_FAR * reach), float(wanted)))
+    if number < 2 or pushed < counts[ACTIVE]:
         return 1
-    for k in range(counts[HITS]):
-        root = thin_root(k, kind, hits, isle)
-        for i in (hits[HIT_A, k], hits[HIT_B, k]):
-            if kind[i] == DYNAMIC and root >= 0:
-                isle[i, SLAB] = isle[root, NUMBER] * number // islands
-            elif kind[i] == DYNAMIC:
-                isle[i, SLAB] = min(int((pose[i, axis] - low) / width), number - 1)
+    for k in range(counts[ACTIVE]):
+        i = hits[ACTIVE_BODY, k]
+        root = isle[i, TREE]
+        if root >= 0 and isle[root, NUMBER] >= 0:
+            isle[i, SLAB] = isle[root, NUMBER] * number // islands
+        else:
+            place = pose[i, X] if along_x else pose[i, Y]
+            isle[i, SLAB] = min(int((place - low) / (extent / number)), number - 1)
     return number
-
-
-def some_moves_by_itself(counts: Whole, kind: Whole, hits: Whole) -> bool:
-    """Return whether something touches that moves and cannot be pushed: it is in no slab."""
-    found = False
-    for k in range(counts[HITS]):
-        found = found | (kind[hits[HIT_A, k]] == KINEMATIC) | (kind[hits[HIT_B, k]] == KINEMATIC)
-    return bool(found)
-
-
-def extent_along(
-    axis: int, counts: Whole, kind: Whole, pose: Array, hits: Whole, isle: Whole
-) -> tuple[float, float, float]:
-    """Return where along an axis bodies that are in no thin island begin and end, m.
-
-    And how far two that touch are apart, at most; less than zero where all islands are thin.
-    """
-    first, last, apart = 0.0, 0.0, -1.0
-    for k in range(counts[HITS]):
-        if thin_root(k, kind, hits, isle) >= 0:
-            continue
-        i, j = hits[HIT_A, k], hits[HIT_B, k]
-        i, j = (i if kind[i] == DYNAMIC else j), (j if kind[j] == DYNAMIC else i)
-        low, high = min(pose[i, axis], pose[j, axis]), max(pose[i, axis], pose[j, axis])
-        first = low if apart < 0.0 else min(first, low)
-        last = high if apart < 0.0 else max(last, high)
-        apart = max(apart, high - low)
-    return first, last, apart
-
-
-def thin_root(k: int, kind: Whole, hits: Whole, isle: Whole) -> int:
-    """Return the body that stands for the thin island of a touching pair, or -1."""
-    root = tree_of(k, kind, hits, isle)
-    return root if root >= 0 and isle[root, NUMBER] >= 0 else -1
 
 
 def slab_of(k: int, kind: Whole, hits: Whole, isle: Whole) -> int:

@@ -154,7 +154,15 @@ def step(
     is in the order of adding, what steps work on in that of seats, which are near where bodies are.
     """
     if counts[PHASE] == BEGUN:
-        seat_all(owner, pose, velocity, load, seated_pose, motion, seated_load)
+        odd = seat_all(
+            settings, owner, pose, velocity, load, seated_kind, seated_pose, motion, seated_load
+        )
+        if (
+            odd
+            and counts[SOUND] == 0
+            and not all_sound(settings, seated_kind, seated_pose, motion, seated_load)
+        ):
+            return UNSOUND
     alone = False
     while counts[WANTED] > 0 and not alone:
         status = step_once(
@@ -176,20 +184,45 @@ def step(
 
 
 def seat_all(
+    settings: Array,
     owner: Whole,
     pose: Array,
     velocity: Array,
     load: Array,
+    seated_kind: Whole,
     seated_pose: Array,
     motion: Array,
     seated_load: Array,
-) -> None:
-    """Bring what users can set to the seats of the bodies."""
+) -> bool:
+    """Bring what users can set to the seats of the bodies; return whether some of it looks odd.
+
+    It does where a sum is not finite, or what is static moves.
+    """
+    total = settings[GRAVITY_X] + settings[GRAVITY_Y]
+    odd = 0 if total - total == 0.0 else 1
     for i in range(len(owner)):
-        one = owner[i]
+        at, speed, by = pose[owner[i]], velocity[owner[i]], load[owner[i]]
         for n in range(3):
-            seated_pose[i, n], motion[i, n] = pose[one, n], velocity[one, n]
-            seated_load[i, n] = load[one, n]
+            seated_pose[i, n], motion[i, n], seated_load[i, n] = at[n], speed[n], by[n]
+            total = at[n] + speed[n] + by[n]
+            odd += 0 if total - total == 0.0 else 1
+        moves = abs(speed[0]) + abs(speed[1]) + abs(speed[2]) > 0.0
+        odd += 1 if moves & (seated_kind[i] == STATIC) else 0
+    return odd > 0
+
+
+def all_sound(settings: Array, kind: Whole, pose: Array, motion: Array, load: Array) -> bool:
+    """Return whether what users can set are numbers, and what is static stands still."""
+    x, y = settings[GRAVITY_X], settings[GRAVITY_Y]
+    bad = 0 if x - x == 0.0 and y - y == 0.0 else 1
+    for i in range(len(pose)):
+        mobile = kind[i] != STATIC
+        for k in range(3):
+            fine = (pose[i, k] - pose[i, k] == 0.0) & (load[i, k] - load[i, k] == 0.0)
+            moves = motion[i, k] != 0.0
+            fine = fine & (motion[i, k] - motion[i, k] == 0.0) & (mobile | (not moves))
+            bad += 0 if fine else 1
+    return bad == 0
 
 
 def step_once(
@@ -240,9 +273,6 @@ def step_once(
 ) -> int:
     """Take one step, or say what there is too little room for; called again, it goes on."""
     if counts[PHASE] == BEGUN:
-        if counts[SOUND] == 0 and not all_sound(settings, kind, pose, motion, load):
-            return UNSOUND
-        counts[SOUND] = 1
         if counts[PATIENCE] > 0:
             look_who_sleeps(
                 settings, counts, pose, motion, load, kind, pairs[counts[SIDE]],
@@ -281,7 +311,9 @@ def step_once(
             )  # fmt: skip
         counts[PHASE] = MET
     if counts[PHASE] == MET:
-        status = arrange(counts, trace, kind, used, pose, hits, fill, slabs, rows, lanes, isle, web)
+        status = arrange(
+            counts, trace, kind, used, pose, body, hits, fill, slabs, rows, lanes, isle, web
+        )
         if status != DONE:
             return status
         if counts[SEATED] == 0:
@@ -343,17 +375,3 @@ def step_once(
     counts[SINCE] += 1
     counts[PHASE] = BEGUN
     return DONE
-
-
-def all_sound(settings: Array, kind: Whole, pose: Array, motion: Array, load: Array) -> bool:
-    """Return whether what users can set are numbers, and what is static stands still."""
-    x, y = settings[GRAVITY_X], settings[GRAVITY_Y]
-    bad = 0 if x - x == 0.0 and y - y == 0.0 else 1
-    for i in range(len(pose)):
-        mobile = kind[i] != STATIC
-        for k in range(3):
-            fine = (pose[i, k] - pose[i, k] == 0.0) & (load[i, k] - load[i, k] == 0.0)
-            moves = motion[i, k] != 0.0
-            fine = fine & (motion[i, k] - motion[i, k] == 0.0) & (mobile | (not moves))
-            bad += 0 if fine else 1
-    return bad == 0
