@@ -11,6 +11,7 @@ from tamias2d.generated.definitions import (
     way,
 )
 from tamias2d.state import Array
+from tamias2d.stepped.flight_rooms import goes_far
 from tamias2d.stepped.layout import (
     ANGULAR,
     DECAY,
@@ -36,25 +37,41 @@ def drift(
     kind: Whole,
     used: Whole,
     gained: Array,
-) -> None:
+) -> bool:
     """Find how far bodies without contacts go in this step: they have a closed form (IM1, IM6).
 
-    What forces add to their velocities is noted; for bodies with contacts that is nothing.
+    What forces add to their velocities is noted; for bodies with contacts that is nothing. Returns
+    whether some body goes so far that flight is to look after it.
     """
+    far = False
     for i in range(len(kind)):
         for n in range(3):
             gained[i, 3 + n] = 0.0
-        if kind[i] < KINEMATIC or used[i] == 1:
-            used[i] = 0
-            continue
-        by_x = by_y = turn = 0.0
-        if kind[i] == DYNAMIC:
-            gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-            by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
-            turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
-        flow(i, 0, FULL, by_x, body, motion, gained)
-        flow(i, 1, FULL, by_y, body, motion, gained)
-        flow(i, 2, FULL + ANGULAR, turn, body, motion, gained)
+        if kind[i] >= KINEMATIC and used[i] == 0:
+            fall(i, settings, motion, load, body, kind, gained)
+        used[i] = 0
+        far = far | goes_far(i, kind, motion, body)
+    return far
+
+
+def fall(
+    i: int,
+    settings: Array,
+    motion: Array,
+    load: Array,
+    body: Array,
+    kind: Whole,
+    gained: Array,
+) -> None:
+    """Find how far a body goes on which no contact acts."""
+    by_x = by_y = turn = 0.0
+    if kind[i] == DYNAMIC:
+        gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
+        by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
+        turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
+    flow(i, 0, FULL, by_x, body, motion, gained)
+    flow(i, 1, FULL, by_y, body, motion, gained)
+    flow(i, 2, FULL + ANGULAR, turn, body, motion, gained)
 
 
 def flow(i: int, axis: int, at: int, by: float, body: Array, motion: Array, gained: Array) -> None:

@@ -34,12 +34,9 @@ FAST = 0.35  # of half its width: how far a body goes before it is looked after
 ANY_TURN = 2.0  # rad: where there is so much room, neighbours are known whichever way it turns
 
 
-def goes_far(kind: Whole, motion: Array, body: Array) -> bool:
-    """Return whether some body goes farther in this step than it could be pushed back from."""
-    far = False
-    for i in range(len(kind)):
-        far = far | ((way_of(i, motion, body) > FAST * body[i, INNER]) & (kind[i] >= KINEMATIC))
-    return far
+def goes_far(i: int, kind: Whole, motion: Array, body: Array) -> bool:
+    """Return whether a body goes farther in this step than it could be pushed back from."""
+    return bool((way_of(i, motion, body) > FAST * body[i, INNER]) & (kind[i] >= KINEMATIC))
 
 
 def mark_outrun(

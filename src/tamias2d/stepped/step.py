@@ -35,7 +35,7 @@ from tamias2d.stepped.flight import (
     LOOKS_AROUND,
     fly,
 )
-from tamias2d.stepped.flight_rooms import goes_far, mark_outrun
+from tamias2d.stepped.flight_rooms import mark_outrun
 from tamias2d.stepped.frame import (
     move_frame,
 )
@@ -331,9 +331,8 @@ def step_once(
         if counts[DORMANT] > 0:
             keep_still(kind, island, motion, used)
             keep_touching(counts, pair, island, trace)
-        drift(settings, motion, load, body, kind, used, carried)
+        far = drift(settings, motion, load, body, kind, used, carried)
         move_frame(settings)
-        far = goes_far(kind, motion, body)
         if not far:
             counts[PHASE] = ARRIVING
         else:
