@@ -188,8 +188,9 @@ class Roster:
         start, total = np.cumsum(count) - count, int(count.sum())
         old = np.repeat(world.shape_first[slots] - start, count) + np.arange(total)
         if total and old.max() - old.min() + 1 == total:
-            world.corner[old.min() : old.min() + total] = world.corner[old]
-            world.shape_first[slots] = old.min() + start
+            place = slice(old.min(), old.min() + total)
+            world.corner[place] = world.turned[place] = world.corner[old]
+            world.shape_first[slots] = place.start + start
 
     def _forms(self) -> Whole:
         """Return a number for the form of each new body, in the order of the forms themselves."""

@@ -37,13 +37,11 @@ def turn_shape(
     corner: Array,
     turned: Array,
 ) -> None:
-    """Turn the corners of one shape into the world's axes."""
+    """Turn the corners of one shape into the world's axes, unless it looks alike in all of them."""
     first = shape_first[s]
     if shape_kind[s] == HALF_PLANE or (
         shape_count[s] == 1 and corner[first, 0] == 0.0 and corner[first, 1] == 0.0
     ):
-        for k in range(4):
-            turned[first, k] = corner[first, k]
         return
     c, d = cosine_sine(pose[shape_body[s], TURN])
     for k in range(first, first + shape_count[s]):
