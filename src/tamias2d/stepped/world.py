@@ -108,10 +108,10 @@ class World:
         self.node = aligned_zeros((2, 4))
         self.middle = aligned_zeros((0, 8))
         self.found = aligned_zeros((16, 4), dtype=np.int64)
-        self.pairs = aligned_zeros((2, 16, 4), dtype=np.int32)
+        self.pairs = aligned_zeros((2, 16, 4), dtype=np.uint32)
         self.touches = aligned_zeros((2, 16, TOUCH))
         self.traces = aligned_zeros((2, 16, 6), dtype=np.int32)
-        self.hits = aligned_zeros((10, 32), dtype=np.int64)
+        self.hits = aligned_zeros((10, 32), dtype=np.uint32)
         self.fill = aligned_zeros((2, 128), dtype=np.int64)
         self.slabs = aligned_zeros((MOST_SLABS + 2, 4), dtype=np.int64)
         self.rows = aligned_zeros((4, WIDTH))
@@ -268,7 +268,7 @@ class World:
         self._arguments = tuple(getattr(self, name) for name in _ORDER)
 
     def _more_pairs(self, room: int) -> None:
-        self.hits = aligned_zeros((10, 2 * room), dtype=np.int64)  # a pair has two bodies
+        self.hits = aligned_zeros((10, 2 * room), dtype=np.uint32)  # a pair has two bodies
         for name in ("pairs", "touches", "traces"):
             old = getattr(self, name)
             new = aligned_zeros((2, room, old.shape[2]), dtype=old.dtype)
