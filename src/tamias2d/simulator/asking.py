@@ -44,10 +44,10 @@ class Questions:
     def __init__(self, world: World) -> None:
         self._world = world
         self._pose = np.zeros((0, 3))
-        self._ranked = np.zeros((2, 0), dtype=np.int64)
+        self._ranked = np.zeros((2, 0), dtype=np.uint32)
         self._sizes = np.zeros(2, dtype=np.int64)
         self._box = self._node = np.zeros((0, 4))
-        self._curve = np.zeros((5, 0), dtype=np.int64)
+        self._curve = np.zeros((5, 0), dtype=np.uint32)
 
     def rays(self, start: object, end: object, mask: object) -> Hits:
         """Return what rays from points to points, (2,) or (k, 2) each, meet first."""
@@ -72,11 +72,13 @@ class Questions:
             rays, checked_mask(mask, of), world.pose, world.ranked, world.shape_body,
             world.shape_kind, world.shape_first, world.shape_count, world.shape_radius,
             world.filters, world.corner, self._box, self._curve, self._node, self._sizes, met, hits,
-            np.empty(len(world.shape_body), dtype=np.int64),
+            np.empty(len(world.shape_body), dtype=np.uint32),
         )  # fmt: skip
         fraction = np.minimum(hits[:, 0], 1.0)
         return Hits(
-            body=np.where(met >= 0, world.shape_body[met], -1) if len(world.shape_body) else met,
+            body=np.where(met >= 0, world.shape_body[met].astype(np.int64), -1)
+            if len(world.shape_body)
+            else met,
             point=rays[:, :2] + fraction[:, None] * (rays[:, 2:] - rays[:, :2]),
             normal=hits[:, 1:].copy(),
             fraction=fraction,
@@ -86,7 +88,7 @@ class Questions:
         """Return the bodies (k,) that reach into a box between two corners (2,), by rank."""
         world = self._world
         self._look()
-        found = np.empty(len(world.shape_body), dtype=np.int64)
+        found = np.empty(len(world.shape_body), dtype=np.uint32)
         total = _engine().gather(
             *low.tolist(), *high.tolist(), checked_mask(mask, "the question"), world.pose,
             world.shape_body, world.shape_kind, world.shape_first, world.shape_count,

@@ -96,7 +96,7 @@ def touching(world: World) -> Touching:
     side, size = int(world.counts[SIDE]), int(world.counts[PAIRS])
     noted = world.traces[side, :size, TOUCHED]
     rows = np.flatnonzero(noted)
-    bodies = world.owner[world.pairs[side, rows, OF_A : OF_B + 1]]
+    bodies = world.owner[world.pairs[side, rows, OF_A : OF_B + 1]].astype(np.int64)
     code = bodies.min(axis=1) * len(world.pose) + bodies.max(axis=1)
     now, before = (np.unique(code[noted[rows] & bit != 0]) for bit in (1, 2))
     touch = world.touches[side, rows]

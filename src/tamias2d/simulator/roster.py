@@ -204,7 +204,7 @@ class Roster:
         world = self.world
         rest = np.ones(len(world.shape_body), dtype=bool)
         rest[self._order] = False
-        world.ranked = np.empty((2, len(rest)), dtype=np.int64)
+        world.ranked = np.empty((2, len(rest)), dtype=np.uint32)
         world.ranked[0] = np.concatenate((self._order, np.flatnonzero(rest)))
         world.ranked[1, world.ranked[0]] = np.arange(len(rest))
         world.forget()

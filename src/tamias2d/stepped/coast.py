@@ -16,7 +16,7 @@ from tamias2d.generated.definitions import (
     pace_later,
     way,
 )
-from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, RankRows, Ranks
+from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, Places, RankRows, Ranks
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 from tamias2d.stepped.frame import move_frame
@@ -81,7 +81,7 @@ def coast(
     load_bits: RankRows,
     body: FloatRows,
     home: FloatRows,
-    seat: Ranks,
+    seat: Places,
     course: FloatRows,
     stream: FloatRows,
     steps: int,

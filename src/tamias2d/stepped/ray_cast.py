@@ -10,6 +10,8 @@ from tamias2d.kernels.arrays import (
     FloatRows,
     Floats,
     Indices,
+    PlaceRows,
+    Places,
     RankRows,
     Ranks,
 )
@@ -38,8 +40,8 @@ def cast(
     rays: FloatRows,
     mask: int,
     pose: FloatRows,
-    ranked: RankRows,
-    shape_body: Indices,
+    ranked: PlaceRows,
+    shape_body: Places,
     shape_kind: Indices,
     shape_first: Indices,
     shape_count: Indices,
@@ -47,12 +49,12 @@ def cast(
     filters: RankRows,
     corner: FloatRows,
     box: FloatRows,
-    curve: RankRows,
+    curve: PlaceRows,
     node: FloatRows,
     sizes: Ranks,
     met: Ranks,
     hits: FloatRows,
-    found: Ranks,
+    found: Places,
 ) -> None:
     """Find the first shape that each ray (k, 4), from a point to a point, enters.
 

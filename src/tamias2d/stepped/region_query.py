@@ -14,6 +14,8 @@ from tamias2d.kernels.arrays import (
     FloatRows,
     Floats,
     Indices,
+    PlaceRows,
+    Places,
     RankRows,
     Ranks,
 )
@@ -39,15 +41,15 @@ SLACK = 1e-12  # relative: how much larger boxes are than what is in them
 def survey(
     kind: Bytes,
     pose: FloatRows,
-    ranked: RankRows,
-    shape_body: Indices,
+    ranked: PlaceRows,
+    shape_body: Places,
     shape_kind: Indices,
     shape_first: Indices,
     shape_count: Indices,
     shape_radius: Floats,
     corner: FloatRows,
     box: FloatRows,
-    curve: RankRows,
+    curve: PlaceRows,
     node: FloatRows,
     sizes: Ranks,
 ) -> None:
@@ -100,7 +102,7 @@ def gather(
     high_y: float,
     mask: int,
     pose: FloatRows,
-    shape_body: Indices,
+    shape_body: Places,
     shape_kind: Indices,
     shape_first: Indices,
     shape_count: Indices,
@@ -108,10 +110,10 @@ def gather(
     filters: RankRows,
     corner: FloatRows,
     box: FloatRows,
-    curve: RankRows,
+    curve: PlaceRows,
     node: FloatRows,
     sizes: Ranks,
-    found: Ranks,
+    found: Places,
 ) -> int:
     """Write the shapes that overlap a box, which may be a point, into `found`; return how many."""
     leaves, total = sizes[0], 0

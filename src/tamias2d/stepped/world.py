@@ -75,8 +75,8 @@ class World:
         self.load = aligned_zeros((1, 3))
         self.body = aligned_zeros((1, 18))
         self.kind = aligned_zeros(1, dtype=np.int8)
-        self.seat = aligned_zeros(1, dtype=np.int64)
-        self.owner = aligned_zeros(1, dtype=np.int64)
+        self.seat = aligned_zeros(1, dtype=np.uint32)
+        self.owner = aligned_zeros(1, dtype=np.uint32)
         self.seated_pose = aligned_zeros((1, 3))
         self.seated_load = aligned_zeros((1, 3))
         self.seated_body = aligned_zeros((1, 18))
@@ -91,9 +91,9 @@ class World:
         self.isle = aligned_zeros((1, ISLE), dtype=np.int64)
         self.web = aligned_zeros((2, WEB), dtype=np.int64)
         self.weave = aligned_zeros((2, WEAVE))
-        self.ranked = aligned_zeros((2, 0), dtype=np.int64)
-        self.shape_body = aligned_zeros(0, dtype=np.int32)
-        self.shape_seat = aligned_zeros(0, dtype=np.int32)
+        self.ranked = aligned_zeros((2, 0), dtype=np.uint32)
+        self.shape_body = aligned_zeros(0, dtype=np.uint32)
+        self.shape_seat = aligned_zeros(0, dtype=np.uint32)
         self.shape_kind = aligned_zeros(0, dtype=np.int32)
         self.shape_first = aligned_zeros(0, dtype=np.int32)
         self.shape_count = aligned_zeros(0, dtype=np.int32)
@@ -104,10 +104,10 @@ class World:
         self.corner = aligned_zeros((0, 4))
         self.turned = aligned_zeros((0, 4))
         self.box = aligned_zeros((0, 8))
-        self.curve = aligned_zeros((5, 256), dtype=np.int64)
+        self.curve = aligned_zeros((5, 256), dtype=np.uint32)
         self.node = aligned_zeros((2, 4))
         self.middle = aligned_zeros((0, 8))
-        self.found = aligned_zeros((16, 4), dtype=np.int64)
+        self.found = aligned_zeros((16, 4), dtype=np.uint32)
         self.pairs = aligned_zeros((2, 16, 4), dtype=np.uint32)
         self.touches = aligned_zeros((2, 16, TOUCH))
         self.traces = aligned_zeros((2, 16, 6), dtype=np.int32)
@@ -193,7 +193,7 @@ class World:
                 setattr(self, name, _longer(getattr(self, name), room))
             self.shape_body[taken:] = len(self.pose) - 1
             self.node = aligned_zeros((2 * lowest(room), 4))
-            self.curve = aligned_zeros((5, room + 256), dtype=np.int64)
+            self.curve = aligned_zeros((5, room + 256), dtype=np.uint32)
         if corners > len(self.corner):
             room = max(corners, len(self.corner) * 3 // 2)
             self.corner, self.turned = _longer(self.corner, room), _longer(self.turned, room)
@@ -228,7 +228,7 @@ class World:
         """Make the room that the engine asked for; return whether it was that."""
         room = int(self.counts[NEEDED] * 5 // 4 + 16)
         if status == MORE_FOUND:
-            self.found = aligned_zeros((room, 4), dtype=np.int64)
+            self.found = aligned_zeros((room, 4), dtype=np.uint32)
         elif status == MORE_PAIRS:
             self._more_pairs(room)
         elif status == MORE_BLOCKS:
