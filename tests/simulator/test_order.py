@@ -75,7 +75,7 @@ def test_queries_compiled_have_the_bits_of_plain_ones() -> None:
     for engine in (QUERY.plain(), QUERY.compiled()):
         box, node = np.zeros_like(world.box), np.zeros_like(world.node)
         curve, sizes = np.zeros_like(world.curve), np.zeros(2, dtype=np.int64)
-        room = np.zeros(len(world.shape_body), dtype=np.int64)
+        room = np.zeros(len(world.shape_body), dtype=np.uint32)
         shapes = (
             *(world.shape_body, world.shape_kind, world.shape_first, world.shape_count),
             world.shape_radius,

@@ -302,15 +302,13 @@ def step_once(
         counts[PHASE] = KNOWN
     pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
     if counts[PHASE] == KNOWN:
-        meet(
-            False, settings, counts, pose, motion, shape_kind, shape_first, shape_count,
-            shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
-        )  # fmt: skip
-        while counts[DORMANT] > 0 and rouse(counts, pair, hits, island):
+        again = False
+        while not again or (counts[DORMANT] > 0 and rouse(counts, pair, hits, island)):
             meet(
-                True, settings, counts, pose, motion, shape_kind, shape_first, shape_count,
+                again, settings, counts, pose, motion, shape_kind, shape_first, shape_count,
                 shape_radius, surface, filters, turned, pair, touch, trace, hits, island,
             )  # fmt: skip
+            again = True
         counts[PHASE] = MET
     if counts[PHASE] == MET:
         status = arrange(
