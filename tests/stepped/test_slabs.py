@@ -1,6 +1,7 @@
 """Slabs that are solved in turns: what each may touch, and that turns change nothing."""
 
 from collections.abc import Callable
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,6 @@ from tamias2d.stepped.layout import (
     HIT_PLACE,
     HITS,
     SLABS,
-    SUBSTEPS,
     THIN,
 )
 from tamias2d.stepped.menu import CONTACT
@@ -52,7 +52,7 @@ def plain(scene: t2.Scene) -> Simulator:
 @pytest.fixture(autouse=True)
 def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where slabs are small, a scene needs not be large; engines as plain Python see that."""
-    monkeypatch.setattr(slabs, "CONTACTS_IN_SLAB", 8)
+    monkeypatch.setattr(slabs, "CONTACTS_IN_SLAB", 2)
 
 
 @pytest.mark.parametrize("upright", [False, True])
@@ -84,19 +84,19 @@ def test_contacts_are_within_a_slab_or_with_the_next_one(*, upright: bool) -> No
         assert (world.isle[active[table[q, S_BODY] : table[q + 1, S_BODY]], SLAB] == q).all()
 
 
-def stage_by_stage(take: Callable[..., None]) -> Callable[..., None]:
-    """Return what takes all slabs through a stage before any of them is in the next one."""
-    waiting: list[tuple[int, int, tuple[Any, ...]]] = []
+def all_at_once(take: Callable[..., None]) -> Callable[..., None]:
+    """Return what takes all bodies, and then all contacts, through a stage as one slab."""
 
-    def wait(stage: int, slab: int, *rest: Any) -> None:
-        counts = rest[2]
-        waiting.append((stage, slab, rest))
-        if len(waiting) == counts[SLABS] * (2 * counts[SUBSTEPS] + 1):
-            for first, second, others in sorted(waiting, key=lambda unit: unit[:2]):
-                take(first, second, *others)
-            waiting.clear()
+    def go(stage: int, slab: int, *rest: Any) -> None:
+        if slab > 0:
+            return
+        arguments = dict(zip(list(signature(take).parameters)[2:], rest, strict=True))
+        counts, table = arguments["counts"].copy(), np.zeros_like(arguments["slabs"])
+        table[1] = arguments["slabs"][counts[SLABS]]
+        counts[SLABS] = 1
+        take(stage, 0, **{**arguments, "counts": counts, "slabs": table})
 
-    return wait
+    return go
 
 
 @pytest.mark.parametrize("upright", [False, True])
@@ -107,7 +107,7 @@ def test_turns_give_the_bits_of_one_stage_after_the_other(
     turns, stages = plain(heap(upright=upright)), plain(heap(upright=upright))
     for _ in range(12):
         turns.step()
-    monkeypatch.setattr(substeps, "take_stage", stage_by_stage(substeps.take_stage))
+    monkeypatch.setattr(substeps, "take_stage", all_at_once(substeps.take_stage))
     for _ in range(12):
         stages.step()
     assert turns._world.counts[SLABS] > 3
