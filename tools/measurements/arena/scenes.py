@@ -56,8 +56,14 @@ def two_discs() -> Scene:
 
 
 def falling_discs(rows: int, columns: int) -> Scene:
-    """Return discs of radius 0.25 m that fall on a floor, slightly out of line (X16)."""
+    """Return discs of radius 0.25 m that fall on a floor, slightly out of line (X16).
+
+    Between walls, for without them the fewer columns there are the more of all discs roll away.
+    """
     scene, chance = _floor("falling-discs"), random.Random(16)
+    for normal, offset in ((1.0, -0.3), (-1.0, -0.55 * (columns - 1) - 0.3)):
+        wall = HalfPlane(normal=(normal, 0.0), offset=offset)
+        scene.add_static(wall, friction=_FRICTION, restitution=0.0)
     for k in range(rows * columns):
         x, y = k % columns * 0.55, k // columns * 0.55 + 0.3
         _add(scene, Disc(radius=0.25), 1.0, x + chance.uniform(-0.02, 0.02), y)
