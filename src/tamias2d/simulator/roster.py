@@ -4,8 +4,10 @@ Serves: adding and removing while a simulator runs. Hides: how freed rows are us
 arrays grow.
 
 The row of a body is its index, and stays it. Bodies are ordered by when they first take part in a
-step, and those that do so together by what and where they are, number by number: so the order of
-adding changes nothing. Bodies that are equal in all of it can be swapped without a difference.
+step, and those that do so together by where and what they are, number by number: so the order of
+adding changes nothing. The order goes along the x axis in stretches, and in each of them upwards;
+bodies and shapes sit in it where the engine works. Bodies that are equal in all of it can be
+swapped without a difference.
 """
 
 from collections.abc import Mapping, Sequence

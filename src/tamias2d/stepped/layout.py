@@ -4,7 +4,8 @@ Serves: all modules of the stepped way. Hides: nothing; these are the names of p
 
 Bodies, shapes and pairs are rows of wide arrays, because a kernel is called with each array at a
 price. Body arrays have one row more than there are bodies, the idle one, all zeros: lanes of a
-block that have no contact work on it.
+block that have no contact work on it. The row of a body is its seat, in the canonical order of
+those that came together, so that what is near in the world is near in memory.
 """
 
 from typing import Any, TypeAlias

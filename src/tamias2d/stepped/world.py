@@ -54,7 +54,7 @@ SHAPE_ROWS = (
     *("shape_body", "shape_kind", "shape_first", "shape_count", "shape_radius"),
     *("surface", "filters"),
 )
-_SHAPE = (*("shape_seat", "box", "middle", *SHAPE_ROWS),)
+_SHAPE = ("shape_seat", "box", "middle", *SHAPE_ROWS)
 
 
 class World:
