@@ -56,6 +56,7 @@ class Roster:
         self._shapes = self._corners = 0  # rows ever taken
         self._next = 0
         self._new: dict[int, int] = {}  # bodies without a rank, and the numbers of their forms
+        self._placed: list[int] = []  # shapes of such bodies, of each in their order
         self._form_number: dict[tuple[float, ...], int] = {}  # as they came, since all had ranks
         self._leaving = np.zeros(0, dtype=np.int64)  # removed since it was settled
         self._flow: Array | None = None  # columns of a body without drag
@@ -116,7 +117,7 @@ class Roster:
         for count, slot in arrays["free_shapes"].tolist():
             self._free_shapes.setdefault(count, []).append(slot)
         self._shapes, self._corners, self._next = arrays["sizes"].tolist()
-        self._new, self._form_number = {}, {}
+        self._new, self._placed, self._form_number = {}, [], {}
 
     def settle(self) -> None:
         """Let go of what was removed, and give all that is new its rank."""
@@ -129,6 +130,7 @@ class Roster:
         if len(new):
             self._rank(new)
             self._new.clear()
+            self._placed.clear()
             self._form_number.clear()
         self.world.settle(np.concatenate((gone, new)))
         self._publish()
@@ -150,7 +152,8 @@ class Roster:
         world = self.world
         new = np.zeros(len(world.pose), dtype=bool)
         new[rows] = True
-        owned = np.flatnonzero(new[world.shape_body])
+        owned = np.array(self._placed, dtype=np.int64)
+        owned = owned[new[world.shape_body[owned]]]
         first = np.full(len(world.pose), -1)
         first[world.shape_body[owned][::-1]] = owned[::-1]
         tables = (world.pose[rows], world.velocity[rows], world.load[rows], world.body[rows])
@@ -163,8 +166,8 @@ class Roster:
         self.rank[sequence] = np.arange(self._next, self._next + len(rows))
         self._next += len(rows)
         world.sit(sequence, np.sort(world.seat[rows]))
-        self._arrange_shapes(owned, np.lexsort((owned, self.rank[world.shape_body[owned]])))
-        self._order = np.concatenate((self._order, owned))
+        self._arrange_shapes(owned[np.argsort(self.rank[world.shape_body[owned]], kind="stable")])
+        self._order = np.concatenate((self._order, np.sort(owned)))
 
     def _stretches(self, rows: Whole) -> Array:
         """Return in which stretch of the x axis each body is, all some bodies wide.
@@ -177,14 +180,14 @@ class Roster:
             stretch: Array = np.floor(self.world.pose[rows, X] / width)
         return stretch
 
-    def _arrange_shapes(self, slots: Whole, order: Whole) -> None:
+    def _arrange_shapes(self, sequence: Whole) -> None:
         """Put new shapes, and their corners where these lie together, in an order."""
-        world = self.world
+        world, slots = self.world, np.sort(sequence)
         for name in SHAPE_ROWS:
             values = getattr(world, name)
-            values[slots] = values[slots[order]]
+            values[slots] = values[sequence]
         moved = np.arange(len(world.shape_body))
-        moved[slots[order]] = slots
+        moved[sequence] = slots
         world.mixed[:, :2] = moved[world.mixed[:, :2].astype(np.int64)]
         count = world.shape_count[slots].astype(np.int64)
         start, total = np.cumsum(count) - count, int(count.sum())
@@ -250,6 +253,7 @@ class Roster:
         world, corners = self.world, sum(len(piece.corner) for piece in found)
         world.make_shape_room(self._shapes + len(found), self._corners + corners)
         slots = np.array([self._slot(len(piece.corner)) for piece in found])
+        self._placed += slots.tolist()
         world.shape_body[slots] = rows[owner]
         world.shape_kind[slots] = [piece.kind for piece in found]
         world.shape_radius[slots] = [piece.radius for piece in found]
