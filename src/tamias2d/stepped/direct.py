@@ -93,9 +93,11 @@ LIVELY = 1.0 + 1e-9  # nor what gives the bodies more energy, but for rounding
 LEFT_ALONE = -1
 
 
-def ready(islands: int, body: Array, rows: Array, lanes: Whole, web: Whole, weave: Array) -> None:
-    """Note the masses of the knots of all islands, and how soft their joints are."""
-    for n in range(islands):
+def ready(
+    first: int, last: int, body: Array, rows: Array, lanes: Whole, web: Whole, weave: Array
+) -> None:
+    """Note the masses of the knots of some islands, and how soft their joints are."""
+    for n in range(first, last):
         heaviest = lightest = 0.0
         for knot in range(web[n, I_KNOT], web[n + 1, I_KNOT]):
             i = web[knot, K_BODY]

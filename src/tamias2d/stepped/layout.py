@@ -76,6 +76,10 @@ REST_LOAD, REST_GRAVITY = 3, 6
 EARLIER, UNBOUNCED, SEEN, LEANS, SUMS = 0, 3, 6, 9, 10
 ENERGIES = 20
 
+# carried (n+1, 12), for each coordinate: what contacts have changed in the velocity, the velocity
+# as the step or this substep began, and what drag and forces make of it; of what is static, zeros
+CARRIED, NOTED, KEPT_BY_DRAG, GIVEN = 0, 3, 6, 9
+
 # kind (n+1,)
 ABSENT, STATIC, KINEMATIC, DYNAMIC = 0, 1, 2, 3
 

@@ -34,6 +34,7 @@ from tamias2d.stepped.layout import (
     INVERSE_INERTIA,
     INVERSE_MASS,
     IS,
+    NOTED,
     NX,
     NY,
     PAIR_FRICTION,
@@ -46,13 +47,8 @@ from tamias2d.stepped.layout import (
     RUB,
     SHAPE_REACH,
     SLABS,
-    SPIN,
-    SUBSTEPS,
-    TIME_STEP,
     TOTAL,
     TOUCHED,
-    VX,
-    VY,
     WHERE,
     Whole,
     X,
@@ -188,19 +184,21 @@ def seat_of(k: int, hits: Whole) -> tuple[int, int]:
 
 
 def fill_rows(
-    counts: Whole,
+    first: int,
+    last: int,
     touch: Array,
     pose: Array,
-    motion: Array,
+    carried: Array,
     hits: Whole,
     rows: Array,
 ) -> None:
-    """Write how each touching pair touches."""
-    for k in range(counts[HITS]):
+    """Write how touching pairs touch, which are listed by slabs."""
+    for at_hit in range(first, last):
+        k = hits[HIT_BY_SLAB, at_hit]
         p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
         b, m = seat_of(k, hits)
         points = 1 + hits[HIT_COLOUR, k] % 2
-        row = rows[b]
+        row, one, other = rows[b], carried[i], carried[j]
         normal_x, normal_y = touch[p, NX], touch[p, NY]
         row[R_NX + m], row[R_NY + m] = normal_x, normal_y
         pushes = touch[p, PUSH] + (touch[p, PUSH + POINT] if points == 2 else 0.0)
@@ -230,20 +228,19 @@ def fill_rows(
             row[at + P_RUB] = touch[p, RUB + POINT * n]
             row[at + P_TOTAL] = 0.0
             row[at + P_BEFORE] = row_velocity(
-                (motion[i, VX], motion[i, VY]),
-                motion[i, SPIN],
+                (one[NOTED], one[NOTED + 1]),
+                one[NOTED + 2],
                 arm_a,
-                (motion[j, VX], motion[j, VY]),
-                motion[j, SPIN],
+                (other[NOTED], other[NOTED + 1]),
+                other[NOTED + 2],
                 arm_b,
                 (normal_x, normal_y),
             )
 
 
-def finish_rows(settings: Array, counts: Whole, rows: Array, lanes: Whole) -> None:
+def finish_rows(first: int, last: int, substep: float, rows: Array, lanes: Whole) -> None:
     """Write the masses that impulses meet, and how soft contacts are, lane by lane."""
-    substep = settings[TIME_STEP] / counts[SUBSTEPS]
-    for b in range(counts[BLOCKS]):
+    for b in range(first, last):
         row = rows[b]
         soften_lanes(row, substep)
         weigh_lanes(FIRST, row)

@@ -70,12 +70,7 @@ from tamias2d.stepped.layout import (
     Whole,
 )
 from tamias2d.stepped.meeting import meet
-from tamias2d.stepped.rows import (
-    fill_rows,
-    finish_rows,
-    keep_impulses,
-    seat_pairs,
-)
+from tamias2d.stepped.rows import keep_impulses, seat_pairs
 from tamias2d.stepped.sleep import (
     fall_asleep,
     keep_still,
@@ -319,11 +314,9 @@ def step_once(
         if counts[SEATED] == 0:
             seat_pairs(counts, pair, touch, shape_radius, surface, body, hits, rows, lanes)
             counts[SEATED] = 1
-        fill_rows(counts, touch, pose, motion, hits, rows)
-        finish_rows(settings, counts, rows, lanes)
         solve(
-            settings, counts, pose, motion, load, body, kind, hits, slabs, rows, lanes, bench,
-            carried, island, energy, web, weave,
+            settings, counts, touch, pose, motion, load, body, kind, hits, slabs, rows, lanes,
+            bench, carried, island, energy, web, weave,
         )  # fmt: skip
         keep_impulses(counts, pose, hits, rows, touch, trace)
         if counts[PATIENCE] > 0:

@@ -26,6 +26,7 @@ from tamias2d.stepped.layout import (
     ANGULAR,
     BLOCKS,
     BOUNCING,
+    CARRIED,
     DECAY,
     DTURN,
     DX,
@@ -33,22 +34,24 @@ from tamias2d.stepped.layout import (
     DYNAMIC,
     EARLIER,
     GAIN,
+    GIVEN,
     GRAVITY_X,
     GRAVITY_Y,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    KEPT_BY_DRAG,
+    NOTED,
     SLABS,
     SPIN,
     SUB,
     SUBSTEPS,
-    THIN,
     TIME_STEP,
     UNBOUNCED,
     VX,
     VY,
     Whole,
 )
-from tamias2d.stepped.rows import S_BLOCK, S_BODY, S_ISLE
+from tamias2d.stepped.rows import S_BLOCK, S_BODY, S_HIT, S_ISLE, fill_rows, finish_rows
 from tamias2d.stepped.solver import (
     bounce,
     relax,
@@ -56,14 +59,11 @@ from tamias2d.stepped.solver import (
     warm,
 )
 
-# carried (n+1, 12), for each coordinate: what contacts have changed in the velocity, the velocity
-# as this substep began, and what drag and forces make of it
-CARRIED, NOTED, KEPT_BY_DRAG, GIVEN = 0, 3, 6, 9
-
 
 def solve(
     settings: Array,
     counts: Whole,
+    touch: Array,
     pose: Array,
     motion: Array,
     load: Array,
@@ -85,14 +85,13 @@ def solve(
         return
     substeps = counts[SUBSTEPS]
     substep = settings[TIME_STEP] / substeps
-    ready(counts[THIN], body, rows, lanes, web, weave)
     note_velocities(EARLIER, counts, motion, hits, energy)
-    slabs_in_turns = counts[SLABS]
-    for front in range(slabs_in_turns + 2 * substeps):
-        for stage in range(max(front - slabs_in_turns + 1, 0), min(front, 2 * substeps) + 1):
+    number, last = counts[SLABS], 2 * substeps
+    for front in range(number + last):  # of two slabs the first is a stage ahead
+        for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(
-                stage, front - stage, substep, settings, counts, motion, load, body, kind, hits,
-                slabs, rows, lanes, bench, carried, web, weave,
+                stage, front - stage, substep, settings, counts, touch, pose, motion, load, body,
+                kind, hits, slabs, rows, lanes, bench, carried, web, weave,
             )  # fmt: skip
     bouncing = counts[BOUNCING]
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
@@ -113,6 +112,8 @@ def take_stage(
     substep: float,
     settings: Array,
     counts: Whole,
+    touch: Array,
+    pose: Array,
     motion: Array,
     load: Array,
     body: Array,
@@ -137,6 +138,10 @@ def take_stage(
     isle, isle_end = slabs[slab, S_ISLE], slabs[slab + 1, S_ISLE]
     if stage == 0:
         begin(first, last, settings, motion, load, body, kind, hits, carried)
+        pair, pair_end = slabs[slab, S_HIT], slabs[slab + 1, S_HIT]
+        fill_rows(pair, pair_end, touch, pose, carried, hits, rows)
+        finish_rows(block, end, substep, rows, lanes)
+        ready(isle, isle_end, body, rows, lanes, web, weave)
         warm(block, end, rows, lanes, motion, bench)
     elif stage % 2 == 1:
         hasten(stage > 1, first, last, motion, hits, carried)
