@@ -8,6 +8,7 @@ from tamias2d.stepped.layout import (
     ACTIVE,
     ACTIVE_BODY,
     ARRANGED,
+    BOUNCING,
     HIT_A,
     HIT_B,
     HITS,
@@ -58,7 +59,7 @@ def arrange(
         return MORE_WEB
     counts[THIN] = islands
     clear_lanes(len(used) - 1, counts, hits, rows, lanes)
-    counts[ARRANGED], counts[SEATED] = 1, 0
+    counts[ARRANGED], counts[SEATED], counts[BOUNCING] = 1, 0, 0
     return DONE
 
 

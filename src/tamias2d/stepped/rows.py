@@ -152,6 +152,8 @@ def clear_lanes(idle: int, counts: Whole, hits: Whole, rows: Array, lanes: Whole
 
 
 def seat_pairs(
+    first: int,
+    last: int,
     counts: Whole,
     pair: Whole,
     touch: Array,
@@ -162,9 +164,9 @@ def seat_pairs(
     rows: Array,
     lanes: Whole,
 ) -> None:
-    """Give each touching pair its lane, with what stays as long as it is there."""
-    counts[BOUNCING] = 0
-    for k in range(counts[HITS]):
+    """Give touching pairs, which are listed by slabs, their lanes, with what stays as they do."""
+    for at_hit in range(first, last):
+        k = hits[HIT_BY_SLAB, at_hit]
         p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
         b, m = seat_of(k, hits)
         lanes[b, BODY_A + m], lanes[b, BODY_B + m], lanes[b, SLOT + m] = i, j, p

@@ -58,7 +58,6 @@ from tamias2d.stepped.layout import (
     PAIRS,
     PATIENCE,
     PHASE,
-    SEATED,
     SIDE,
     SINCE,
     SOUND,
@@ -70,7 +69,7 @@ from tamias2d.stepped.layout import (
     Whole,
 )
 from tamias2d.stepped.meeting import meet
-from tamias2d.stepped.rows import keep_impulses, seat_pairs
+from tamias2d.stepped.rows import keep_impulses
 from tamias2d.stepped.sleep import (
     fall_asleep,
     keep_still,
@@ -311,12 +310,9 @@ def step_once(
         )
         if status != DONE:
             return status
-        if counts[SEATED] == 0:
-            seat_pairs(counts, pair, touch, shape_radius, surface, body, hits, rows, lanes)
-            counts[SEATED] = 1
         solve(
-            settings, counts, touch, pose, motion, load, body, kind, hits, slabs, rows, lanes,
-            bench, carried, island, energy, web, weave,
+            settings, counts, pair, touch, shape_radius, surface, pose, motion, load, body, kind,
+            hits, slabs, rows, lanes, bench, carried, island, energy, web, weave,
         )  # fmt: skip
         keep_impulses(counts, pose, hits, rows, touch, trace)
         if counts[PATIENCE] > 0:

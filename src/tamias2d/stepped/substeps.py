@@ -41,6 +41,7 @@ from tamias2d.stepped.layout import (
     INVERSE_MASS,
     KEPT_BY_DRAG,
     NOTED,
+    SEATED,
     SLABS,
     SPIN,
     SUB,
@@ -51,7 +52,7 @@ from tamias2d.stepped.layout import (
     VY,
     Whole,
 )
-from tamias2d.stepped.rows import S_BLOCK, S_BODY, S_HIT, S_ISLE, fill_rows, finish_rows
+from tamias2d.stepped.rows import S_BLOCK, S_BODY, S_HIT, S_ISLE, fill_rows, finish_rows, seat_pairs
 from tamias2d.stepped.solver import (
     bounce,
     relax,
@@ -63,7 +64,10 @@ from tamias2d.stepped.solver import (
 def solve(
     settings: Array,
     counts: Whole,
+    pair: Whole,
     touch: Array,
+    shape_radius: Array,
+    surface: Array,
     pose: Array,
     motion: Array,
     load: Array,
@@ -90,9 +94,11 @@ def solve(
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(
-                stage, front - stage, substep, settings, counts, touch, pose, motion, load, body,
-                kind, hits, slabs, rows, lanes, bench, carried, web, weave,
+                stage, front - stage, substep, settings, counts, pair, touch, shape_radius, surface,
+                pose, motion, load, body, kind, hits, slabs, rows, lanes, bench, carried, web,
+                weave,
             )  # fmt: skip
+    counts[SEATED] = 1
     bouncing = counts[BOUNCING]
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
     if bouncing > 0 or makes_energy(settings, counts, motion, load, body, kind, hits, energy):
@@ -112,7 +118,10 @@ def take_stage(
     substep: float,
     settings: Array,
     counts: Whole,
+    pair: Whole,
     touch: Array,
+    shape_radius: Array,
+    surface: Array,
     pose: Array,
     motion: Array,
     load: Array,
@@ -138,8 +147,12 @@ def take_stage(
     isle, isle_end = slabs[slab, S_ISLE], slabs[slab + 1, S_ISLE]
     if stage == 0:
         begin(first, last, settings, motion, load, body, kind, hits, carried)
-        pair, pair_end = slabs[slab, S_HIT], slabs[slab + 1, S_HIT]
-        fill_rows(pair, pair_end, touch, pose, carried, hits, rows)
+        hit, hit_end = slabs[slab, S_HIT], slabs[slab + 1, S_HIT]
+        if counts[SEATED] == 0:
+            seat_pairs(
+                hit, hit_end, counts, pair, touch, shape_radius, surface, body, hits, rows, lanes
+            )
+        fill_rows(hit, hit_end, touch, pose, carried, hits, rows)
         finish_rows(block, end, substep, rows, lanes)
         ready(isle, isle_end, body, rows, lanes, web, weave)
         warm(block, end, rows, lanes, motion, bench)
