@@ -99,7 +99,10 @@ def simulate(
         except OverlapError as refusal:
             if method is not None or refusal.share > MEANT_TO_TOUCH:
                 raise
-            reason = f"bodies touch at the start, and by rounding overlap. {refusal}"
+            reason = (
+                f"bodies touch at the start; {refusal.bodies} overlap by {refusal.depth:.2g} m, "
+                "as rounding does it"
+            )
         return _run(plan.by_steps(reason), progress)
 
 

@@ -22,11 +22,7 @@ def refuse_overlap(cores: Sequence[Core], states: Sequence[State]) -> None:
         for a, b, depth in _overlaps(cores, states)
     ]
     for share, a, b, depth in sorted(found, reverse=True)[:1]:
-        raise OverlapError(
-            f"{named(a, b)}: they overlap by {depth:.6g} m at the start: bodies must not "
-            "(R4). Move them apart.",
-            share=share,
-        )
+        raise OverlapError(named(a, b), depth, share=share)
 
 
 def refuse_contact(scene: Scene, times: Array, history: History) -> None:

@@ -64,13 +64,16 @@ class StepwiseError(SceneError):
 
 
 class OverlapError(SceneError):
-    """Bodies overlap at the start of a run, by some `share` of the size of the smaller one."""
+    """Bodies overlap at the start of a run: by a `depth`, m, and `share` of the smaller's size."""
 
     code = "overlap"
 
-    def __init__(self, message: str, *, share: float) -> None:
-        super().__init__(message)
-        self.share = share
+    def __init__(self, bodies: str, depth: float, *, share: float) -> None:
+        super().__init__(
+            f"{bodies}: they overlap by {depth:.6g} m at the start: bodies must not (R4). Move "
+            "them apart."
+        )
+        self.bodies, self.depth, self.share = bodies, depth, share
 
 
 def named(*names: str) -> str:
