@@ -58,7 +58,7 @@ from tamias2d.stepped.layout import (
 LANES = 16
 MOVING = 40  # colours of contacts between two moving bodies, before those with one
 COLOURS = 60
-BODY_A, BODY_B, SLOT, FILLED, POINTS = 0, 16, 32, 48, 49  # columns of a block's lanes
+BODY_A, BODY_B, FILLED, POINTS = 0, 16, 32, 33  # columns of a block's lanes
 
 CIRCLE = 6.283185307179586
 CYCLES = 0.125  # of a contact's spring, in one substep
@@ -169,7 +169,7 @@ def seat_pairs(
         k = hits[HIT_BY_SLAB, at_hit]
         p, i, j = hits[HIT, k], hits[HIT_A, k], hits[HIT_B, k]
         b, m = seat_of(k, hits)
-        lanes[b, BODY_A + m], lanes[b, BODY_B + m], lanes[b, SLOT + m] = i, j, p
+        lanes[b, BODY_A + m], lanes[b, BODY_B + m] = i, j
         row, s, t = rows[b], pair[p, 0], pair[p, 1]
         row[R_MASS_A + m], row[R_INERTIA_A + m] = body[i, INVERSE_MASS], body[i, INVERSE_INERTIA]
         row[R_MASS_B + m], row[R_INERTIA_B + m] = body[j, INVERSE_MASS], body[j, INVERSE_INERTIA]

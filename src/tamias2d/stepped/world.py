@@ -36,7 +36,7 @@ from tamias2d.stepped.layout import (
     Whole,
 )
 from tamias2d.stepped.menu import CONTACT
-from tamias2d.stepped.rows import WIDTH
+from tamias2d.stepped.rows import POINTS, WIDTH
 from tamias2d.stepped.slabs import MOST_SLABS
 from tamias2d.stepped.solver import BENCH
 from tamias2d.stepped.step import step
@@ -115,7 +115,7 @@ class World:
         self.fill = aligned_zeros((2, 128), dtype=np.int64)
         self.slabs = aligned_zeros((MOST_SLABS + 2, 4), dtype=np.int64)
         self.rows = aligned_zeros((4, WIDTH))
-        self.lanes = aligned_zeros((4, 50), dtype=np.uint32)
+        self.lanes = aligned_zeros((4, POINTS + 1), dtype=np.uint32)
         self.bench = aligned_zeros(BENCH)
         self.times = aligned_zeros(0)
         self.agenda = aligned_zeros((3, 0), dtype=np.int32)
@@ -233,7 +233,7 @@ class World:
             self._more_pairs(room)
         elif status == MORE_BLOCKS:
             self.rows = aligned_zeros((room, WIDTH))
-            self.lanes = aligned_zeros((room, 50), dtype=np.uint32)
+            self.lanes = aligned_zeros((room, POINTS + 1), dtype=np.uint32)
         elif status == MORE_WEB:
             self.web = aligned_zeros((room, WEB), dtype=np.int64)
             self.weave = aligned_zeros((room, WEAVE))
