@@ -91,7 +91,9 @@ class Watched:
             self.coasted += taken
             return taken
 
-        self.sim._world._engine = SimpleNamespace(step=engine.step, coast=coast)
+        self.sim._world._engine = SimpleNamespace(
+            step=engine.step, coast=coast, know_course=engine.know_course
+        )
 
     def state(self) -> bytes:
         world = self.sim._world

@@ -17,14 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.simulator.batch import Batch
+from tamias2d.simulator.drag import Drag
 from tamias2d.simulator.pieces import Piece, pieces
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     ABSENT,
-    ANGULAR,
     ARM,
     COUNT,
-    FULL,
+    FLOW,
     INNER,
     INVERSE_INERTIA,
     INVERSE_MASS,
@@ -59,7 +59,7 @@ class Roster:
         self._placed: list[int] = []  # shapes of such bodies, of each in their order
         self._form_number: dict[tuple[float, ...], int] = {}  # as they came, since all had ranks
         self._leaving = np.zeros(0, dtype=np.int64)  # removed since it was settled
-        self._flow: Array | None = None  # columns of a body without drag
+        self._drag = Drag(world)
 
     def place(self, batch: Batch) -> Whole:
         """Add the bodies of a batch, and return their rows."""
@@ -70,7 +70,7 @@ class Roster:
         world.load[rows] = batch.load
         world.body[rows, INVERSE_MASS] = 1 / batch.mass
         world.body[rows, INVERSE_INERTIA] = 1 / batch.inertia
-        self._set_flow(batch, rows)
+        self._drag.slow(rows, batch.slowing)
         world.kind[rows] = batch.kind
         self._place_shapes(batch, rows)
         world.forget()
@@ -118,6 +118,7 @@ class Roster:
             self._free_shapes.setdefault(count, []).append(slot)
         self._shapes, self._corners, self._next = arrays["sizes"].tolist()
         self._new, self._placed, self._form_number = {}, [], {}
+        self._drag = Drag(self.world)
 
     def settle(self) -> None:
         """Let go of what was removed, and give all that is new its rank."""
@@ -127,6 +128,7 @@ class Roster:
         if len(gone):
             self._let_go(gone)
             self._leaving = gone[:0]
+            self._drag.forget_unused()
         if len(new):
             self._rank(new)
             self._new.clear()
@@ -156,7 +158,9 @@ class Roster:
         owned = owned[new[world.shape_body[owned]]]
         first = np.full(len(world.pose), -1)
         first[world.shape_body[owned][::-1]] = owned[::-1]
-        tables = (world.pose[rows], world.velocity[rows], world.load[rows], world.body[rows])
+        body = world.body[rows]
+        flows = world.flows[body[:, FLOW].astype(np.int64)]
+        tables = (world.pose[rows], world.velocity[rows], world.load[rows], body[:, :FLOW], flows)
         touching = np.concatenate((world.surface, np.zeros((1, 4))))[first[rows]]
         meeting = np.concatenate((world.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]]
         columns = [column for table in (*tables, touching, meeting) for column in table.T]
@@ -228,18 +232,6 @@ class Roster:
         world.size += more
         self.rank = np.concatenate((self.rank, np.full(more, -1)))
         return rows
-
-    def _set_flow(self, batch: Batch, rows: Whole) -> None:
-        """Set how drag slows bodies; most have none, and share what follows from that."""
-        world = self.world
-        dragged = batch.slowing.any()
-        if dragged or self._flow is None:
-            world.flow(rows, batch.slowing[:, 0], 0)
-            world.flow(rows, batch.slowing[:, 1], ANGULAR)
-            if not dragged and len(rows):
-                self._flow = world.body[rows[0], FULL:].copy()
-        else:
-            world.body[rows, FULL:] = self._flow
 
     def _place_shapes(self, batch: Batch, rows: Whole) -> None:
         made = {shape: pieces(shape) for shape in dict.fromkeys(batch.shapes)}

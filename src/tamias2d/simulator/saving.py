@@ -16,7 +16,7 @@ from tamias2d.stepped.world import World
 from tamias2d.storage import aside
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 4  # of what the arrays hold; of the engine's columns too
+VERSION = 5  # of what the arrays hold; of the engine's columns too
 _MARK = "tamias2d simulator"
 
 

@@ -25,6 +25,7 @@ from tamias2d.stepped.layout import (
     BEGUN,
     DECAY,
     DYNAMIC,
+    FLOW,
     FRAME_VX,
     FRAME_VY,
     FRAME_X,
@@ -73,32 +74,26 @@ def coast(
     settings: Floats,
     counts: Ranks,
     kind: Bytes,
-    pose: FloatRows,
-    velocity: FloatRows,
-    load: FloatRows,
     poses: FloatRows,
     velocities: FloatRows,
+    loads: FloatRows,
     load_bits: RankRows,
     body: FloatRows,
-    home: FloatRows,
-    seat: Places,
+    flows: FloatRows,
     course: FloatRows,
     stream: FloatRows,
     steps: int,
-    known: bool,
 ) -> int:
     """Take up to some steps, as long as no pair is near and every body at home; return how many.
 
-    Poses and velocities are the same memory as pose and velocity, a row for each full crew, and so
-    are the bits of loads, which tell whether nothing pushes, since not all zeros are alike. `known`
-    is whether the course is of the homes as they are.
+    Poses, velocities and loads are those that users see, a row for each crew; the bits of loads
+    tell whether nothing pushes, since not all zeros are alike. The course is of the homes as they
+    are.
     """
     clear = counts[PHASE] == BEGUN and counts[PAIRS] == 0 and counts[STILL] == 1
     total = settings[GRAVITY_X] + settings[GRAVITY_Y]
     if not clear or counts[PATIENCE] != 0 or total - total != 0.0:
         return 0
-    if not known:
-        know_course(kind, body, home, seat, course, stream)
     fall_alike(settings, stream[len(course)])
     x, y = settings[FRAME_X], settings[FRAME_Y]
     frame_x, frame_y = settings[FRAME_VX], settings[FRAME_VY]
@@ -109,8 +104,8 @@ def coast(
         for first in range(0, len(course), stretch):
             last = min(first + stretch, len(course))
             steps = glide(
-                steps, first, last, settings, kind, pose, velocity, load, poses, velocities,
-                load_bits, body, course, stream,
+                steps, first, last, settings, kind, poses, velocities, loads, load_bits, body,
+                flows, course, stream,
             )  # fmt: skip
             settings[FRAME_X], settings[FRAME_Y] = x, y
             settings[FRAME_VX], settings[FRAME_VY] = frame_x, frame_y
@@ -120,14 +115,20 @@ def coast(
     if steps > 0:
         for g in range(len(course)):
             if course[g, PLAIN] == 0.0:
-                end_mixed(CREW * g, kind, pose, velocity, course[g])
+                end_mixed(g, kind, poses[g], velocities[g], course[g])
         for _ in range(steps):
             move_frame(settings)
     return steps
 
 
 def know_course(
-    kind: Whole, body: Array, home: Array, seat: Whole, course: Array, stream: Array
+    kind: Bytes,
+    body: FloatRows,
+    flows: FloatRows,
+    home: FloatRows,
+    seat: Places,
+    course: FloatRows,
+    stream: FloatRows,
 ) -> None:
     """Note where bodies may be, and which crews are uniform.
 
@@ -138,7 +139,7 @@ def know_course(
         one += 1
     plain = stream[len(course)]
     for k in range(CREW):
-        set_flow(k, body[one], plain)
+        set_flow(k, body[one], flows, plain)
     for g in range(len(course)):
         row = course[g]
         alike = 0
@@ -146,34 +147,27 @@ def know_course(
             i = CREW * g + k
             for n in range(3):
                 row[L_LOW + 3 * k + n], row[L_HIGH + 3 * k + n] = -FAR, FAR
-            if i < len(kind) and kind[i] >= STATIC:
+            if kind[i] >= STATIC:
                 room = home[seat[i]]
                 turn, most = room[HOME_TURN], room[TURN_ROOM]
                 row[L_LOW + 3 * k], row[L_HIGH + 3 * k] = room[LOW_X], room[HIGH_X]
                 row[L_LOW + 3 * k + 1], row[L_HIGH + 3 * k + 1] = room[LOW_Y], room[HIGH_Y]
                 row[L_LOW + 3 * k + 2], row[L_HIGH + 3 * k + 2] = turn - most, turn + most
-                alike += 1 if kind[i] == DYNAMIC and flows_as(body[one], body[i]) else 0
+                alike += 1 if kind[i] == DYNAMIC and body[i, FLOW] == body[one, FLOW] else 0
         for m in range(LANES_OF):
             row[L_LOW + m] = max(-FAR, row[L_LOW + m])
             row[L_HIGH + m] = min(FAR, row[L_HIGH + m])
         row[UNIFORM] = 1.0 if alike == CREW else 0.0
 
 
-def flows_as(one: Array, other: Array) -> bool:
-    """Return whether two bodies flow alike through a step."""
-    alike = 0
-    for n in range(2 * ANGULAR):
-        alike += 1 if one[FULL + n] == other[FULL + n] else 0
-    return alike == 2 * ANGULAR
-
-
-def set_flow(k: int, body: Array, flow: Array) -> None:
+def set_flow(k: int, body: Array, flows: Array, lanes: Array) -> None:
     """Let the lanes of a crew's k-th body flow as it does."""
+    so = flows[int(body[FLOW])]
     for n in range(3):
         at = FULL + ANGULAR if n == 2 else FULL
-        flow[L_DECAY + 3 * k + n] = body[at + DECAY]
-        flow[L_GAIN + 3 * k + n] = body[at + GAIN]
-        flow[L_LIFT + 3 * k + n] = body[at + LIFT]
+        lanes[L_DECAY + 3 * k + n] = so[at + DECAY]
+        lanes[L_GAIN + 3 * k + n] = so[at + GAIN]
+        lanes[L_LIFT + 3 * k + n] = so[at + LIFT]
 
 
 def fall_alike(settings: Array, plain: Array) -> None:
@@ -190,13 +184,12 @@ def glide(
     last: int,
     settings: Array,
     kind: Whole,
-    pose: Array,
-    velocity: Array,
-    load: Array,
     poses: Array,
     velocities: Array,
+    loads: Array,
     load_bits: Whole,
     body: Array,
+    flows: Array,
     course: Array,
     stream: Array,
 ) -> int:
@@ -213,7 +206,9 @@ def glide(
                 continue
             put_back_one(g, poses, velocities, course)
             course[g, PLAIN] = 0.0
-        out += start_off_mixed(g, settings, kind, pose, velocity, load, body, course, stream)
+        out += start_off_mixed(
+            g, settings, kind, poses, velocities, loads, body, flows, course, stream
+        )
     taken = 0
     while out == 0:
         taken += 1
@@ -268,16 +263,19 @@ def start_off_mixed(
     g: int,
     settings: Array,
     kind: Whole,
-    pose: Array,
-    velocity: Array,
-    load: Array,
+    poses: Array,
+    velocities: Array,
+    loads: Array,
     body: Array,
+    flows: Array,
     course: Array,
     stream: Array,
 ) -> int:
     """Let any crew take a step in its row; return how many of its lanes may not do so."""
     row, frame = course[g], stream[len(course)]
-    if not begin_mixed(CREW * g, settings, kind, pose, velocity, load, body, row, stream[g]):
+    if not begin_mixed(
+        g, settings, kind, poses[g], velocities[g], loads[g], body, flows, row, stream[g]
+    ):
         return LANES_OF
     out = 0
     for m in range(LANES_OF):
@@ -293,13 +291,14 @@ def go_on_mixed(settings: Array, row: Array, flow: Array) -> int:
 
 
 def begin_mixed(
-    first: int,
+    g: int,
     settings: Array,
     kind: Whole,
     pose: Array,
     velocity: Array,
     load: Array,
     body: Array,
+    flows: Array,
     row: Array,
     flow: Array,
 ) -> bool:
@@ -307,42 +306,43 @@ def begin_mixed(
     for m in range(LANES_OF):
         row[L_AT + m] = row[L_SPEED + m] = 0.0
         flow[L_BY + m] = flow[L_DECAY + m] = flow[L_GAIN + m] = flow[L_LIFT + m] = 0.0
-    for k in range(min(CREW, len(kind) - first)):
-        i = first + k
-        if not is_sound(i, kind, pose, velocity, load):
+    for k in range(CREW):
+        i, m = CREW * g + k, 3 * k
+        if not is_sound(m, kind[i], pose, velocity, load):
             return False
         for n in range(3):
-            row[L_AT + 3 * k + n] = pose[i, n] if kind[i] >= STATIC else 0.0
-            row[L_SPEED + 3 * k + n] = velocity[i, n] if kind[i] >= KINEMATIC else 0.0
+            row[L_AT + m + n] = pose[m + n] if kind[i] >= STATIC else 0.0
+            row[L_SPEED + m + n] = velocity[m + n] if kind[i] >= KINEMATIC else 0.0
         if kind[i] >= KINEMATIC:
-            set_flow(k, body[i], flow)
+            set_flow(k, body[i], flows, flow)
         if kind[i] == DYNAMIC:
             gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-            force, torque = (load[i, 0], load[i, 1]), load[i, 2]
+            force, torque = (load[m], load[m + 1]), load[m + 2]
             by_x, by_y = acceleration(gravity, force, body[i, INVERSE_MASS])
-            flow[L_BY + 3 * k], flow[L_BY + 3 * k + 1] = by_x, by_y
-            flow[L_BY + 3 * k + 2] = angular_acceleration(torque, body[i, INVERSE_INERTIA])
+            flow[L_BY + m], flow[L_BY + m + 1] = by_x, by_y
+            flow[L_BY + m + 2] = angular_acceleration(torque, body[i, INVERSE_INERTIA])
     return True
 
 
-def is_sound(i: int, kind: Whole, pose: Array, velocity: Array, load: Array) -> bool:
-    """Return whether all that users can set of a body are numbers, and a static one is at rest."""
+def is_sound(at: int, kind: int, pose: Array, velocity: Array, load: Array) -> bool:
+    """Return whether all that users can set of a body are numbers, and a static one is at rest.
+
+    Its lanes begin at a place of its crew.
+    """
     bad = moves = 0
-    for n in range(3):
-        total = pose[i, n] + velocity[i, n] + load[i, n]
+    for m in range(at, at + 3):
+        total = pose[m] + velocity[m] + load[m]
         bad += 0 if total - total == 0.0 else 1
-        moves += 1 if velocity[i, n] != 0.0 else 0
-    return bad == 0 and (kind[i] != STATIC or moves == 0)
+        moves += 1 if velocity[m] != 0.0 else 0
+    return bad == 0 and (kind != STATIC or moves == 0)
 
 
-def end_mixed(first: int, kind: Whole, pose: Array, velocity: Array, row: Array) -> None:
+def end_mixed(g: int, kind: Whole, pose: Array, velocity: Array, row: Array) -> None:
     """Put those of a crew that move where its lanes got to."""
-    for k in range(min(CREW, len(kind) - first)):
-        i = first + k
-        if kind[i] >= KINEMATIC:
-            for n in range(3):
-                pose[i, n] = row[L_AT + 3 * k + n]
-                velocity[i, n] = row[L_SPEED + 3 * k + n]
+    for k in range(CREW):
+        if kind[CREW * g + k] >= KINEMATIC:
+            for m in range(3 * k, 3 * k + 3):
+                pose[m], velocity[m] = row[L_AT + m], row[L_SPEED + m]
 
 
 def put_back(last: int, poses: Array, velocities: Array, course: Array) -> None:

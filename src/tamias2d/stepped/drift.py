@@ -17,6 +17,7 @@ from tamias2d.stepped.layout import (
     DECAY,
     DX,
     DYNAMIC,
+    FLOW,
     FULL,
     GAIN,
     GRAVITY_X,
@@ -34,21 +35,20 @@ def drift(
     motion: Array,
     load: Array,
     body: Array,
+    flows: Array,
     kind: Whole,
     used: Whole,
     gained: Array,
 ) -> bool:
     """Find how far bodies without contacts go in this step: they have a closed form (IM1, IM6).
 
-    What forces add to their velocities is noted; for bodies with contacts that is nothing. Returns
+    What forces add to their velocities is noted; for all others that is nothing already. Returns
     whether some body goes so far that flight is to look after it.
     """
     far = False
     for i in range(len(kind)):
-        for n in range(3):
-            gained[i, 3 + n] = 0.0
         if kind[i] >= KINEMATIC and used[i] == 0:
-            fall(i, settings, motion, load, body, kind, gained)
+            fall(i, settings, motion, load, body, flows, kind, gained)
         used[i] = 0
         far = far | goes_far(i, kind, motion, body)
     return far
@@ -60,6 +60,7 @@ def fall(
     motion: Array,
     load: Array,
     body: Array,
+    flows: Array,
     kind: Whole,
     gained: Array,
 ) -> None:
@@ -69,23 +70,26 @@ def fall(
         gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
         by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
         turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
-    flow(i, 0, FULL, by_x, body, motion, gained)
-    flow(i, 1, FULL, by_y, body, motion, gained)
-    flow(i, 2, FULL + ANGULAR, turn, body, motion, gained)
+    so = flows[int(body[i, FLOW])]
+    flow(i, 0, FULL, by_x, so, motion, gained)
+    flow(i, 1, FULL, by_y, so, motion, gained)
+    flow(i, 2, FULL + ANGULAR, turn, so, motion, gained)
 
 
-def flow(i: int, axis: int, at: int, by: float, body: Array, motion: Array, gained: Array) -> None:
+def flow(i: int, axis: int, at: int, by: float, so: Array, motion: Array, gained: Array) -> None:
     """Take one coordinate of a body through the step, under an acceleration (DD41)."""
-    before, gain = motion[i, axis], body[i, at + GAIN]
-    after = pace_later(body[i, at + DECAY], before, pace_given(gain, by))
-    motion[i, DX + axis] = way(gain, body[i, at + LIFT], before, by)
+    before, gain = motion[i, axis], so[at + GAIN]
+    after = pace_later(so[at + DECAY], before, pace_given(gain, by))
+    motion[i, DX + axis] = way(gain, so[at + LIFT], before, by)
     motion[i, axis] = after
     gained[i, 3 + axis] = after - before
 
 
-def arrive(pose: Array, motion: Array) -> None:
-    """Put all bodies at the ends of their lines."""
-    for i in range(len(pose)):
+def arrive(owner: Whole, pose: Array, motion: Array, shown: Array, velocity: Array) -> None:
+    """Put all bodies at the ends of their lines, and show users how they are and move."""
+    for i in range(len(owner)):
+        one = owner[i]
         for n in range(3):
-            pose[i, n] += motion[i, DX + n]
-            motion[i, DX + n] = 0.0
+            to = pose[i, n] + motion[i, DX + n]
+            pose[i, n], motion[i, DX + n] = to, 0.0
+            shown[one, n], velocity[one, n] = to, motion[i, n]

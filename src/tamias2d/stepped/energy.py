@@ -22,6 +22,7 @@ from tamias2d.state import Array, Vector
 from tamias2d.stepped.layout import (
     ACTIVE,
     ACTIVE_BODY,
+    ACTIVE_ROW,
     DTURN,
     DX,
     DY,
@@ -36,6 +37,7 @@ from tamias2d.stepped.layout import (
     INVERSE_MASS,
     ISLAND,
     LEANS,
+    NOTED,
     SEEN,
     SPIN,
     SUMS,
@@ -47,8 +49,10 @@ from tamias2d.stepped.layout import (
     X,
     Y,
 )
+from tamias2d.stepped.solver import ALL_FIRST, ALL_GIVEN, ALL_NOW
 
 GRACE = 1e-12  # of the energy: what rounding may add; one impact alone never takes more
+ANY = 1e300  # J: what something driven may give
 ALIKE = 1e-9  # of their sizes: differences of velocities that are none
 
 # sums of an island, J: at first, as work, before the bounce, after it, and of its difference alone
@@ -57,42 +61,55 @@ FIRST_ENERGY, WORK, BEFORE, AFTER, OF_CHANGE = SUMS, SUMS + 1, SUMS + 2, SUMS + 
 FREE, LEANING, TORN = 0.0, 1.0, 2.0  # what an island leans on: nothing, something, too much
 
 
-def note_velocities(column: int, counts: Whole, motion: Array, hits: Whole, energy: Array) -> None:
-    """Note the velocities of all bodies with contacts."""
+def note_unbounced(counts: Whole, motion: Array, hits: Whole, energy: Array) -> None:
+    """Note the velocities of all bodies with contacts before they bounce."""
     for k in range(counts[ACTIVE]):
         i = hits[ACTIVE_BODY, k]
         for n in range(3):
-            energy[i, column + n] = motion[i, n]
+            energy[i, UNBOUNCED + n] = motion[i, n]
 
 
-def makes_energy(
+def sum_up(
+    first: int,
+    last: int,
     settings: Array,
-    counts: Whole,
     motion: Array,
     load: Array,
     body: Array,
     kind: Whole,
     hits: Whole,
-    energy: Array,
-) -> bool:
+    carried: Array,
+    bench: Array,
+) -> None:
+    """Add to the sums of all energy what bodies had and have, and what forces gave them, J.
+
+    What is driven may give any. Nothing is noted of these bodies any more.
+    """
+    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
+    for k in range(first, last):
+        i = hits[ACTIVE_ROW, k]
+        note = carried[i]
+        for n in range(3):
+            note[NOTED + n] = 0.0
+        if kind[i] != DYNAMIC:
+            bench[ALL_GIVEN] = ANY
+            continue
+        mass, inertia = mass_and_inertia(i, body)
+        was = (note[EARLIER], note[EARLIER + 1])
+        bench[ALL_FIRST] += kinetic_energy(mass, was, inertia, note[EARLIER + 2])
+        now = (motion[i, VX], motion[i, VY])
+        bench[ALL_NOW] += kinetic_energy(mass, now, inertia, motion[i, SPIN])
+        force, shift = (load[i, 0], load[i, 1]), (motion[i, DX], motion[i, DY])
+        bench[ALL_GIVEN] += work(mass, gravity, force, load[i, 2], shift, motion[i, DTURN])
+
+
+def makes_energy(bench: Array) -> bool:
     """Return whether contacts have made energy in all, where nothing that is driven could have.
 
     This is cheap, and nearly always all that has to be asked where nothing bounces.
     """
-    gravity = (settings[GRAVITY_X], settings[GRAVITY_Y])
-    first = last = given = 0.0
-    for k in range(counts[ACTIVE]):
-        i = hits[ACTIVE_BODY, k]
-        if kind[i] != DYNAMIC:
-            return False
-        mass, inertia = mass_and_inertia(i, body)
-        was = (energy[i, EARLIER], energy[i, EARLIER + 1])
-        first += kinetic_energy(mass, was, inertia, energy[i, EARLIER + 2])
-        now = (motion[i, VX], motion[i, VY])
-        last += kinetic_energy(mass, now, inertia, motion[i, SPIN])
-        force, shift = (load[i, 0], load[i, 1]), (motion[i, DX], motion[i, DY])
-        given += work(mass, gravity, force, load[i, 2], shift, motion[i, DTURN])
-    return bool(last > kinetic_energy_most(first, given) * (1.0 + GRACE))
+    most = kinetic_energy_most(bench[ALL_FIRST], bench[ALL_GIVEN])
+    return bool(bench[ALL_NOW] > most * (1.0 + GRACE))
 
 
 def mass_and_inertia(i: int, body: Array) -> tuple[float, float]:
@@ -110,6 +127,7 @@ def look_from_supports(
     kind: Whole,
     hits: Whole,
     island: Whole,
+    carried: Array,
     energy: Array,
 ) -> None:
     """Write for each island the motion of what it leans on, at its root.
@@ -128,7 +146,7 @@ def look_from_supports(
         i = hits[ACTIVE_BODY, k]
         if kind[i] == DYNAMIC:
             row, mass = energy[island[i, ISLAND]], 1.0 / body[i, INVERSE_MASS]
-            x, y = momentum(mass, (energy[i, EARLIER], energy[i, EARLIER + 1]))
+            x, y = momentum(mass, (carried[i, EARLIER], carried[i, EARLIER + 1]))
             row[SEEN] += x
             row[SEEN + 1] += y
             row[SUMS] += mass
@@ -178,6 +196,7 @@ def sum_energies(
     kind: Whole,
     hits: Whole,
     island: Whole,
+    carried: Array,
     energy: Array,
     bouncing: int,
 ) -> None:
@@ -193,7 +212,7 @@ def sum_energies(
             support, spin = support_at(i, pose, island, energy)
             row = energy[island[i, ISLAND]]
             row[WORK] += work_seen(i, support, spin, settings, motion, load, body)
-            sum_energy(i, support, spin, motion, body, energy, row, bouncing)
+            sum_energy(i, support, spin, motion, body, carried, energy, row, bouncing)
 
 
 def work_seen(
@@ -213,15 +232,16 @@ def sum_energy(
     spin: float,
     motion: Array,
     body: Array,
+    carried: Array,
     energy: Array,
     row: Array,
     bouncing: int,
 ) -> None:
     """Add the kinetic energies of a body to those of its island, as seen from its support."""
     mass, inertia = mass_and_inertia(i, body)
-    here = energy[i]
-    was = velocity_seen((here[EARLIER], here[EARLIER + 1]), support)
-    turned = angular_velocity_seen(here[EARLIER + 2], spin)
+    note, here = carried[i], energy[i]
+    was = velocity_seen((note[EARLIER], note[EARLIER + 1]), support)
+    turned = angular_velocity_seen(note[EARLIER + 2], spin)
     row[FIRST_ENERGY] += kinetic_energy(mass, was, inertia, turned)
     now = velocity_seen((motion[i, VX], motion[i, VY]), support)
     turns = angular_velocity_seen(motion[i, SPIN], spin)

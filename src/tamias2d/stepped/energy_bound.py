@@ -100,14 +100,17 @@ def bound_energy(
     kind: Whole,
     hits: Whole,
     island: Whole,
+    carried: Array,
     energy: Array,
     rows: Array,
     lanes: Whole,
     bouncing: int,
 ) -> None:
     """Take back of the bounce and of the motion of each island what makes energy."""
-    look_from_supports(counts, pose, motion, body, kind, hits, island, energy)
-    sum_energies(settings, counts, pose, motion, load, body, kind, hits, island, energy, bouncing)
+    look_from_supports(counts, pose, motion, body, kind, hits, island, carried, energy)
+    sum_energies(
+        settings, counts, pose, motion, load, body, kind, hits, island, carried, energy, bouncing
+    )
     if share_bounces(counts, kind, hits, island, energy, bouncing):
         take_back(counts, motion, kind, hits, island, energy)
         take_back_pushes(counts, kind, island, energy, rows, lanes)

@@ -9,6 +9,7 @@ from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     DECAY,
     DYNAMIC,
+    FLOW,
     FRAME_BY_X,
     FRAME_BY_Y,
     FRAME_FLOW,
@@ -33,7 +34,13 @@ from tamias2d.stepped.layout import (
 
 
 def choose_frame(
-    settings: Array, counts: Whole, kind: Whole, motion: Array, load: Array, body: Array
+    settings: Array,
+    counts: Whole,
+    kind: Whole,
+    motion: Array,
+    load: Array,
+    body: Array,
+    flows: Array,
 ) -> None:
     """Let the frame be where bodies are, and move as they do in the mean.
 
@@ -52,8 +59,9 @@ def choose_frame(
             settings[FRAME_VY] += motion[i, VY]
             settings[FRAME_BY_X] += by_x
             settings[FRAME_BY_Y] += by_y
+            so = flows[int(body[i, FLOW])]
             for k in range(3):
-                settings[FRAME_FLOW + k] += body[i, FULL + k]
+                settings[FRAME_FLOW + k] += so[FULL + k]
             number += 1
     if number > 0:
         for k in range(FRAME_VX, FRAME_FLOW + 3):

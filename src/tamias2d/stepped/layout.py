@@ -52,10 +52,13 @@ X, Y, TURN = 0, 1, 2
 VX, VY, SPIN = 0, 1, 2
 DX, DY, DTURN = 4, 5, 6
 
-# body (n+1, 18): what does not change from step to step
+# body (n+1, 8), a line of a cache: what does not change from step to step
 INVERSE_MASS, INVERSE_INERTIA = 0, 1
 REACH, INNER, ARM = 2, 3, 4  # radius around it, within it, and to its farthest corner, m
-FULL, SUB = 6, 12  # flow over a step and over a substep: six columns each
+FLOW = 5  # which row of the flows is its own: most bodies share one
+
+# flows (k, 12): how velocity and place flow over a step and over a substep, six columns each
+FULL, SUB = 0, 6
 DECAY, GAIN, LIFT = 0, 1, 2  # of a flow: v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a
 ANGULAR = 3  # columns from the flow of the velocity to that of the spin
 
@@ -71,14 +74,15 @@ ISLAND, QUIET, NIGHT, LIVE, COMPANY, PEACE, TURN_IN = 0, 1, 2, 3, 4, 5, 6
 # rest (n+1, 8): pose, load and gravity with which it fell asleep
 REST_LOAD, REST_GRAVITY = 3, 6
 
-# energy (n+1, 20): velocities as the step began, and before bouncing; then of the island whose
-# root this is: the motion of what it leans on, whether it does, and sums, J
-EARLIER, UNBOUNCED, SEEN, LEANS, SUMS = 0, 3, 6, 9, 10
-ENERGIES = 20
+# energy (n+1, 17): velocities before bouncing; then of the island whose root this is: the motion
+# of what it leans on, whether it does, and sums, J
+UNBOUNCED, SEEN, LEANS, SUMS = 0, 3, 6, 7
+ENERGIES = 17
 
-# carried (n+1, 12), for each coordinate: what contacts have changed in the velocity, the velocity
-# as the step or this substep began, and what drag and forces make of it; of what is static, zeros
-CARRIED, NOTED, KEPT_BY_DRAG, GIVEN = 0, 3, 6, 9
+# carried (n+1, 16), for each coordinate: what contacts have changed in the velocity, the velocity
+# as this substep began, what drag and forces make of it, and the velocity as the step began; of
+# what is static, zeros. In flight there is what forces add to the velocity, in place of the noted.
+CARRIED, NOTED, KEPT_BY_DRAG, GIVEN, EARLIER = 0, 3, 6, 9, 12
 
 # kind (n+1,)
 ABSENT, STATIC, KINEMATIC, DYNAMIC = 0, 1, 2, 3

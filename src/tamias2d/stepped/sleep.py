@@ -28,6 +28,7 @@ from tamias2d.stepped.layout import (
     ISLAND,
     LIVE,
     NIGHT,
+    NOTED,
     OF_A,
     OF_B,
     PAIRS,
@@ -128,13 +129,13 @@ def count_sleepers(counts: Whole, kind: Whole, island: Whole) -> None:
     counts[DORMANT] = asleep
 
 
-def keep_still(kind: Whole, island: Whole, motion: Array, used: Whole) -> None:
+def keep_still(kind: Whole, island: Whole, motion: Array, carried: Array, used: Whole) -> None:
     """Let nothing move what sleeps: it is marked like what has been moved already."""
     for i in range(len(kind)):
         if island[i, NIGHT] > 0:
             used[i] = 1
             for n in range(3):
-                motion[i, DX + n] = 0.0
+                motion[i, DX + n] = carried[i, NOTED + n] = 0.0
 
 
 def keep_touching(counts: Whole, pair: Whole, island: Whole, trace: Whole) -> None:

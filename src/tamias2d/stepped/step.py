@@ -105,6 +105,7 @@ def step(
     motion: FloatRows,
     seated_load: FloatRows,
     seated_body: FloatRows,
+    flows: FloatRows,
     home: FloatRows,
     seated_kind: Bytes,
     used: Ranks,
@@ -162,20 +163,17 @@ def step(
     alone = False
     while counts[WANTED] > 0 and not alone:
         status = step_once(
-            settings, counts, seated_pose, motion, seated_load, seated_body, home, seated_kind,
-            used, ranked, shape_seat, shape_kind, shape_first, shape_count, shape_radius, surface,
-            filters, mixed, corner, turned, box, curve, node, middle, found, pairs, touches,
-            traces, hits, fill, slabs, rows, lanes, bench, carried, times, agenda, scratch,
-            island, rest, energy, isle, web, weave,
+            settings, counts, seated_pose, motion, seated_load, seated_body, flows, home,
+            seated_kind, used, ranked, shape_seat, shape_kind, shape_first, shape_count,
+            shape_radius, surface, filters, mixed, corner, turned, box, curve, node, middle, found,
+            pairs, touches, traces, hits, fill, slabs, rows, lanes, bench, carried, times, agenda,
+            scratch, island, rest, energy, isle, web, weave,
         )  # fmt: skip
         if status != DONE:
             return status
+        arrive(owner, seated_pose, motion, pose, velocity)
         counts[WANTED] -= 1
         alone = counts[PAIRS] == 0 and counts[STILL] == 1 and counts[PATIENCE] == 0
-    for i in range(len(owner)):
-        one = owner[i]
-        for n in range(3):
-            pose[one, n], velocity[one, n] = seated_pose[i, n], motion[i, n]
     return CLEAR if alone else DONE
 
 
@@ -228,6 +226,7 @@ def step_once(
     motion: Array,
     load: Array,
     body: Array,
+    flows: Array,
     home: Array,
     kind: Whole,
     used: Whole,
@@ -267,7 +266,7 @@ def step_once(
     web: Whole,
     weave: Array,
 ) -> int:
-    """Take one step, or say what there is too little room for; called again, it goes on."""
+    """Find one step, or say what there is too little room for; called again, it goes on."""
     if counts[PHASE] == BEGUN:
         if counts[PATIENCE] > 0:
             look_who_sleeps(
@@ -287,9 +286,9 @@ def step_once(
         counts[PHASE] = KNOWN if holds else STALE
     if counts[PHASE] == STALE:
         status = look_around(
-            settings, counts, pose, motion, load, body, home, kind, ranked, shape_body, shape_kind,
-            shape_first, shape_count, shape_radius, surface, filters, mixed, turned, box,
-            curve, node, middle, found, pairs, touches, traces,
+            settings, counts, pose, motion, load, body, flows, home, kind, ranked, shape_body,
+            shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, turned,
+            box, curve, node, middle, found, pairs, touches, traces,
         )  # fmt: skip
         if status != DONE:
             return status
@@ -311,16 +310,16 @@ def step_once(
         if status != DONE:
             return status
         solve(
-            settings, counts, pair, touch, shape_radius, surface, pose, motion, load, body, kind,
-            hits, slabs, rows, lanes, bench, carried, island, energy, web, weave,
+            settings, counts, pair, touch, shape_radius, surface, pose, motion, load, body, flows,
+            kind, hits, slabs, rows, lanes, bench, carried, island, energy, web, weave,
         )  # fmt: skip
         keep_impulses(counts, pose, hits, rows, touch, trace)
         if counts[PATIENCE] > 0:
             note_company(counts, pair, kind, hits, island)
         if counts[DORMANT] > 0:
-            keep_still(kind, island, motion, used)
+            keep_still(kind, island, motion, carried, used)
             keep_touching(counts, pair, island, trace)
-        far = drift(settings, motion, load, body, kind, used, carried)
+        far = drift(settings, motion, load, body, flows, kind, used, carried)
         move_frame(settings)
         if not far:
             counts[PHASE] = ARRIVING
@@ -343,7 +342,7 @@ def step_once(
                 corner, turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
             status = DONE if holds else look_around(
-                settings, counts, pose, motion, load, body, home, kind, ranked, shape_body,
+                settings, counts, pose, motion, load, body, flows, home, kind, ranked, shape_body,
                 shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
                 turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
@@ -359,7 +358,6 @@ def step_once(
         counts[PHASE] = OUTRUN if bench[FLOWN] <= 1.0 else ARRIVING
     if counts[PATIENCE] > 0:
         fall_asleep(settings, counts, pose, motion, load, body, kind, island, rest)
-    arrive(pose, motion)
     counts[SINCE] += 1
     counts[PHASE] = BEGUN
     return DONE

@@ -15,7 +15,7 @@ from tamias2d.stepped.direct import (
     ready,
     settle_islands,
 )
-from tamias2d.stepped.energy import makes_energy, note_velocities
+from tamias2d.stepped.energy import makes_energy, note_unbounced, sum_up
 from tamias2d.stepped.energy_bound import bound_energy
 from tamias2d.stepped.islands import (
     know_islands,
@@ -33,6 +33,7 @@ from tamias2d.stepped.layout import (
     DY,
     DYNAMIC,
     EARLIER,
+    FLOW,
     GAIN,
     GIVEN,
     GRAVITY_X,
@@ -47,13 +48,15 @@ from tamias2d.stepped.layout import (
     SUB,
     SUBSTEPS,
     TIME_STEP,
-    UNBOUNCED,
     VX,
     VY,
     Whole,
 )
 from tamias2d.stepped.rows import S_BLOCK, S_BODY, S_HIT, S_ISLE, fill_rows, finish_rows, seat_pairs
 from tamias2d.stepped.solver import (
+    ALL_FIRST,
+    ALL_GIVEN,
+    ALL_NOW,
     bounce,
     relax,
     sweep,
@@ -72,6 +75,7 @@ def solve(
     motion: Array,
     load: Array,
     body: Array,
+    flows: Array,
     kind: Whole,
     hits: Whole,
     slabs: Whole,
@@ -89,26 +93,26 @@ def solve(
         return
     substeps = counts[SUBSTEPS]
     substep = settings[TIME_STEP] / substeps
-    note_velocities(EARLIER, counts, motion, hits, energy)
+    bench[ALL_FIRST] = bench[ALL_NOW] = bench[ALL_GIVEN] = 0.0
     number, last = counts[SLABS], 2 * substeps
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(
                 stage, front - stage, substep, settings, counts, pair, touch, shape_radius, surface,
-                pose, motion, load, body, kind, hits, slabs, rows, lanes, bench, carried, web,
-                weave,
+                pose, motion, load, body, flows, kind, hits, slabs, rows, lanes, bench, carried,
+                web, weave,
             )  # fmt: skip
     counts[SEATED] = 1
     bouncing = counts[BOUNCING]
     slowest = 2.0 * settings[TIME_STEP] * (abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y]))
-    if bouncing > 0 or makes_energy(settings, counts, motion, load, body, kind, hits, energy):
+    if bouncing > 0 or makes_energy(bench):
         if bouncing > 0:
-            note_velocities(UNBOUNCED, counts, motion, hits, energy)
+            note_unbounced(counts, motion, hits, energy)
             bounce(0, counts[BLOCKS], rows, lanes, motion, bench, slowest)
         know_islands(counts, kind, hits, island)
         bound_energy(
             settings, counts, pose, motion, load, body, kind, hits, island,
-            energy, rows, lanes, bouncing,
+            carried, energy, rows, lanes, bouncing,
         )  # fmt: skip
 
 
@@ -126,6 +130,7 @@ def take_stage(
     motion: Array,
     load: Array,
     body: Array,
+    flows: Array,
     kind: Whole,
     hits: Whole,
     slabs: Whole,
@@ -146,7 +151,7 @@ def take_stage(
     block, end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
     isle, isle_end = slabs[slab, S_ISLE], slabs[slab + 1, S_ISLE]
     if stage == 0:
-        begin(first, last, settings, motion, load, body, kind, hits, carried)
+        begin(first, last, settings, motion, load, body, flows, kind, hits, carried)
         hit, hit_end = slabs[slab, S_HIT], slabs[slab + 1, S_HIT]
         if counts[SEATED] == 0:
             seat_pairs(
@@ -164,6 +169,10 @@ def take_stage(
         shift(substep, first, last, motion, hits)
         settle_islands(True, isle, isle_end, substep, rows, lanes, motion, web, weave)
         relax(block, end, rows, lanes, motion, bench, substep)
+        if stage == 2 * counts[SUBSTEPS]:
+            own = slabs[slab, S_BODY]
+            own_end = slabs[slab + 1, S_BODY]
+            sum_up(own, own_end, settings, motion, load, body, kind, hits, carried, bench)
 
 
 def begin(
@@ -173,6 +182,7 @@ def begin(
     motion: Array,
     load: Array,
     body: Array,
+    flows: Array,
     kind: Whole,
     hits: Whole,
     carried: Array,
@@ -187,14 +197,16 @@ def begin(
         note = carried[i]
         for n in range(3):
             note[CARRIED + n], note[NOTED + n] = 0.0, motion[i, n]
+            note[EARLIER + n] = motion[i, n]
             note[KEPT_BY_DRAG + n], note[GIVEN + n] = 1.0, 0.0
         if kind[i] == DYNAMIC:
             by_x, by_y = acceleration(gravity, (load[i, 0], load[i, 1]), body[i, INVERSE_MASS])
             turn = angular_acceleration(load[i, 2], body[i, INVERSE_INERTIA])
-            decay, gain = body[i, SUB + DECAY], body[i, SUB + GAIN]
+            so = flows[int(body[i, FLOW])]
+            decay, gain = so[SUB + DECAY], so[SUB + GAIN]
             note[KEPT_BY_DRAG] = note[KEPT_BY_DRAG + 1] = decay
             note[GIVEN], note[GIVEN + 1] = pace_given(gain, by_x), pace_given(gain, by_y)
-            decay, gain = body[i, SUB + ANGULAR + DECAY], body[i, SUB + ANGULAR + GAIN]
+            decay, gain = so[SUB + ANGULAR + DECAY], so[SUB + ANGULAR + GAIN]
             note[KEPT_BY_DRAG + 2], note[GIVEN + 2] = decay, pace_given(gain, turn)
 
 

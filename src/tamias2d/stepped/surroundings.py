@@ -95,6 +95,7 @@ def look_around(
     motion: Array,
     load: Array,
     body: Array,
+    flows: Array,
     home: Array,
     kind: Whole,
     ranked: Whole,
@@ -123,7 +124,7 @@ def look_around(
         elif 2 * counts[SINCE] >= counts[HORIZON]:
             counts[HORIZON] = min(2 * counts[HORIZON], LONGEST)
         counts[SINCE] = 0
-    choose_frame(settings, counts, kind, motion, load, body)
+    choose_frame(settings, counts, kind, motion, load, body, flows)
     settle(settings, counts[HORIZON] * settings[TIME_STEP], kind, pose, motion, body, home)
     for k in range(len(shape_body)):
         fatten(

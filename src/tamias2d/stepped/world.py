@@ -12,10 +12,11 @@ import numpy as np
 
 from tamias2d.generated import drag
 from tamias2d.state import Array
-from tamias2d.stepped.alignment import aligned_zeros
+from tamias2d.stepped.alignment import aligned_copy, aligned_zeros
 from tamias2d.stepped.coast import COURSE, CREW, LANES_OF, STREAM
 from tamias2d.stepped.elimination import WEAVE
 from tamias2d.stepped.layout import (
+    ANGULAR,
     DECAY,
     ENERGIES,
     FULL,
@@ -70,25 +71,25 @@ class World:
     ) -> None:
         """Start an empty world; `plain` takes its steps by the functions as they are."""
         self.size = 0  # rows of bodies in use, absent ones too
-        self.pose = aligned_zeros((1, 3))
-        self.velocity = aligned_zeros((1, 3))
-        self.load = aligned_zeros((1, 3))
-        self.body = aligned_zeros((1, 18))
-        self.kind = aligned_zeros(1, dtype=np.int8)
-        self.seat = aligned_zeros(1, dtype=np.uint32)
-        self.owner = aligned_zeros(1, dtype=np.uint32)
-        self.seated_pose = aligned_zeros((1, 3))
-        self.seated_load = aligned_zeros((1, 3))
-        self.seated_body = aligned_zeros((1, 18))
-        self.seated_kind = aligned_zeros(1, dtype=np.int8)
-        self.motion = aligned_zeros((1, 8))
-        self.home = aligned_zeros((1, 6))
-        self.carried = aligned_zeros((1, 12))
-        self.used = aligned_zeros(1, dtype=np.int64)
-        self.island = aligned_zeros((1, 7), dtype=np.int64)
-        self.rest = aligned_zeros((1, 8))
-        self.energy = aligned_zeros((1, ENERGIES))
-        self.isle = aligned_zeros((1, ISLE), dtype=np.int64)
+        self.pose = aligned_zeros((CREW, 3))
+        self.velocity = aligned_zeros((CREW, 3))
+        self.load = aligned_zeros((CREW, 3))
+        self.body = aligned_zeros((CREW, 8))
+        self.kind = aligned_zeros(CREW, dtype=np.int8)
+        self.seat = aligned_copy(np.arange(CREW, dtype=np.uint32))
+        self.owner = aligned_copy(self.seat)
+        self.seated_pose = aligned_zeros((CREW, 3))
+        self.seated_load = aligned_zeros((CREW, 3))
+        self.seated_body = aligned_zeros((CREW, 8))
+        self.seated_kind = aligned_zeros(CREW, dtype=np.int8)
+        self.motion = aligned_zeros((CREW, 8))
+        self.home = aligned_zeros((CREW, 6))
+        self.carried = aligned_zeros((CREW, 16))
+        self.used = aligned_zeros(CREW, dtype=np.int64)
+        self.island = aligned_zeros((CREW, 7), dtype=np.int64)
+        self.rest = aligned_zeros((CREW, 8))
+        self.energy = aligned_zeros((CREW, ENERGIES))
+        self.isle = aligned_zeros((CREW, ISLE), dtype=np.int64)
         self.web = aligned_zeros((2, WEB), dtype=np.int64)
         self.weave = aligned_zeros((2, WEAVE))
         self.ranked = aligned_zeros((2, 0), dtype=np.uint32)
@@ -123,27 +124,29 @@ class World:
         self.settings = np.array([*gravity, time_step, *np.zeros(10)])
         self.counts = aligned_zeros(25, dtype=np.int64)
         self.counts[SUBSTEPS], self.counts[HORIZON] = substeps, 4
+        self.rates = np.zeros((1, 2))  # of drag, 1/s; what follows from each row are the flows
+        self.flows = self.flow(self.rates)
         self._engine = CONTACT.plain() if plain else CONTACT.compiled()
         self._arguments: tuple[Any, ...] = ()
-        self._coast: Callable[[int, bool], int] = lambda _steps, _known: 0
+        self._coast: Callable[[int], int] = lambda _steps: 0
+        self._know_course: Callable[[], None] = lambda: None
         self._alone = True  # whether it is worth while to try to coast
         self._known = False  # whether where bodies coast is known, since homes are as they were
 
-    def flow(self, new: Whole, rate: Array, column: int) -> None:
-        """Write how velocity and place of some bodies flow in a step and in a substep (IM1, IM6).
+    def flow(self, rates: Array) -> Array:
+        """Return (k, 12), how velocity and place flow in a step and in a substep (IM1, IM6).
 
-        The rates (k,) are those at which drag slows them down, 1/s; the column is 0, or that of the
-        spin.
+        The rates (k, 2) are those at which drag slows down, 1/s: of the velocity, and of the spin.
         """
-        for start, time in (
-            (FULL, self.settings[TIME_STEP]),
-            (SUB, self.settings[TIME_STEP] / self.counts[SUBSTEPS]),
-        ):
-            one, none = (1.0, 0.0), (0.0, 0.0)
-            at = start + column
-            self.body[new, at + DECAY] = drag.velocity(one, none, rate, time)[0]
-            self.body[new, at + GAIN] = drag.position(none, one, none, rate, time)[0]
-            self.body[new, at + LIFT] = drag.position(none, none, one, rate, time)[0]
+        flows = np.zeros((len(rates), 12))
+        whole = self.settings[TIME_STEP]
+        one, none = (1.0, 0.0), (0.0, 0.0)
+        for start, time in ((FULL, whole), (SUB, whole / self.counts[SUBSTEPS])):
+            for at, rate in ((start, rates[:, 0]), (start + ANGULAR, rates[:, 1])):
+                flows[:, at + DECAY] = drag.velocity(one, none, rate, time)[0]
+                flows[:, at + GAIN] = drag.position(none, one, none, rate, time)[0]
+                flows[:, at + LIFT] = drag.position(none, none, one, rate, time)[0]
+        return flows
 
     def sit(self, rows: Whole, seats: Whole) -> None:
         """Give some bodies other seats, which together were theirs."""
@@ -171,7 +174,7 @@ class World:
         if self.size + count < len(self.pose):
             return
         idle = len(self.pose) - 1
-        room = max(self.size + count, len(self.pose) * 3 // 2) + 1
+        room = max(self.size + count, len(self.pose) * 3 // 2) // CREW * CREW + CREW
         for name in (*_BODY, *_SEAT, "seat", "owner"):
             setattr(self, name, _longer(getattr(self, name), room))
         self.seat[idle:] = self.owner[idle:] = np.arange(idle, room)
@@ -205,8 +208,10 @@ class World:
         sound = 0
         while True:
             if self._alone:
-                count -= self._coast(count, self._known)
-                self._known = True
+                if not self._known:
+                    self._know_course()
+                    self._known = True
+                count -= self._coast(count)
                 if count == 0:
                     return DONE
             self.counts[WANTED], self.counts[SOUND] = count, sound
@@ -248,15 +253,24 @@ class World:
         if corners >= len(self.scratch):
             self.scratch = aligned_zeros((corners + 1, TOUCH))
         self._list_arguments()
+        self._gather_course()
+
+    def _gather_course(self) -> None:
+        """Keep what coasting is called with: a row for each crew."""
+        crews = len(self.kind) // CREW
         bodies = (self.pose, self.velocity, self.load)
-        full = len(self.kind) // CREW
-        rows = [array[: CREW * full].reshape(full, LANES_OF) for array in bodies]
-        crews = -(-len(self.kind) // CREW)
+        poses, velocities, loads = (array.reshape(crews, LANES_OF) for array in bodies)
+        course = aligned_zeros((crews, COURSE))
+        manner = (self.body, self.flows)
+        ahead = (course, aligned_zeros((crews + 1, STREAM)))
+        engine = self._engine
+        self._know_course = partial(
+            engine.know_course, self.kind, *manner, self.home, self.seat, *ahead
+        )
         self._coast = partial(
-            self._engine.coast,
-            *(self.settings, self.counts, self.kind, *bodies, *rows[:2], rows[2].view(np.int64)),
-            *(self.body, self.home, self.seat, aligned_zeros((crews, COURSE))),
-            aligned_zeros((crews + 1, STREAM)),
+            engine.coast,
+            *(self.settings, self.counts, self.kind, poses, velocities, loads),
+            *(loads.view(np.int64), *manner, *ahead),
         )
         self._known = False
 
