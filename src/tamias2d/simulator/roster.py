@@ -90,12 +90,12 @@ class Roster:
     ) -> None:
         """Set the surfaces of pairs of bodies, given by rows."""
         rows = [
-            (s, t, friction.get((i, j), -1.0), restitution.get((i, j), -1.0))
+            (min(s, t), max(s, t), friction.get((i, j), -1.0), restitution.get((i, j), -1.0))
             for i, j in sorted({*friction, *restitution})
             for s in self._shapes_of(i)
             for t in self._shapes_of(j)
         ]
-        self.world.mixed = np.array(rows, dtype=np.float64).reshape(-1, 4)
+        self.world.mixed = _by_shapes(np.array(rows, dtype=np.float64).reshape(-1, 4))
         self.world.forget()
 
     def arrays(self) -> dict[str, NDArray[Any]]:
@@ -192,7 +192,8 @@ class Roster:
             values[slots] = values[sequence]
         moved = np.arange(len(world.shape_body))
         moved[sequence] = slots
-        world.mixed[:, :2] = moved[world.mixed[:, :2].astype(np.int64)]
+        world.mixed[:, :2] = np.sort(moved[world.mixed[:, :2].astype(np.int64)], axis=1)
+        world.mixed = _by_shapes(world.mixed)
         count = world.shape_count[slots].astype(np.int64)
         start, total = np.cumsum(count) - count, int(count.sum())
         old = np.repeat(world.shape_first[slots] - start, count) + np.arange(total)
@@ -292,6 +293,11 @@ class Roster:
         world.counts[PAIRS] = len(kept)
         owner = world.shape_body[world.mixed[:, :2].astype(np.int64)]
         world.mixed = world.mixed[~np.isin(owner, rows).any(axis=1)]
+
+
+def _by_shapes(mixed: Array) -> Array:
+    """Return what was set for pairs of shapes, in their order."""
+    return mixed[np.lexsort((mixed[:, 1], mixed[:, 0]))]
 
 
 def _form(found: Sequence[Piece]) -> tuple[float, ...]:

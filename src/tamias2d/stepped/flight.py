@@ -31,12 +31,11 @@ from tamias2d.stepped.layout import (
     INNER,
     OF_A,
     OF_B,
-    PAIR_FRICTION,
-    PAIR_RESTITUTION,
     PAIRS,
     TIME_STEP,
     Whole,
 )
+from tamias2d.stepped.surfaces import surfaces_of
 from tamias2d.stepped.sweep import MISSED, WIDE
 
 IMPACTS = 64  # in one step, and four more for every pair that meets
@@ -60,6 +59,7 @@ def fly(
     shape_count: Whole,
     shape_radius: Array,
     surface: Array,
+    mixed: Array,
     filters: Whole,
     corner: Array,
     turned: Array,
@@ -112,8 +112,8 @@ def fly(
             i, j, waits = pair[p, OF_A], pair[p, OF_B], left <= 0
             bent = happen(
                 p, now, settings, pose, motion, load, body, gained, kind, shape_body, shape_kind,
-                shape_first, shape_count, shape_radius, corner, turned, pair, touch, trace,
-                scratch,
+                shape_first, shape_count, shape_radius, surface, mixed, corner, turned, pair,
+                touch, trace, scratch,
             ) if left > 0 else stand_by(
                 i, j, now, settings, pose, motion, load, body, gained, kind
             )  # fmt: skip
@@ -153,6 +153,8 @@ def happen(
     shape_first: Whole,
     shape_count: Whole,
     shape_radius: Array,
+    surface: Array,
+    mixed: Array,
     corner: Array,
     turned: Array,
     pair: Whole,
@@ -172,10 +174,10 @@ def happen(
         corner, turned, scratch,
     )  # fmt: skip
     row = scratch[0]
+    friction, restitution = surfaces_of(s, t, surface, mixed)
     push = rebound(
-        i, j, now, touch[p, PAIR_FRICTION], touch[p, PAIR_RESTITUTION], settings, pose, motion,
-        load, body, gained, kind, row,
-    )  # fmt: skip
+        i, j, now, friction, restitution, settings, pose, motion, load, body, gained, kind, row
+    )
     if push < 0.0:
         return False
     if push > 0.0:

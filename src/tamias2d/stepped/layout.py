@@ -113,16 +113,15 @@ MIDDLE_X, MIDDLE_Y, HALF_WIDTH, HALF_HEIGHT, MIDDLE_REACH = 0, 1, 2, 3, 4
 OF_A, OF_B = 2, 3
 
 # touch (p, 32): normal from a to b; a point from the centre of body A, m, with its separation, m,
-# accumulated impulses, N s, and preload, m; the pair's surfaces; what is told of the last step: the
-# point's impulse over all of it, N s, and where it was in the world, m; the cache of the narrow
-# phase, 4 columns; then all of the second point; and the normal of what met in flight, with one
-# impulse and one place. A pair with one point takes half of its four lines of a cache.
+# accumulated impulses, N s, and preload, m; what is told of the last step: the point's impulse over
+# all of it, N s, and where it was in the world, m; the cache of the narrow phase, 4 columns; then
+# all of the second point; and the normal of what met in flight, with one impulse and one place. A
+# pair with one point takes half of its four lines of a cache.
 TOUCH = 32
 NX, NY = 0, 1
 PX, PY, GAP, PUSH, RUB, PRELOAD = 2, 3, 4, 5, 6, 7
-PAIR_FRICTION, PAIR_RESTITUTION = 8, 9
-TOTAL, WHERE = 10, 11
-CACHE = 13
+TOTAL, WHERE = 8, 9
+CACHE = 11
 POINT = 16  # columns from a point to the next
 FLOWN_NORMAL = 30
 

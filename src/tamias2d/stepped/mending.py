@@ -53,7 +53,6 @@ def mend(
     shape_radius: Array,
     surface: Array,
     filters: Whole,
-    mixed: Array,
     corner: Array,
     turned: Array,
     box: Array,
@@ -100,8 +99,8 @@ def mend(
         return False
     sort_pairs(total, found, curve[3, : len(shape_body) + 1])
     return add_pairs(
-        total, counts, ranked, shape_body, found, curve[STARTS], surface, mixed, pairs[side],
-        touches[side], traces[side],
+        total, counts, ranked, shape_body, found, curve[STARTS], pairs[side], touches[side],
+        traces[side],
     )  # fmt: skip
 
 

@@ -5,19 +5,14 @@ two runs, each sorted by the canonical ranks of its shapes: what follows does no
 order in which bodies were added or found.
 """
 
-from tamias2d.generated.definitions import pair_friction, pair_restitution
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
     ARRANGED,
     COUNT,
-    FRICTION,
     ISLANDED,
     OF_A,
     OF_B,
-    PAIR_FRICTION,
-    PAIR_RESTITUTION,
     PAIRS,
-    RESTITUTION,
     SIDE,
     SORTED,
     TOUCH,
@@ -33,8 +28,6 @@ def take_over(
     shape_body: Whole,
     found: Whole,
     starts: Whole,
-    surface: Array,
-    mixed: Array,
     pairs: Whole,
     touches: Array,
     traces: Whole,
@@ -72,10 +65,7 @@ def take_over(
             break
         if not known:
             if size < len(pair):
-                new_pair(
-                    ranked[0, a], ranked[0, b], shape_body, surface, mixed, size, next_pair,
-                    next_touch, next_trace,
-                )  # fmt: skip
+                new_pair(ranked[0, a], ranked[0, b], shape_body, size, next_pair, next_trace)
             size += 1
     if size <= len(pair):
         counts[SIDE] = 1 - side
@@ -106,8 +96,6 @@ def add_pairs(
     shape_body: Whole,
     found: Whole,
     starts: Whole,
-    surface: Array,
-    mixed: Array,
     pair: Whole,
     touch: Array,
     trace: Whole,
@@ -126,12 +114,10 @@ def add_pairs(
     while new > 0:  # from the end, so that each moves once
         a, b = found[new - 1, 0], found[new - 1, 1]
         if old >= counts[SORTED] and is_after(old, a, b, ranked, pair):
-            move_pair(old, place, pair, touch, trace)
+            copy_pair(old, pair, touch, trace, place, pair, touch, trace)
             old -= 1
         else:
-            new_pair(
-                ranked[0, a], ranked[0, b], shape_body, surface, mixed, place, pair, touch, trace
-            )
+            new_pair(ranked[0, a], ranked[0, b], shape_body, place, pair, trace)
             new -= 1
         place -= 1
     return True
@@ -168,16 +154,6 @@ def is_pair(p: int, a: int, b: int, ranked: Whole, pair: Whole) -> bool:
     return bool(ranked[1, pair[p, 0]] == a and ranked[1, pair[p, 1]] == b)
 
 
-def move_pair(old: int, new: int, pair: Whole, touch: Array, trace: Whole) -> None:
-    """Move a pair with all that is known of it."""
-    for k in range(4):
-        pair[new, k] = pair[old, k]
-    for k in range(TOUCH):
-        touch[new, k] = touch[old, k]
-    for k in range(6):
-        trace[new, k] = trace[old, k]
-
-
 def copy_pair(
     old: int,
     pair: Whole,
@@ -188,7 +164,7 @@ def copy_pair(
     next_touch: Array,
     next_trace: Whole,
 ) -> None:
-    """Copy what is known of a pair; of one that does not touch, only how its surfaces mix."""
+    """Copy a pair; what is known of how it touches, only if it does."""
     for k in range(4):
         next_pair[new, k] = pair[old, k]
     if trace[old, COUNT] > 0 or trace[old, TOUCHED] != 0:
@@ -198,8 +174,6 @@ def copy_pair(
             next_trace[new, k] = trace[old, k]
     else:
         blank(new, next_trace)
-        next_touch[new, PAIR_FRICTION] = touch[old, PAIR_FRICTION]
-        next_touch[new, PAIR_RESTITUTION] = touch[old, PAIR_RESTITUTION]
 
 
 def blank(p: int, trace: Whole) -> None:
@@ -208,48 +182,8 @@ def blank(p: int, trace: Whole) -> None:
         trace[p, k] = 0
 
 
-def new_pair(
-    s: int,
-    t: int,
-    shape_body: Whole,
-    surface: Array,
-    mixed: Array,
-    new: int,
-    pair: Whole,
-    touch: Array,
-    trace: Whole,
-) -> None:
-    """Begin a pair: it does not touch, and its surfaces are mixed by the rules of the scene.
-
-    `mixed` (k, 4) holds what was set for pairs of shapes: both, friction, restitution.
-    """
+def new_pair(s: int, t: int, shape_body: Whole, new: int, pair: Whole, trace: Whole) -> None:
+    """Begin a pair, which does not touch."""
     pair[new, 0], pair[new, 1] = s, t
     pair[new, OF_A], pair[new, OF_B] = shape_body[s], shape_body[t]
     blank(new, trace)
-    touch[new, PAIR_FRICTION] = both_friction(surface[s, FRICTION], surface[t, FRICTION])
-    touch[new, PAIR_RESTITUTION] = both_restitution(
-        surface[s, RESTITUTION], surface[t, RESTITUTION]
-    )
-    for k in range(len(mixed)):
-        one, other = mixed[k, 0], mixed[k, 1]
-        if (one == s and other == t) or (one == t and other == s):
-            touch[new, PAIR_FRICTION] = (
-                mixed[k, 2] if mixed[k, 2] >= 0.0 else touch[new, PAIR_FRICTION]
-            )
-            touch[new, PAIR_RESTITUTION] = (
-                mixed[k, 3] if mixed[k, 3] >= 0.0 else touch[new, PAIR_RESTITUTION]
-            )
-
-
-def both_friction(first: float, second: float) -> float:
-    """Return the friction of two surfaces; -1 where one states none, and 0 if neither does."""
-    if first < 0.0 or second < 0.0:
-        return max(first, second, 0.0)
-    return pair_friction(first, second)
-
-
-def both_restitution(first: float, second: float) -> float:
-    """Return the restitution of two surfaces; -1 where one states none, and 0 if neither does."""
-    if first < 0.0 or second < 0.0:
-        return max(first, second, 0.0)
-    return pair_restitution(first, second)

@@ -37,8 +37,6 @@ from tamias2d.stepped.layout import (
     NOTED,
     NX,
     NY,
-    PAIR_FRICTION,
-    PAIR_RESTITUTION,
     POINT,
     PRELOAD,
     PUSH,
@@ -54,6 +52,7 @@ from tamias2d.stepped.layout import (
     X,
     Y,
 )
+from tamias2d.stepped.surfaces import surfaces_of
 
 LANES = 16
 MOVING = 40  # colours of contacts between two moving bodies, before those with one
@@ -156,9 +155,9 @@ def seat_pairs(
     last: int,
     counts: Whole,
     pair: Whole,
-    touch: Array,
     shape_radius: Array,
     surface: Array,
+    mixed: Array,
     body: Array,
     hits: Whole,
     rows: Array,
@@ -173,9 +172,9 @@ def seat_pairs(
         row, s, t = rows[b], pair[p, 0], pair[p, 1]
         row[R_MASS_A + m], row[R_INERTIA_A + m] = body[i, INVERSE_MASS], body[i, INVERSE_INERTIA]
         row[R_MASS_B + m], row[R_INERTIA_B + m] = body[j, INVERSE_MASS], body[j, INVERSE_INERTIA]
-        row[R_FRICTION + m] = touch[p, PAIR_FRICTION]
-        row[R_RESTITUTION + m] = touch[p, PAIR_RESTITUTION]
-        counts[BOUNCING] += touch[p, PAIR_RESTITUTION] > 0.0
+        friction, restitution = surfaces_of(s, t, surface, mixed)
+        row[R_FRICTION + m], row[R_RESTITUTION + m] = friction, restitution
+        counts[BOUNCING] += restitution > 0.0
         row[R_ROUND_A + m], row[R_ROUND_B + m] = shape_radius[s], shape_radius[t]
         row[R_REACH + m] = min(surface[s, SHAPE_REACH], surface[t, SHAPE_REACH])
 

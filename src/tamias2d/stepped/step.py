@@ -280,14 +280,14 @@ def step_once(
         )
         holds = look_again(
             marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
-            shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, corner,
+            shape_kind, shape_first, shape_count, shape_radius, surface, filters, corner,
             turned, box, curve, node, middle, found, pairs, touches, traces,
         )  # fmt: skip
         counts[PHASE] = KNOWN if holds else STALE
     if counts[PHASE] == STALE:
         status = look_around(
             settings, counts, pose, motion, load, body, flows, home, kind, ranked, shape_body,
-            shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, turned,
+            shape_kind, shape_first, shape_count, shape_radius, surface, filters, turned,
             box, curve, node, middle, found, pairs, touches, traces,
         )  # fmt: skip
         if status != DONE:
@@ -310,8 +310,8 @@ def step_once(
         if status != DONE:
             return status
         solve(
-            settings, counts, pair, touch, shape_radius, surface, pose, motion, load, body, flows,
-            kind, hits, slabs, rows, lanes, bench, carried, island, energy, web, weave,
+            settings, counts, pair, touch, shape_radius, surface, mixed, pose, motion, load, body,
+            flows, kind, hits, slabs, rows, lanes, bench, carried, island, energy, web, weave,
         )  # fmt: skip
         keep_impulses(counts, pose, hits, rows, touch, trace)
         if counts[PATIENCE] > 0:
@@ -338,12 +338,12 @@ def step_once(
             marked = mark_outrun(settings, kind, pose, motion, body, home, used)
             holds = look_again(
                 marked, settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
-                shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
+                shape_kind, shape_first, shape_count, shape_radius, surface, filters,
                 corner, turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
             status = DONE if holds else look_around(
                 settings, counts, pose, motion, load, body, flows, home, kind, ranked, shape_body,
-                shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed,
+                shape_kind, shape_first, shape_count, shape_radius, surface, filters,
                 turned, box, curve, node, middle, found, pairs, touches, traces,
             )  # fmt: skip
             if status != DONE:
@@ -352,8 +352,9 @@ def step_once(
         pair, touch, trace = pairs[counts[SIDE]], touches[counts[SIDE]], traces[counts[SIDE]]
         bench[FLOWN] = fly(
             settings, counts, pose, motion, load, body, home, kind, carried, shape_body,
-            shape_kind, shape_first, shape_count, shape_radius, surface, filters, corner, turned,
-            pair, touch, trace, times, agenda, scratch, int(bench[LOOKS_LEFT]), bench[FLOWN],
+            shape_kind, shape_first, shape_count, shape_radius, surface, mixed, filters, corner,
+            turned, pair, touch, trace, times, agenda, scratch, int(bench[LOOKS_LEFT]),
+            bench[FLOWN],
         )  # fmt: skip
         counts[PHASE] = OUTRUN if bench[FLOWN] <= 1.0 else ARRIVING
     if counts[PATIENCE] > 0:

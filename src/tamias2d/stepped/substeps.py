@@ -71,6 +71,7 @@ def solve(
     touch: Array,
     shape_radius: Array,
     surface: Array,
+    mixed: Array,
     pose: Array,
     motion: Array,
     load: Array,
@@ -99,8 +100,8 @@ def solve(
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(
                 stage, front - stage, substep, settings, counts, pair, touch, shape_radius, surface,
-                pose, motion, load, body, flows, kind, hits, slabs, rows, lanes, bench, carried,
-                web, weave,
+                mixed, pose, motion, load, body, flows, kind, hits, slabs, rows, lanes, bench,
+                carried, web, weave,
             )  # fmt: skip
     counts[SEATED] = 1
     bouncing = counts[BOUNCING]
@@ -126,6 +127,7 @@ def take_stage(
     touch: Array,
     shape_radius: Array,
     surface: Array,
+    mixed: Array,
     pose: Array,
     motion: Array,
     load: Array,
@@ -155,7 +157,7 @@ def take_stage(
         hit, hit_end = slabs[slab, S_HIT], slabs[slab + 1, S_HIT]
         if counts[SEATED] == 0:
             seat_pairs(
-                hit, hit_end, counts, pair, touch, shape_radius, surface, body, hits, rows, lanes
+                hit, hit_end, counts, pair, shape_radius, surface, mixed, body, hits, rows, lanes
             )
         fill_rows(hit, hit_end, touch, pose, carried, hits, rows)
         finish_rows(block, end, substep, rows, lanes)

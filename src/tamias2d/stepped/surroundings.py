@@ -56,7 +56,6 @@ def look_again(
     shape_radius: Array,
     surface: Array,
     filters: Whole,
-    mixed: Array,
     corner: Array,
     turned: Array,
     box: Array,
@@ -82,7 +81,7 @@ def look_again(
     if marked > 0:
         counts[STILL] = 1 if mend(
             settings, counts, pose, motion, body, home, kind, used, ranked, shape_body,
-            shape_kind, shape_first, shape_count, shape_radius, surface, filters, mixed, corner,
+            shape_kind, shape_first, shape_count, shape_radius, surface, filters, corner,
             turned, box, curve, node, middle, found, pairs, touches, traces,
         ) else 0  # fmt: skip
     return bool(counts[STILL] == 1)
@@ -106,7 +105,6 @@ def look_around(
     shape_radius: Array,
     surface: Array,
     filters: Whole,
-    mixed: Array,
     turned: Array,
     box: Array,
     curve: Whole,
@@ -141,8 +139,7 @@ def look_around(
         return MORE_FOUND
     sort_pairs(total, found, curve[3, : len(shape_body) + 1])
     size = take_over(
-        total, counts, ranked, shape_body, found, curve[STARTS], surface, mixed, pairs, touches,
-        traces,
+        total, counts, ranked, shape_body, found, curve[STARTS], pairs, touches, traces
     )  # fmt: skip
     if size > pairs.shape[1]:
         counts[NEEDED] = size
