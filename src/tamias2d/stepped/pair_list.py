@@ -13,6 +13,7 @@ from tamias2d.stepped.layout import (
     OF_A,
     OF_B,
     PAIRS,
+    POINT,
     SIDE,
     SORTED,
     TOUCH,
@@ -168,7 +169,7 @@ def copy_pair(
     for k in range(4):
         next_pair[new, k] = pair[old, k]
     if trace[old, COUNT] > 0 or trace[old, TOUCHED] != 0:
-        for k in range(TOUCH):
+        for k in range(POINT if trace[old, COUNT] == 1 else TOUCH):
             next_touch[new, k] = touch[old, k]
         for k in range(6):
             next_trace[new, k] = trace[old, k]
