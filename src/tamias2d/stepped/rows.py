@@ -228,15 +228,16 @@ def fill_rows(
             row[at + P_PUSH] = touch[p, PUSH + POINT * n]
             row[at + P_RUB] = touch[p, RUB + POINT * n]
             row[at + P_TOTAL] = 0.0
-            row[at + P_BEFORE] = row_velocity(
-                (one[NOTED], one[NOTED + 1]),
-                one[NOTED + 2],
-                arm_a,
-                (other[NOTED], other[NOTED + 1]),
-                other[NOTED + 2],
-                arm_b,
-                (normal_x, normal_y),
-            )
+            if row[R_RESTITUTION + m] > 0.0:
+                row[at + P_BEFORE] = row_velocity(
+                    (one[NOTED], one[NOTED + 1]),
+                    one[NOTED + 2],
+                    arm_a,
+                    (other[NOTED], other[NOTED + 1]),
+                    other[NOTED + 2],
+                    arm_b,
+                    (normal_x, normal_y),
+                )
 
 
 def finish_rows(first: int, last: int, substep: float, rows: Array, lanes: Whole) -> None:

@@ -138,10 +138,10 @@ def step(
     times: Floats,
     agenda: IndexRows,
     scratch: FloatRows,
-    island: RankRows,
+    island: IndexRows,
     rest: FloatRows,
     energy: FloatRows,
-    isle: RankRows,
+    isle: IndexRows,
     web: RankRows,
     weave: FloatRows,
 ) -> int:
