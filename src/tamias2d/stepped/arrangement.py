@@ -18,7 +18,7 @@ from tamias2d.stepped.layout import (
     THIN,
     Whole,
 )
-from tamias2d.stepped.rows import clear_lanes, colour, give_places
+from tamias2d.stepped.rows import colour, count_lanes, give_places
 from tamias2d.stepped.slabs import divide
 from tamias2d.stepped.surroundings import DONE, MORE_BLOCKS, MORE_WEB
 from tamias2d.stepped.thin import number_islands, plan
@@ -58,7 +58,7 @@ def arrange(
         counts[NEEDED] = -islands
         return MORE_WEB
     counts[THIN] = islands
-    clear_lanes(len(used) - 1, counts, hits, rows, lanes)
+    count_lanes(counts, hits, lanes)
     counts[ARRANGED], counts[SEATED], counts[BOUNCING] = 1, 0, 0
     return DONE
 

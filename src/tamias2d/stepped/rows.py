@@ -135,19 +135,22 @@ def give_places(counts: Whole, hits: Whole, fill: Whole, slabs: Whole) -> int:
     return block
 
 
-def clear_lanes(idle: int, counts: Whole, hits: Whole, rows: Array, lanes: Whole) -> None:
-    """Let the lanes work on the idle body, where the blocks of a colour are not full."""
+def count_lanes(counts: Whole, hits: Whole, lanes: Whole) -> None:
+    """Write how many lanes of each block are taken, and how many points each pair has there."""
     for b in range(counts[BLOCKS]):
         lanes[b, FILLED] = 0
     for k in range(counts[HITS]):
         b, _ = seat_of(k, hits)
         lanes[b, FILLED], lanes[b, POINTS] = lanes[b, FILLED] + 1, 1 + hits[HIT_COLOUR, k] % 2
-    for b in range(counts[BLOCKS]):
-        if lanes[b, FILLED] < LANES:
-            for k in range(WIDTH):
-                rows[b, k] = 0.0
-            for k in range(LANES):
-                lanes[b, BODY_A + k] = lanes[b, BODY_B + k] = idle
+
+
+def clear_lanes(first: int, last: int, idle: int, rows: Array, lanes: Whole) -> None:
+    """Let lanes work on the idle body, where blocks are not full."""
+    for b in range(first, last):
+        for m in range(lanes[b, FILLED], LANES):
+            lanes[b, BODY_A + m] = lanes[b, BODY_B + m] = idle
+            for at in range(m, SHARED + SIZE * lanes[b, POINTS], LANES):
+                rows[b, at] = 0.0
 
 
 def seat_pairs(

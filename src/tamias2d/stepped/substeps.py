@@ -52,7 +52,16 @@ from tamias2d.stepped.layout import (
     VY,
     Whole,
 )
-from tamias2d.stepped.rows import S_BLOCK, S_BODY, S_HIT, S_ISLE, fill_rows, finish_rows, seat_pairs
+from tamias2d.stepped.rows import (
+    S_BLOCK,
+    S_BODY,
+    S_HIT,
+    S_ISLE,
+    clear_lanes,
+    fill_rows,
+    finish_rows,
+    seat_pairs,
+)
 from tamias2d.stepped.solver import (
     ALL_FIRST,
     ALL_GIVEN,
@@ -156,6 +165,7 @@ def take_stage(
         begin(first, last, settings, motion, load, body, flows, kind, hits, carried)
         hit, hit_end = slabs[slab, S_HIT], slabs[slab + 1, S_HIT]
         if counts[SEATED] == 0:
+            clear_lanes(block, end, len(kind) - 1, rows, lanes)
             seat_pairs(
                 hit, hit_end, counts, pair, shape_radius, surface, mixed, body, hits, rows, lanes
             )
