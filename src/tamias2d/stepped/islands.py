@@ -19,7 +19,7 @@ from tamias2d.stepped.layout import (
     Whole,
 )
 
-LAST = 2**62
+LAST = 2**31 - 1
 
 
 def find_islands(counts: Whole, kind: Whole, hits: Whole, island: Whole) -> None:

@@ -55,6 +55,7 @@ from tamias2d.stepped.layout import (
 from tamias2d.stepped.surfaces import surfaces_of
 
 LANES = 16
+LINE = 8  # numbers to a line of a cache
 MOVING = 40  # colours of contacts between two moving bodies, before those with one
 COLOURS = 60
 BODY_A, BODY_B, FILLED, POINTS = 0, 16, 32, 33  # columns of a block's lanes
@@ -187,6 +188,26 @@ def seat_of(k: int, hits: Whole) -> tuple[int, int]:
     return hits[HIT_PLACE, k] // LANES, hits[HIT_PLACE, k] % LANES
 
 
+def fetch_rows(first: int, last: int, rows: Array, lanes: Whole) -> float:
+    """Read a number of each line of a cache that blocks take; return their sum.
+
+    A loop that does nothing else has many lines on their way from memory at once.
+    """
+    total = 0.0
+    for b in range(first, last):
+        for at in range(0, SHARED + SIZE * lanes[b, POINTS], LINE):
+            total += rows[b, at]
+    return total
+
+
+def fetch_touches(first: int, last: int, column: int, hits: Whole, touch: Array) -> float:
+    """Read a number of touching pairs, which are listed by slabs, ahead; return their sum."""
+    total = 0.0
+    for at_hit in range(first, last):
+        total += touch[hits[HIT, hits[HIT_BY_SLAB, at_hit]], column]
+    return total
+
+
 def fill_rows(
     first: int,
     last: int,
@@ -287,15 +308,20 @@ def soften_lanes(row: Array, substep: float) -> None:
 
 
 def keep_impulses(
-    counts: Whole,
+    first: int,
+    last: int,
     pose: Array,
     hits: Whole,
     rows: Array,
     touch: Array,
     trace: Whole,
 ) -> None:
-    """Write the impulses back to their pairs, with where they were; what was pushed touched."""
-    for k in range(counts[HITS]):
+    """Write impulses back to pairs, which are listed by slabs, with where they were.
+
+    What was pushed touched.
+    """
+    for at_hit in range(first, last):
+        k = hits[HIT_BY_SLAB, at_hit]
         p, i = hits[HIT, k], hits[HIT_A, k]
         b, m = seat_of(k, hits)
         for n in range(1 + hits[HIT_COLOUR, k] % 2):

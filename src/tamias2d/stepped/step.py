@@ -69,7 +69,6 @@ from tamias2d.stepped.layout import (
     Whole,
 )
 from tamias2d.stepped.meeting import meet
-from tamias2d.stepped.rows import keep_impulses
 from tamias2d.stepped.sleep import (
     fall_asleep,
     keep_still,
@@ -310,10 +309,9 @@ def step_once(
         if status != DONE:
             return status
         solve(
-            settings, counts, pair, touch, shape_radius, surface, mixed, pose, motion, load, body,
-            flows, kind, hits, slabs, rows, lanes, bench, carried, island, energy, web, weave,
+            settings, counts, pair, touch, trace, shape_radius, surface, mixed, pose, motion, load,
+            body, flows, kind, hits, slabs, rows, lanes, bench, carried, island, energy, web, weave,
         )  # fmt: skip
-        keep_impulses(counts, pose, hits, rows, touch, trace)
         if counts[PATIENCE] > 0:
             note_company(counts, pair, kind, hits, island)
         if counts[DORMANT] > 0:

@@ -38,10 +38,12 @@ from tamias2d.stepped.layout import (
     GIVEN,
     GRAVITY_X,
     GRAVITY_Y,
+    HITS,
     INVERSE_INERTIA,
     INVERSE_MASS,
     KEPT_BY_DRAG,
     NOTED,
+    NX,
     SEATED,
     SLABS,
     SPIN,
@@ -58,14 +60,18 @@ from tamias2d.stepped.rows import (
     S_HIT,
     S_ISLE,
     clear_lanes,
+    fetch_rows,
+    fetch_touches,
     fill_rows,
     finish_rows,
+    keep_impulses,
     seat_pairs,
 )
 from tamias2d.stepped.solver import (
     ALL_FIRST,
     ALL_GIVEN,
     ALL_NOW,
+    FETCHED,
     bounce,
     relax,
     sweep,
@@ -78,6 +84,7 @@ def solve(
     counts: Whole,
     pair: Whole,
     touch: Array,
+    trace: Whole,
     shape_radius: Array,
     surface: Array,
     mixed: Array,
@@ -108,9 +115,9 @@ def solve(
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(
-                stage, front - stage, substep, settings, counts, pair, touch, shape_radius, surface,
-                mixed, pose, motion, load, body, flows, kind, hits, slabs, rows, lanes, bench,
-                carried, web, weave,
+                stage, front - stage, substep, settings, counts, pair, touch, trace, shape_radius,
+                surface, mixed, pose, motion, load, body, flows, kind, hits, slabs, rows, lanes,
+                bench, carried, web, weave,
             )  # fmt: skip
     counts[SEATED] = 1
     bouncing = counts[BOUNCING]
@@ -124,6 +131,8 @@ def solve(
             settings, counts, pose, motion, load, body, kind, hits, island,
             carried, energy, rows, lanes, bouncing,
         )  # fmt: skip
+    if bouncing > 0:
+        keep_impulses(0, counts[HITS], pose, hits, rows, touch, trace)
 
 
 def take_stage(
@@ -134,6 +143,7 @@ def take_stage(
     counts: Whole,
     pair: Whole,
     touch: Array,
+    trace: Whole,
     shape_radius: Array,
     surface: Array,
     mixed: Array,
@@ -160,10 +170,13 @@ def take_stage(
     first = slabs[slab + 1, S_BODY] if slab > 0 else 0
     last = slabs[min(slab + 2, counts[SLABS]), S_BODY]
     block, end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
+    hit, hit_end = slabs[slab, S_HIT], slabs[slab + 1, S_HIT]
     isle, isle_end = slabs[slab, S_ISLE], slabs[slab + 1, S_ISLE]
     if stage == 0:
+        if counts[SLABS] > 1:
+            bench[FETCHED] = fetch_touches(hit, hit_end, NX, hits, touch)
+            bench[FETCHED] += fetch_rows(block, end, rows, lanes)
         begin(first, last, settings, motion, load, body, flows, kind, hits, carried)
-        hit, hit_end = slabs[slab, S_HIT], slabs[slab + 1, S_HIT]
         if counts[SEATED] == 0:
             clear_lanes(block, end, len(kind) - 1, rows, lanes)
             seat_pairs(
@@ -182,9 +195,10 @@ def take_stage(
         settle_islands(True, isle, isle_end, substep, rows, lanes, motion, web, weave)
         relax(block, end, rows, lanes, motion, bench, substep)
         if stage == 2 * counts[SUBSTEPS]:
-            own = slabs[slab, S_BODY]
-            own_end = slabs[slab + 1, S_BODY]
+            own, own_end = slabs[slab, S_BODY], slabs[slab + 1, S_BODY]
             sum_up(own, own_end, settings, motion, load, body, kind, hits, carried, bench)
+            if counts[BOUNCING] == 0:
+                keep_impulses(hit, hit_end, pose, hits, rows, touch, trace)
 
 
 def begin(
