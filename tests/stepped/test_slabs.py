@@ -14,12 +14,14 @@ from tamias2d.stepped.layout import (
     ACTIVE,
     ACTIVE_ROW,
     BLOCKS,
+    BOUNCING,
     DYNAMIC,
     HIT_A,
     HIT_B,
     HIT_PLACE,
     HITS,
     SLABS,
+    SUBSTEPS,
     THIN,
 )
 from tamias2d.stepped.menu import CONTACT
@@ -27,10 +29,13 @@ from tamias2d.stepped.rows import BODY_A, BODY_B, LANES, S_BLOCK, S_BODY, S_HIT,
 from tamias2d.stepped.thin import SLAB
 
 
-def heap(*, upright: bool) -> t2.Scene:
-    """Discs in rows that press on each other, and apart from them towers of boxes."""
+def heap(*, upright: bool, bounces: bool = False) -> t2.Scene:
+    """Discs in rows that press on each other, and apart from them towers of boxes.
+
+    One may bounce: it is far from where the first slab is.
+    """
     scene = t2.Scene(gravity=(0.0, -10.0))
-    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), friction=0.5, restitution=0.0)
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), friction=0.5)
     columns, rows = (3, 14) if upright else (24, 3)
     for k in range(columns * rows):
         place = (0.97 * (k % columns), 0.49 + 0.97 * (k // columns))
@@ -40,6 +45,9 @@ def heap(*, upright: bool) -> t2.Scene:
         place = (-3.0 - 2.0 * (k % 3), 0.5 + 0.999 * (k // 3))
         scene.add_body(t2.Box(width=1.0, height=1.0), mass=2.0, position=place, friction=0.5,
                        restitution=0.0)  # fmt: skip
+    if bounces:
+        scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.97 * columns + 0.5, 0.5),
+                       velocity=(0.0, -3.0), friction=0.5, restitution=0.8)  # fmt: skip
     return scene
 
 
@@ -95,22 +103,29 @@ def all_at_once(take: Callable[..., None]) -> Callable[..., None]:
         table[1] = arguments["slabs"][counts[SLABS]]
         counts[SLABS] = 1
         take(stage, 0, **{**arguments, "counts": counts, "slabs": table})
+        arguments["counts"][BOUNCING] = counts[BOUNCING]
 
     return go
 
 
-@pytest.mark.parametrize("upright", [False, True])
+@pytest.mark.parametrize(("upright", "bounces"), [(False, False), (True, False), (False, True)])
 def test_turns_give_the_bits_of_one_stage_after_the_other(
-    monkeypatch: pytest.MonkeyPatch, *, upright: bool
+    monkeypatch: pytest.MonkeyPatch, *, upright: bool, bounces: bool
 ) -> None:
-    """Contacts of one slab change what those of the next one find, so the order is not free."""
-    turns, stages = plain(heap(upright=upright)), plain(heap(upright=upright))
+    """Contacts of one slab change what those of the next one find, so the order is not free.
+
+    That something bounces is found when the first slabs are done.
+    """
+    turns, stages = (plain(heap(upright=upright, bounces=bounces)) for _ in range(2))
+    late = 0
     for _ in range(12):
         turns.step()
+        late += turns._world.counts[BOUNCING]
     monkeypatch.setattr(substeps, "take_stage", all_at_once(substeps.take_stage))
     for _ in range(12):
         stages.step()
-    assert turns._world.counts[SLABS] > 3
+    assert turns._world.counts[SLABS] > (2 * turns._world.counts[SUBSTEPS] if bounces else 3)
+    assert (late > 0) == bounces
     assert turns._world.pose.tobytes() == stages._world.pose.tobytes()
     assert turns._world.touches.tobytes() == stages._world.touches.tobytes()
 

@@ -118,7 +118,6 @@ class Roster:
             self._free_shapes.setdefault(count, []).append(slot)
         self._shapes, self._corners, self._next = arrays["sizes"].tolist()
         self._new, self._placed, self._form_number = {}, [], {}
-        self._drag = Drag(self.world)
 
     def settle(self) -> None:
         """Let go of what was removed, and give all that is new its rank."""
