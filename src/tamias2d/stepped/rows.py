@@ -200,11 +200,11 @@ def fetch_rows(first: int, last: int, rows: Array, lanes: Whole) -> float:
     return total
 
 
-def fetch_touches(first: int, last: int, column: int, hits: Whole, touch: Array) -> float:
-    """Read a number of touching pairs, which are listed by slabs, ahead; return their sum."""
+def fetch_touches(first: int, last: int, hits: Whole, touch: Array) -> float:
+    """Read a number of each of touching pairs, which are listed by slabs; return their sum."""
     total = 0.0
     for at_hit in range(first, last):
-        total += touch[hits[HIT, hits[HIT_BY_SLAB, at_hit]], column]
+        total += touch[hits[HIT, hits[HIT_BY_SLAB, at_hit]], NX]
     return total
 
 

@@ -57,7 +57,7 @@ from tamias2d.stepped.rows import (
 B_VX_A, B_VY_A, B_SPIN_A, B_VX_B, B_VY_B, B_SPIN_B = 0, 16, 32, 48, 64, 80
 B_DX_A, B_DY_A, B_TURN_A, B_DX_B, B_DY_B, B_TURN_B = 96, 112, 128, 144, 160, 176
 ALL_FIRST, ALL_NOW, ALL_GIVEN = 192, 193, 194  # sums of energy of all bodies with contacts, J
-FETCHED = 195
+FETCHED = 195  # of no use: what is read ahead would not be read if it went nowhere
 BENCH = 196
 
 OPEN = -1e-300  # m: a gap that is more is one that closes, or has just closed

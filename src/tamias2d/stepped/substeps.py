@@ -43,7 +43,6 @@ from tamias2d.stepped.layout import (
     INVERSE_MASS,
     KEPT_BY_DRAG,
     NOTED,
-    NX,
     SEATED,
     SLABS,
     SPIN,
@@ -174,7 +173,7 @@ def take_stage(
     isle, isle_end = slabs[slab, S_ISLE], slabs[slab + 1, S_ISLE]
     if stage == 0:
         if counts[SLABS] > 1:
-            bench[FETCHED] = fetch_touches(hit, hit_end, NX, hits, touch)
+            bench[FETCHED] = fetch_touches(hit, hit_end, hits, touch)
             bench[FETCHED] += fetch_rows(block, end, rows, lanes)
         begin(first, last, settings, motion, load, body, flows, kind, hits, carried)
         if counts[SEATED] == 0:
