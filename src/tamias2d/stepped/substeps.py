@@ -10,6 +10,7 @@ from tamias2d.generated.definitions import (
     pace_given,
     pace_later,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 from tamias2d.stepped.direct import (
     ready,
@@ -134,6 +135,7 @@ def solve(
         keep_impulses(0, counts[HITS], pose, hits, rows, touch, trace)
 
 
+@inlined
 def take_stage(
     stage: int,
     slab: int,
