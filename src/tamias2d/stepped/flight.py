@@ -74,7 +74,7 @@ def fly(
 ) -> float:
     """Let all impacts of a step happen that the solver has not seen, in their order.
 
-    `gained` (n+1, 12) holds in columns 3 to 5 what forces add to velocities in this step; `times`
+    `gained` (n+1, 16) holds in columns 3 to 5 what forces add to velocities in this step; `times`
     (n+1+p,) is for when bodies leave their rooms and pairs meet, `agenda` (3, k) for their order,
     and `scratch` (k, 32) for the corners of two shapes. Returns the fraction of the step from which
     pairs are to be looked for and this is to be called again, as `since`, if `looks` are left; else

@@ -170,7 +170,10 @@ class World:
         self._arguments = ()
 
     def make_room(self, count: int) -> None:
-        """Make room for so many bodies more; shapes without a body are those of the idle one."""
+        """Make room for so many bodies more, in whole crews.
+
+        Shapes without a body are those of the idle one.
+        """
         if self.size + count < len(self.pose):
             return
         idle = len(self.pose) - 1
