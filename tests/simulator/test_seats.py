@@ -85,3 +85,18 @@ def test_neighbours_sit_beside_each_other() -> None:
     assert np.median(apart) < 2.0
     assert (world.shape_body[world.ranked[0, 1:201]] == world.owner[1:201]).all()
     assert (np.diff(world.ranked[0, 1:201].astype(np.int64)) == 1).all()
+
+
+def test_what_goes_before_it_took_a_step_leaves_nothing() -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -10.0)))
+
+    def add() -> int:
+        return sim.add(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 0.0), friction=0.5,
+                       restitution=0.0)  # fmt: skip
+
+    sim.step()
+    sim.remove(add())
+    sim.step()
+    add()
+    sim.step()
+    assert sorted(sim._roster._order.tolist()) == [0]

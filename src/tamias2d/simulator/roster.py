@@ -130,9 +130,9 @@ class Roster:
             self._drag.forget_unused()
         if len(new):
             self._rank(new)
-            self._new.clear()
-            self._placed.clear()
-            self._form_number.clear()
+        self._new.clear()
+        self._placed.clear()  # what was removed before it was settled is here, too
+        self._form_number.clear()
         self.world.settle(np.concatenate((gone, new)))
         self._publish()
 
