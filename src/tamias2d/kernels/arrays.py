@@ -11,6 +11,8 @@ from typing import Annotated, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.kernels.groups import array_type, is_group
+
 Floats: TypeAlias = Annotated[NDArray[np.float64], "float64[::1]"]
 FloatRows: TypeAlias = Annotated[NDArray[np.float64], "float64[:, ::1]"]
 FloatBlocks: TypeAlias = Annotated[NDArray[np.float64], "float64[:, :, ::1]"]
@@ -28,20 +30,43 @@ Masks: TypeAlias = Annotated[NDArray[np.uint64], "uint64[::1]"]
 _SCALARS = {float: "float64", int: "int64", bool: "boolean"}
 
 
+def entered_by(function: Callable[..., Any]) -> tuple[type | None, str]:
+    """Return the group that a function takes first, or None, and its other arguments as text."""
+    hints = _hints(function)
+    first = next(iter(hints.values()), None)
+    if first is not None and is_group(first):
+        return first, ", ".join(list(hints)[1:])
+    return None, ", ".join(hints)
+
+
+def name_of_entry(function: Callable[..., Any]) -> str:
+    """Return the name by which a source that was assembled is entered."""
+    group, _ = entered_by(function)
+    return f"{function.__name__}_at" if group else function.__name__
+
+
 def signature(function: Callable[..., Any]) -> str:
     """Return what the compiler calls the types of a function's arguments, in brackets.
 
-    Raises TypeError, which names the argument, for a type that is none of this module.
+    A group that comes first is a table of addresses. Raises TypeError, which names the argument,
+    for a type that is none of this module.
     """
-    hints = typing.get_type_hints(function, include_extras=True)
-    hints.pop("return", None)
     found = []
-    for name, hint in hints.items():
-        named = _SCALARS.get(hint) or next(iter(getattr(hint, "__metadata__", ())), None)
-        if not isinstance(named, str):
+    for place, (name, hint) in enumerate(_hints(function).items()):
+        named = _SCALARS.get(hint) or array_type(hint)
+        if place == 0 and is_group(hint):
+            named = "int64[:, ::1]"
+        if named is None:
             raise TypeError(
                 f"{function.__module__}.{function.__name__}: argument '{name}': an entry of a "
-                f"kernel takes float, int, bool or the arrays of {__name__}. Give it one of them."
+                f"kernel takes float, int, bool or the arrays of {__name__}, and a group of these "
+                "first. Give it one of them."
             )
         found.append(named)
     return f"({', '.join(found)},)" if len(found) == 1 else f"({', '.join(found)})"
+
+
+def _hints(function: Callable[..., Any]) -> dict[str, Any]:
+    hints = typing.get_type_hints(function, include_extras=True)
+    hints.pop("return", None)
+    return hints

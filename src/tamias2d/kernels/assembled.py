@@ -12,8 +12,9 @@ from collections.abc import Callable, Hashable
 from types import FunctionType, ModuleType
 from typing import Any, TypeVar
 
-from tamias2d.kernels.arrays import signature
+from tamias2d.kernels.arrays import entered_by, signature
 from tamias2d.kernels.copied import Function, copied, references
+from tamias2d.kernels.groups import is_group, text_of_classes, text_of_entry, text_of_views
 from tamias2d.spec import functions as elementary
 
 F = TypeVar("F", bound=Function)
@@ -50,8 +51,9 @@ def assembled(*entries: Function, says: str) -> str:
     """Return the source of a module with some functions and all that they use.
 
     The functions are defined at the level of modules of this package, and so is what they call;
-    the entries state their types by `tamias2d.kernels.arrays`. Their other names are whole or real
-    constants, or functions of `math`. A generated function is named after its module as well.
+    the entries state their types by `tamias2d.kernels.arrays`, and the first argument may be a
+    group of arrays. Their other names are whole or real constants, functions of `math`, or groups.
+    A generated function is named after its module as well.
 
     Raises:
         TypeError: a function uses something else, or a name would have two meanings; says where.
@@ -61,10 +63,13 @@ def assembled(*entries: Function, says: str) -> str:
         parts.add(entry)
     imports = [f"from math import {', '.join(sorted(parts.imports))}"] if parts.imports else []
     constants = [f"{name} = {value!r}" for name, value in parts.constants.items()]
-    head = [_HEAD.format(says=says), *imports, "from numba import njit"]
-    if constants:
-        head += ["", *constants]
-    return "\n\n\n".join(["\n".join(head), *parts.texts]) + "\n"
+    views = [text_of_views(*parts.entered)] if parts.entered else []
+    numba = ["from numba import njit, types"] if views else ["from numba import njit"]
+    groups = ["from collections import namedtuple", "from typing import Any", ""]
+    head = [_HEAD.format(says=says), *(groups if parts.groups else []), *imports, *numba]
+    for lines in (constants, parts.groups):
+        head += ["", *lines] if lines else []
+    return "\n\n\n".join(["\n".join(head), *views, *parts.texts]) + "\n"
 
 
 class _Parts:
@@ -74,6 +79,8 @@ class _Parts:
         self.entries = entries
         self.imports: set[str] = set()
         self.constants: dict[str, float] = {}
+        self.groups: list[str] = []
+        self.entered: list[type] = []
         self.texts: list[str] = []
         self.meanings: dict[str, tuple[Any, Function]] = {}
         """What a name means, and for which function it was taken up."""
@@ -88,11 +95,21 @@ class _Parts:
         for node in references(function):
             names[ast.unparse(node)] = self._use(function, node)
         text = copied(function, names).replace(f"def {function.__name__}(", f"def {name}(", 1)
-        entry = function in self.entries
+        group, others = entered_by(function) if function in self.entries else (None, "")
+        entry = _ENTRY.format(signature=signature(function)) if function in self.entries else ""
         helper = _INLINED if function in _inlined else _HELPER
-        decorator = _ENTRY.format(signature=signature(function)) if entry else helper
-        self.texts.append(f"{decorator}\n{text}")
+        self.texts.append(f"{helper if group or not entry else entry}\n{text}")
+        if group:
+            self.entered.append(group)
+            self._use_group(group)
+            self.texts.append(f"{entry}\n{text_of_entry(name, group, others)}")
         return name
+
+    def _use_group(self, group: type) -> None:
+        for part, text in text_of_classes(group):
+            if text not in self.groups:
+                self._claim(part.__name__, part, self.entries[0])
+                self.groups.append(text)
 
     def _use(self, function: Function, node: ast.Name | ast.Attribute) -> str:
         """Add what a function means by a name; return the name here."""
@@ -109,6 +126,8 @@ class _Parts:
             self.imports.add(name)
         elif isinstance(value, FunctionType) and value.__module__.startswith("tamias2d."):
             name = self.add(value)
+        elif is_group(value):
+            self._use_group(value)
         elif getattr(builtins, name, None) is not value:
             raise _refusal(
                 function,

@@ -12,6 +12,7 @@ from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
+from tamias2d.kernels.arrays import name_of_entry
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
 from tamias2d.kernels.copied import Function
@@ -39,7 +40,8 @@ class Engine:
     def compiled(self) -> SimpleNamespace:
         """Return the entries by their names, compiled; where that takes a while, it is said.
 
-        Their bits are those of the plain ones.
+        Their bits are those of the plain ones. An entry that takes a group takes its `addresses`
+        instead.
         """
         return _compiled(self)
 
@@ -49,8 +51,9 @@ def _compiled(engine: Engine) -> SimpleNamespace:
     text = engine.source()
     with _told(engine.name, max(len(text) / _PACE, 1)):
         module = loaded(text)
-    names = [entry.__name__ for entry in engine.entries]
-    return SimpleNamespace(**{name: getattr(module, name) for name in names})
+    return SimpleNamespace(
+        **{entry.__name__: getattr(module, name_of_entry(entry)) for entry in engine.entries}
+    )
 
 
 @contextmanager

@@ -1,0 +1,147 @@
+"""Groups of arrays: named tuples whose fields are arrays or groups, and how they reach a kernel.
+
+Compiled code takes a group apart at no cost, but a tuple of many arrays is expensive to hand over
+from Python. So a kernel gets one table of addresses, and makes the group from it. Cost: 0.16 us
+for a call, where 46 arrays take 0.9 us.
+"""
+
+import inspect
+import typing
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+MOST_AXES = 3
+_FIELDS = 1 + MOST_AXES  # of a row of the table: the address, then the length along each axis
+
+
+def is_group(hint: Any) -> bool:
+    """Return whether a type is a named tuple."""
+    return isinstance(hint, type) and issubclass(hint, tuple) and hasattr(hint, "_fields")
+
+
+def fields_of(group: type) -> dict[str, Any]:
+    """Return the types of a group's fields by name, marks included."""
+    return typing.get_type_hints(group, include_extras=True)
+
+
+def array_type(hint: Any) -> str | None:
+    """Return what the compiler calls an array type of `tamias2d.kernels.arrays`, or None."""
+    marks = getattr(hint, "__metadata__", ())
+    return next((mark for mark in marks if isinstance(mark, str)), None)
+
+
+def leaves(group: Any) -> Iterator[NDArray[Any]]:
+    """Yield the arrays of a group in the order of their declaration."""
+    for value in group:
+        if isinstance(value, tuple):
+            yield from leaves(value)
+        else:
+            yield value
+
+
+def addresses(group: Any) -> NDArray[np.int64]:
+    """Return the table (k, 4) by which a kernel finds the arrays of a group.
+
+    It holds while none of the arrays is freed or replaced. Raises TypeError for an array that is
+    not contiguous.
+    """
+    table = np.zeros((sum(1 for _ in leaves(group)), _FIELDS), dtype=np.int64)
+    for row, array in zip(table, leaves(group), strict=True):
+        if not array.flags.c_contiguous:
+            raise TypeError(f"an array of {type(group).__name__} is not contiguous")
+        row[0] = array.__array_interface__["data"][0]
+        row[1 : 1 + array.ndim] = array.shape
+    return table
+
+
+def text_of_classes(group: type) -> Iterator[tuple[type, str]]:
+    """Yield a group's class and those of the groups in it, the inner ones first, with their text."""
+    for hint in fields_of(group).values():
+        if is_group(hint):
+            yield from text_of_classes(hint)
+    names = " ".join(fields_of(group))
+    yield group, f'{group.__name__} = namedtuple("{group.__name__}", "{names}")'
+
+
+def text_of_entry(name: str, group: type, others: str) -> str:
+    """Return the function by which compiled code is entered: it makes the group and calls `name`.
+
+    Its own name is that of the function it calls, with `_at`; `others` are further arguments.
+    """
+    made, _ = _construction(group, 0)
+    more = f", {others}" if others else ""
+    return f"def {name}_at(addresses{more}):\n    return {name}({made}{more})"
+
+
+def text_of_views(*groups: type) -> str:
+    """Return the code that makes arrays from addresses, for all array types of some groups."""
+    types = sorted({name for group in groups for name in _types(group)})
+    lines = [f"{_view_of(name)} = array_at(types.{name})" for name in types]
+    return inspect.getsource(array_at) + "\n\n" + "\n".join(lines)
+
+
+def array_at(array: Any) -> Any:
+    """Return a function for compiled code that makes an array of a type from a row of addresses."""
+    from numba.core import types
+    from numba.extending import intrinsic
+    from numba.np.arrayobj import make_array, populate_array
+
+    @intrinsic  # type: ignore[untyped-decorator]
+    def view(_typing: Any, table: Any, row: Any) -> Any:
+        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            found = make_array(signature.args[0])(context, builder, arguments[0])
+            width, index = context.get_constant(types.intp, 4), arguments[1]
+
+            def field(k: int) -> Any:
+                start = builder.mul(index, width)
+                place = builder.add(start, context.get_constant(types.intp, k))
+                return builder.load(builder.gep(found.data, [place]))
+
+            size = context.get_constant(types.intp, array.dtype.bitwidth // 8)
+            shape = [field(1 + axis) for axis in range(array.ndim)]
+            strides = [size]
+            for length in reversed(shape[1:]):
+                strides.insert(0, builder.mul(strides[0], length))
+            pointer = context.get_data_type(array.dtype).as_pointer()
+            made = make_array(array)(context, builder)
+            data = builder.inttoptr(field(0), pointer)
+            populate_array(
+                made, data=data, shape=shape, strides=strides, itemsize=size, meminfo=None
+            )
+            return made._getvalue()
+
+        return array(table, row), codegen
+
+    return view
+
+
+def _types(group: type) -> Iterator[str]:
+    for name, hint in fields_of(group).items():
+        if is_group(hint):
+            yield from _types(hint)
+        elif (found := array_type(hint)) is not None:
+            yield found
+        else:
+            raise TypeError(
+                f"{group.__module__}.{group.__name__}.{name}: a field of a group is an array of "
+                "tamias2d.kernels.arrays, or a group. Give it one of these types."
+            )
+
+
+def _view_of(array: str) -> str:
+    kind, _, axes = array.partition("[")
+    return f"{kind}_{axes.count(':') - 1}d"
+
+
+def _construction(group: type, row: int) -> tuple[str, int]:
+    parts = []
+    for hint in fields_of(group).values():
+        if is_group(hint):
+            text, row = _construction(hint, row)
+        else:
+            text, row = f"{_view_of(array_type(hint) or '')}(addresses, {row})", row + 1
+        parts.append(text)
+    return f"{group.__name__}({', '.join(parts)})", row
