@@ -392,32 +392,32 @@ def test_og2_visits_of_a_soft_contact() -> None:
 
 
 def test_og3_acceleration_by_inverse_mass() -> None:
-    """OG3, srs/verification/soft_contact.md:164; verifies R12."""
+    """OG3, srs/verification/soft_contact.md:225; verifies R12."""
     passes("OG3")
 
 
 def test_og4_firm_contacts() -> None:
-    """OG4, srs/verification/soft_contact.md:195; verifies R12."""
+    """OG4, srs/verification/soft_contact.md:256; verifies R12."""
     passes("OG4")
 
 
 def test_og5_momenta_and_energies_of_a_thin_island() -> None:
-    """OG5, srs/verification/soft_contact.md:252; verifies R12."""
+    """OG5, srs/verification/soft_contact.md:306; verifies R12."""
     passes("OG5")
 
 
 def test_og6_energy_of_an_island() -> None:
-    """OG6, srs/verification/soft_contact.md:302; verifies R12."""
+    """OG6, srs/verification/soft_contact.md:356; verifies R12."""
     passes("OG6")
 
 
 def test_og7_bound_on_the_energy_of_an_island() -> None:
-    """OG7, srs/verification/soft_contact.md:385; verifies R12."""
+    """OG7, srs/verification/soft_contact.md:439; verifies R12."""
     passes("OG7")
 
 
 def test_og8_flow_through_a_step() -> None:
-    """OG8, srs/verification/soft_contact.md:423; verifies R12."""
+    """OG8, srs/verification/soft_contact.md:477; verifies R12."""
     passes("OG8")
 
 

@@ -160,6 +160,12 @@ def test_momentum_is_dd21(**given: Value) -> None:
     agrees(definitions.momentum, "mass*velocity", given)
 
 
+@given(inertia=values("inertia"), angular_velocity=values("angular_velocity"))
+def test_angular_momentum_own_is_dd21(**given: Value) -> None:
+    """DD21, srs/definitions.md:327."""
+    agrees(definitions.angular_momentum_own, "inertia*angular_velocity", given)
+
+
 @given(
     mass=values("mass"),
     position=values("position"),
@@ -171,20 +177,21 @@ def test_angular_momentum_is_dd21(**given: Value) -> None:
     """DD21, srs/definitions.md:327."""
     agrees(
         definitions.angular_momentum,
-        "mass*cross(position, velocity) + inertia*angular_velocity",
+        "mass*cross(position, velocity) + angular_momentum_own",
         given,
+        {"angular_momentum_own": "inertia*angular_velocity"},
     )
 
 
 @given(restitution_a=values("restitution_a"), restitution_b=values("restitution_b"))
 def test_pair_restitution_is_dd17(**given: Value) -> None:
-    """DD17, srs/definitions.md:423."""
+    """DD17, srs/definitions.md:425."""
     agrees(definitions.pair_restitution, "min(restitution_a, restitution_b)", given)
 
 
 @given(point_velocity_a=values("point_velocity_a"), point_velocity_b=values("point_velocity_b"))
 def test_normal_is_gd11(**given: Value) -> None:
-    """GD11, srs/definitions.md:456."""
+    """GD11, srs/definitions.md:458."""
     agrees(
         definitions.normal,
         "(point_velocity_a - point_velocity_b)/norm(point_velocity_a - point_velocity_b)",
@@ -194,13 +201,13 @@ def test_normal_is_gd11(**given: Value) -> None:
 
 @given(normal=values("normal"))
 def test_tangent_is_dd22(**given: Value) -> None:
-    """DD22, srs/definitions.md:480."""
+    """DD22, srs/definitions.md:482."""
     agrees(definitions.tangent, "perp(normal)", given)
 
 
 @given(friction_a=values("friction_a"), friction_b=values("friction_b"))
 def test_pair_friction_is_dd23(**given: Value) -> None:
-    """DD23, srs/definitions.md:492."""
+    """DD23, srs/definitions.md:494."""
     agrees(definitions.pair_friction, "sqrt(friction_a*friction_b)", given)
 
 
@@ -211,7 +218,7 @@ def test_pair_friction_is_dd23(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_kinetic_energy_is_dd15(**given: Value) -> None:
-    """DD15, srs/definitions.md:512."""
+    """DD15, srs/definitions.md:514."""
     agrees(
         definitions.kinetic_energy,
         "mass*dot(velocity, velocity)/2 + inertia*angular_velocity**2/2",
@@ -221,7 +228,7 @@ def test_kinetic_energy_is_dd15(**given: Value) -> None:
 
 @given(mass=values("mass"), gravity=values("gravity"), position=values("position"))
 def test_potential_energy_is_dd16(**given: Value) -> None:
-    """DD16, srs/definitions.md:526."""
+    """DD16, srs/definitions.md:528."""
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 
@@ -360,29 +367,9 @@ def test_rub_wanted_is_gd12(**given: Value) -> None:
     agrees(firm_contact.rub_wanted, "rub - firmness*row_velocity_kicked", given)
 
 
-@given(
-    separation=values("separation"),
-    row_velocity=values("row_velocity"),
-    time_step=values("time_step"),
-)
-def test_bias_velocity_later_is_dd31(**given: Value) -> None:
-    """DD31, srs/models/firm_contact.md:70."""
-    agrees(firm_contact.bias_velocity_later, "max(separation/time_step + row_velocity, 0)", given)
-
-
-@given(
-    bias_velocity_later=values("bias_velocity_later"),
-    row_velocity=values("row_velocity"),
-    time_step=values("time_step"),
-)
-def test_separation_is_dd31(**given: Value) -> None:
-    """DD31, srs/models/firm_contact.md:70."""
-    agrees(firm_contact.separation, "time_step*(bias_velocity_later - row_velocity)", given)
-
-
 @given(push_first=values("push_first"), push_both=values("push_both"))
 def test_push_share_is_dd32(**given: Value) -> None:
-    """DD32, srs/models/firm_contact.md:106."""
+    """DD32, srs/models/firm_contact.md:76."""
     agrees(firm_contact.push_share, "push_first/push_both", given)
 
 
@@ -392,7 +379,7 @@ def test_push_share_is_dd32(**given: Value) -> None:
     push_share=values("push_share"),
 )
 def test_turning_arm_both_is_dd32(**given: Value) -> None:
-    """DD32, srs/models/firm_contact.md:106."""
+    """DD32, srs/models/firm_contact.md:76."""
     agrees(
         firm_contact.turning_arm_both,
         "push_share*turning_arm_first + (1 - push_share)*turning_arm_second",
@@ -406,7 +393,7 @@ def test_turning_arm_both_is_dd32(**given: Value) -> None:
     push_share=values("push_share"),
 )
 def test_row_velocity_both_is_dd32(**given: Value) -> None:
-    """DD32, srs/models/firm_contact.md:106."""
+    """DD32, srs/models/firm_contact.md:76."""
     agrees(
         firm_contact.row_velocity_both,
         "push_share*row_velocity_first + (1 - push_share)*row_velocity_second",
@@ -416,37 +403,37 @@ def test_row_velocity_both_is_dd32(**given: Value) -> None:
 
 @given(push=values("push"), friction=values("friction"))
 def test_rub_most_is_dd32(**given: Value) -> None:
-    """DD32, srs/models/firm_contact.md:106."""
+    """DD32, srs/models/firm_contact.md:76."""
     agrees(firm_contact.rub_most, "friction*push", given)
 
 
 @given(rub_wanted=values("rub_wanted"), rub_most=values("rub_most"))
 def test_limited_rub_is_dd32(**given: Value) -> None:
-    """DD32, srs/models/firm_contact.md:106."""
+    """DD32, srs/models/firm_contact.md:76."""
     agrees(firm_contact.limited_rub, "max(min(rub_wanted, rub_most), -rub_most)", given)
 
 
 @given(line=values("line"), firmness=values("firmness"))
 def test_firm_mass_x_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:179."""
+    """DD33, srs/models/firm_contact.md:149."""
     agrees(firm_contact.firm_mass_x, "firmness*x(line)*line", given)
 
 
 @given(line=values("line"), firmness=values("firmness"))
 def test_firm_mass_y_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:179."""
+    """DD33, srs/models/firm_contact.md:149."""
     agrees(firm_contact.firm_mass_y, "firmness*y(line)*line", given)
 
 
 @given(line=values("line"), turning_arm_a=values("turning_arm_a"), firmness=values("firmness"))
 def test_firm_moment_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:179."""
+    """DD33, srs/models/firm_contact.md:149."""
     agrees(firm_contact.firm_moment, "firmness*line*turning_arm_a", given)
 
 
 @given(line=values("line"), turning_arm_b=values("turning_arm_b"), firmness=values("firmness"))
 def test_firm_lever_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:179."""
+    """DD33, srs/models/firm_contact.md:149."""
     agrees(firm_contact.firm_lever, "firmness*turning_arm_b*line", given)
 
 
@@ -456,13 +443,13 @@ def test_firm_lever_is_dd33(**given: Value) -> None:
     firmness=values("firmness"),
 )
 def test_firm_inertia_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:179."""
+    """DD33, srs/models/firm_contact.md:149."""
     agrees(firm_contact.firm_inertia, "firmness*turning_arm_b*turning_arm_a", given)
 
 
 @given(mass=values("mass"), velocity_start=values("velocity_start"), velocity=values("velocity"))
 def test_momentum_left_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:233."""
+    """DD34, srs/models/firm_contact.md:203."""
     agrees(firm_contact.momentum_left, "mass*(velocity_start - velocity)", given)
 
 
@@ -472,7 +459,7 @@ def test_momentum_left_is_dd34(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_angular_momentum_left_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:233."""
+    """DD34, srs/models/firm_contact.md:203."""
     agrees(
         firm_contact.angular_momentum_left,
         "inertia*(angular_velocity_start - angular_velocity)",
@@ -482,7 +469,7 @@ def test_angular_momentum_left_is_dd34(**given: Value) -> None:
 
 @given(momentum_a=values("momentum_a"), kick=values("kick"), line=values("line"))
 def test_momentum_a_kicked_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:233."""
+    """DD34, srs/models/firm_contact.md:203."""
     agrees(firm_contact.momentum_a_kicked, "momentum_a - kick*line", given)
 
 
@@ -492,13 +479,13 @@ def test_momentum_a_kicked_is_dd34(**given: Value) -> None:
     turning_arm_a=values("turning_arm_a"),
 )
 def test_angular_momentum_a_kicked_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:233."""
+    """DD34, srs/models/firm_contact.md:203."""
     agrees(firm_contact.angular_momentum_a_kicked, "angular_momentum_a - kick*turning_arm_a", given)
 
 
 @given(momentum_b=values("momentum_b"), kick=values("kick"), line=values("line"))
 def test_momentum_b_kicked_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:233."""
+    """DD34, srs/models/firm_contact.md:203."""
     agrees(firm_contact.momentum_b_kicked, "momentum_b + kick*line", given)
 
 
@@ -508,37 +495,37 @@ def test_momentum_b_kicked_is_dd34(**given: Value) -> None:
     turning_arm_b=values("turning_arm_b"),
 )
 def test_angular_momentum_b_kicked_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:233."""
+    """DD34, srs/models/firm_contact.md:203."""
     agrees(firm_contact.angular_momentum_b_kicked, "angular_momentum_b + kick*turning_arm_b", given)
 
 
 @given(mass=values("mass"), velocity=values("velocity"))
 def test_linear_energy_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:261."""
+    """DD35, srs/models/firm_contact.md:231."""
     agrees(firm_contact.linear_energy, "mass*dot(velocity, velocity)/2", given)
 
 
 @given(inertia=values("inertia"), angular_velocity=values("angular_velocity"))
 def test_turning_energy_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:261."""
+    """DD35, srs/models/firm_contact.md:231."""
     agrees(firm_contact.turning_energy, "inertia*angular_velocity**2/2", given)
 
 
 @given(momentum=values("momentum"), mass=values("mass"))
 def test_linear_energy_start_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:261."""
+    """DD35, srs/models/firm_contact.md:231."""
     agrees(firm_contact.linear_energy_start, "dot(momentum, momentum)/(2*mass)", given)
 
 
 @given(angular_momentum=values("angular_momentum"), inertia=values("inertia"))
 def test_turning_energy_start_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:261."""
+    """DD35, srs/models/firm_contact.md:231."""
     agrees(firm_contact.turning_energy_start, "angular_momentum**2/(2*inertia)", given)
 
 
 @given(mass=values("mass"), bias_velocity=values("bias_velocity"))
 def test_bias_energy_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:261."""
+    """DD35, srs/models/firm_contact.md:231."""
     agrees(firm_contact.bias_energy, "mass*bias_velocity**2/2", given)
 
 
@@ -1398,9 +1385,45 @@ def test_preload_later_is_dd39(**given: Value) -> None:
     )
 
 
+@given(
+    angular_frequency=values("angular_frequency"),
+    push=values("push"),
+    inverse_mass_a=values("inverse_mass_a"),
+    inverse_mass_b=values("inverse_mass_b"),
+    time_step=values("time_step"),
+    overlap_share=values("overlap_share"),
+    extent=values("extent"),
+    firmest=values("firmest"),
+)
+def test_angular_frequency_loaded_is_dd42(**given: Value) -> None:
+    """DD42, srs/models/soft_contact.md:389."""
+    agrees(
+        soft_contact.angular_frequency_loaded,
+        "max(angular_frequency, min(angular_frequency_wanted, firmest*angular_frequency))",
+        given,
+        {
+            "angular_frequency_wanted": "sqrt(push*(inverse_mass_a + inverse_mass_b)/(time_step*overlap_share*extent))"
+        },
+    )
+
+
+@given(shift=values("shift"), velocity=values("velocity"), time_step=values("time_step"))
+def test_shift_later_is_dd43(**given: Value) -> None:
+    """DD43, srs/models/soft_contact.md:441."""
+    agrees(soft_contact.shift_later, "shift + time_step*velocity", given)
+
+
+@given(
+    turn=values("turn"), angular_velocity=values("angular_velocity"), time_step=values("time_step")
+)
+def test_turn_later_is_dd43(**given: Value) -> None:
+    """DD43, srs/models/soft_contact.md:441."""
+    agrees(soft_contact.turn_later, "turn + time_step*angular_velocity", given)
+
+
 @given(arm=values("arm"), line=values("line"))
 def test_bend_is_dd29(**given: Value) -> None:
-    """DD29, srs/models/soft_contact.md:387."""
+    """DD29, srs/models/soft_contact.md:461."""
     agrees(soft_contact.bend, "dot(arm, line)", given)
 
 
@@ -1417,7 +1440,7 @@ def test_bend_is_dd29(**given: Value) -> None:
     line=values("line"),
 )
 def test_separation_later_is_dd29(**given: Value) -> None:
-    """DD29, srs/models/soft_contact.md:387."""
+    """DD29, srs/models/soft_contact.md:461."""
     agrees(
         soft_contact.separation_later,
         "separation + dot(shift_b - shift_a, line) + turn_b*turning_arm_b - turn_a*turning_arm_a - (turn_b**2*bend_b - turn_a**2*bend_a)/2",
@@ -1426,13 +1449,44 @@ def test_separation_later_is_dd29(**given: Value) -> None:
 
 
 @given(
-    separation=values("separation"), bias_rate=values("bias_rate"), time_step=values("time_step")
+    separation=values("separation"),
+    row_velocity=values("row_velocity"),
+    time_step=values("time_step"),
+)
+def test_bias_velocity_later_is_dd31(**given: Value) -> None:
+    """DD31, srs/models/soft_contact.md:531."""
+    agrees(soft_contact.bias_velocity_later, "max(separation/time_step + row_velocity, 0)", given)
+
+
+@given(
+    bias_velocity_later=values("bias_velocity_later"),
+    row_velocity=values("row_velocity"),
+    time_step=values("time_step"),
+)
+def test_separation_is_dd31(**given: Value) -> None:
+    """DD31, srs/models/soft_contact.md:531."""
+    agrees(soft_contact.separation, "time_step*(bias_velocity_later - row_velocity)", given)
+
+
+@given(
+    removal_share=values("removal_share"), extent=values("extent"), time_step=values("time_step")
+)
+def test_bias_velocity_least_is_im10(**given: Value) -> None:
+    """IM10, srs/models/soft_contact.md:563."""
+    agrees(soft_contact.bias_velocity_least, "-removal_share*extent/time_step", given)
+
+
+@given(
+    separation=values("separation"),
+    bias_rate=values("bias_rate"),
+    bias_velocity_least=values("bias_velocity_least"),
+    time_step=values("time_step"),
 )
 def test_bias_velocity_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:459."""
+    """IM10, srs/models/soft_contact.md:563."""
     agrees(
         soft_contact.bias_velocity,
-        "max(separation, 0)/time_step + bias_rate*min(separation, 0)",
+        "max(max(separation, 0)/time_step + bias_rate*min(separation, 0), bias_velocity_least)",
         given,
     )
 
@@ -1446,7 +1500,7 @@ def test_bias_velocity_is_im10(**given: Value) -> None:
     impulse_share=values("impulse_share"),
 )
 def test_soft_push_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:459."""
+    """IM10, srs/models/soft_contact.md:563."""
     agrees(
         soft_contact.soft_push,
         "max(push - row_mass*mass_share*(row_velocity + bias_velocity) - impulse_share*push, 0)",
@@ -1462,7 +1516,7 @@ def test_soft_push_is_im10(**given: Value) -> None:
     push=values("push"),
 )
 def test_limited_rub_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:459."""
+    """IM10, srs/models/soft_contact.md:563."""
     agrees(
         soft_contact.limited_rub,
         "max(min(rub - row_mass*row_velocity, friction*push), -friction*push)",
@@ -1478,7 +1532,7 @@ def test_limited_rub_is_im10(**given: Value) -> None:
     row_mass=values("row_mass"),
 )
 def test_bouncing_push_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:459."""
+    """IM10, srs/models/soft_contact.md:563."""
     agrees(
         soft_contact.bouncing_push,
         "max(push - row_mass*(row_velocity + restitution*row_velocity_before), 0)",

@@ -483,8 +483,48 @@ def test_range_of_impulse_share() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
 
 
+def test_range_of_overlap_share() -> None:
+    """srs/symbols.md:563: > 0."""
+    symbol = SYMBOLS["overlap_share"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_removal_share() -> None:
+    """srs/symbols.md:570: >= 0."""
+    symbol = SYMBOLS["removal_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_extent() -> None:
+    """srs/symbols.md:577: > 0."""
+    symbol = SYMBOLS["extent"]
+    assert all(symbol.admits(value) for value in (5e-324,))
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
+
+
+def test_range_of_firmest() -> None:
+    """srs/symbols.md:582: >= 1."""
+    symbol = SYMBOLS["firmest"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            1.0,
+            1.0000000000000002,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.9999999999999999))
+
+
 def test_range_of_preload() -> None:
-    """srs/symbols.md:563: >= 0."""
+    """srs/symbols.md:587: >= 0."""
     symbol = SYMBOLS["preload"]
     assert all(
         symbol.admits(value)
@@ -497,7 +537,7 @@ def test_range_of_preload() -> None:
 
 
 def test_range_of_preload_later() -> None:
-    """srs/symbols.md:568: >= 0."""
+    """srs/symbols.md:592: >= 0."""
     symbol = SYMBOLS["preload_later"]
     assert all(
         symbol.admits(value)
@@ -510,7 +550,7 @@ def test_range_of_preload_later() -> None:
 
 
 def test_range_of_preload_share() -> None:
-    """srs/symbols.md:573: [0, 1]."""
+    """srs/symbols.md:597: [0, 1]."""
     symbol = SYMBOLS["preload_share"]
     assert all(
         symbol.admits(value)
@@ -525,7 +565,7 @@ def test_range_of_preload_share() -> None:
 
 
 def test_range_of_overlap_allowed() -> None:
-    """srs/symbols.md:578: >= 0."""
+    """srs/symbols.md:602: >= 0."""
     symbol = SYMBOLS["overlap_allowed"]
     assert all(
         symbol.admits(value)
@@ -538,7 +578,7 @@ def test_range_of_overlap_allowed() -> None:
 
 
 def test_range_of_preload_largest() -> None:
-    """srs/symbols.md:583: >= 0."""
+    """srs/symbols.md:607: >= 0."""
     symbol = SYMBOLS["preload_largest"]
     assert all(
         symbol.admits(value)
@@ -551,7 +591,7 @@ def test_range_of_preload_largest() -> None:
 
 
 def test_range_of_flow_decay() -> None:
-    """srs/symbols.md:608: [0, 1]."""
+    """srs/symbols.md:632: [0, 1]."""
     symbol = SYMBOLS["flow_decay"]
     assert all(
         symbol.admits(value)
@@ -566,7 +606,7 @@ def test_range_of_flow_decay() -> None:
 
 
 def test_range_of_flow_gain() -> None:
-    """srs/symbols.md:613: >= 0."""
+    """srs/symbols.md:637: >= 0."""
     symbol = SYMBOLS["flow_gain"]
     assert all(
         symbol.admits(value)
@@ -579,7 +619,7 @@ def test_range_of_flow_gain() -> None:
 
 
 def test_range_of_flow_lift() -> None:
-    """srs/symbols.md:618: >= 0."""
+    """srs/symbols.md:642: >= 0."""
     symbol = SYMBOLS["flow_lift"]
     assert all(
         symbol.admits(value)
@@ -592,14 +632,14 @@ def test_range_of_flow_lift() -> None:
 
 
 def test_range_of_firmness() -> None:
-    """srs/symbols.md:632: > 0."""
+    """srs/symbols.md:656: > 0."""
     symbol = SYMBOLS["firmness"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_push_share() -> None:
-    """srs/symbols.md:639: [0, 1]."""
+    """srs/symbols.md:663: [0, 1]."""
     symbol = SYMBOLS["push_share"]
     assert all(
         symbol.admits(value)
@@ -614,7 +654,7 @@ def test_range_of_push_share() -> None:
 
 
 def test_range_of_kinetic_energy() -> None:
-    """srs/symbols.md:691: >= 0."""
+    """srs/symbols.md:715: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -627,7 +667,7 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_linear_energy() -> None:
-    """srs/symbols.md:700: >= 0."""
+    """srs/symbols.md:724: >= 0."""
     symbol = SYMBOLS["linear_energy"]
     assert all(
         symbol.admits(value)
@@ -640,7 +680,7 @@ def test_range_of_linear_energy() -> None:
 
 
 def test_range_of_turning_energy() -> None:
-    """srs/symbols.md:705: >= 0."""
+    """srs/symbols.md:729: >= 0."""
     symbol = SYMBOLS["turning_energy"]
     assert all(
         symbol.admits(value)
@@ -653,7 +693,7 @@ def test_range_of_turning_energy() -> None:
 
 
 def test_range_of_bias_energy() -> None:
-    """srs/symbols.md:710: >= 0."""
+    """srs/symbols.md:734: >= 0."""
     symbol = SYMBOLS["bias_energy"]
     assert all(
         symbol.admits(value)
@@ -666,7 +706,7 @@ def test_range_of_bias_energy() -> None:
 
 
 def test_range_of_change_energy() -> None:
-    """srs/symbols.md:719: >= 0."""
+    """srs/symbols.md:743: >= 0."""
     symbol = SYMBOLS["change_energy"]
     assert all(
         symbol.admits(value)
@@ -679,7 +719,7 @@ def test_range_of_change_energy() -> None:
 
 
 def test_range_of_energy_room() -> None:
-    """srs/symbols.md:728: >= 0."""
+    """srs/symbols.md:752: >= 0."""
     symbol = SYMBOLS["energy_room"]
     assert all(
         symbol.admits(value)
@@ -692,7 +732,7 @@ def test_range_of_energy_room() -> None:
 
 
 def test_range_of_energy_root() -> None:
-    """srs/symbols.md:738: >= 0."""
+    """srs/symbols.md:762: >= 0."""
     symbol = SYMBOLS["energy_root"]
     assert all(
         symbol.admits(value)
@@ -705,7 +745,7 @@ def test_range_of_energy_root() -> None:
 
 
 def test_range_of_kept_share() -> None:
-    """srs/symbols.md:743: [0, 1]."""
+    """srs/symbols.md:767: [0, 1]."""
     symbol = SYMBOLS["kept_share"]
     assert all(
         symbol.admits(value)
@@ -720,7 +760,7 @@ def test_range_of_kept_share() -> None:
 
 
 def test_range_of_calm_share() -> None:
-    """srs/symbols.md:748: [0, 1]."""
+    """srs/symbols.md:772: [0, 1]."""
     symbol = SYMBOLS["calm_share"]
     assert all(
         symbol.admits(value)
@@ -735,35 +775,35 @@ def test_range_of_calm_share() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:769: > 0."""
+    """srs/symbols.md:793: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_length() -> None:
-    """srs/symbols.md:774: > 0."""
+    """srs/symbols.md:798: > 0."""
     symbol = SYMBOLS["length"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:781: > 0."""
+    """srs/symbols.md:805: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:786: > 0."""
+    """srs/symbols.md:810: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:805: > 0."""
+    """srs/symbols.md:829: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

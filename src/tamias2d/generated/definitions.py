@@ -357,12 +357,27 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
     return (mass * velocity_x, mass * velocity_y)
 
 
+def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
+    """Moment of momentum about the origin; about the body's own centre of mass (kg*m^2/s).
+
+    angular_momentum_own = inertia*angular_velocity
+
+    Args:
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+
+    Source: DD21, srs/definitions.md:334.
+    """
+    return inertia * angular_velocity
+
+
 def angular_momentum(
     mass: Scalar, position: Vector, velocity: Vector, inertia: Scalar, angular_velocity: Scalar
 ) -> Scalar:
     """Moment of momentum about the origin (kg*m^2/s).
 
-    angular_momentum = mass*cross(position, velocity) + inertia*angular_velocity
+    angular_momentum = mass*cross(position, velocity) + angular_momentum_own
+        where angular_momentum_own = inertia*angular_velocity
 
     Args:
         mass: Mass of a body, kg
@@ -371,11 +386,12 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:334.
+    Source: DD21, srs/definitions.md:335.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
-    return mass * (position_x * velocity_y - position_y * velocity_x) + inertia * angular_velocity
+    angular_momentum_own = inertia * angular_velocity
+    return mass * (position_x * velocity_y - position_y * velocity_x) + angular_momentum_own
 
 
 def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
@@ -389,7 +405,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:429.
+    Source: DD17, srs/definitions.md:431.
     """
     return least(restitution_a, restitution_b)
 
@@ -405,7 +421,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:462.
+    Source: GD11, srs/definitions.md:464.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -431,7 +447,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:486.
+    Source: DD22, srs/definitions.md:488.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -448,7 +464,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:499.
+    Source: DD23, srs/definitions.md:501.
     """
     return sqrt(friction_a * friction_b)
 
@@ -466,7 +482,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:517.
+    Source: DD15, srs/definitions.md:519.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -485,7 +501,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:531.
+    Source: DD16, srs/definitions.md:533.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position

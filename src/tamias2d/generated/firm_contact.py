@@ -1,5 +1,5 @@
-"""Firm contact: Firm contact; What is left of a gap; Friction of two contacts of a pair; Mass of a
-firm row; Balance of momenta; Energy beside momentum.
+"""Firm contact: Firm contact; Friction of two contacts of a pair; Mass of a firm row; Balance of
+momenta; Energy beside momentum.
 
 Generated from srs/models/firm_contact.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -45,38 +45,6 @@ def rub_wanted(rub: Scalar, row_velocity_kicked: Scalar, firmness: Scalar) -> Sc
     return rub - firmness * row_velocity_kicked
 
 
-def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Scalar) -> Scalar:
-    """Velocity with which a row is asked to close, negative to open it; after the bodies have
-    moved (m/s).
-
-    bias_velocity_later = max(separation/time_step + row_velocity, 0)
-
-    Args:
-        separation: Distance between two bodies, negative where they overlap, m
-        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
-        time_step: Length of one step of a stepped scheme, s
-
-    Source: DD31, srs/models/firm_contact.md:77.
-    """
-    return largest(separation / time_step + row_velocity, 0)
-
-
-def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Scalar) -> Scalar:
-    """Distance between two bodies, negative where they overlap (m).
-
-    separation = time_step*(bias_velocity_later - row_velocity)
-
-    Args:
-        bias_velocity_later: Velocity with which a row is asked to close, negative to open it;
-            after the bodies have moved, m/s
-        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
-        time_step: Length of one step of a stepped scheme, s
-
-    Source: DD31, srs/models/firm_contact.md:78.
-    """
-    return time_step * (bias_velocity_later - row_velocity)
-
-
 def push_share(push_first: Scalar, push_both: Scalar) -> Scalar:
     """Part of the push of two contacts that is that of the first (1).
 
@@ -88,7 +56,7 @@ def push_share(push_first: Scalar, push_both: Scalar) -> Scalar:
         push_both: Impulse that a contact has given in a substep along its normal; of two
             contacts together, N*s
 
-    Source: DD32, srs/models/firm_contact.md:113.
+    Source: DD32, srs/models/firm_contact.md:83.
     """
     return push_first / push_both
 
@@ -108,7 +76,7 @@ def turning_arm_both(
             body; of the second of two contacts, m
         push_share: Part of the push of two contacts that is that of the first, 1
 
-    Source: DD32, srs/models/firm_contact.md:114.
+    Source: DD32, srs/models/firm_contact.md:84.
     """
     return push_share * turning_arm_first + (1 - push_share) * turning_arm_second
 
@@ -128,7 +96,7 @@ def row_velocity_both(
             the second of two contacts, m/s
         push_share: Part of the push of two contacts that is that of the first, 1
 
-    Source: DD32, srs/models/firm_contact.md:116.
+    Source: DD32, srs/models/firm_contact.md:86.
     """
     return push_share * row_velocity_first + (1 - push_share) * row_velocity_second
 
@@ -144,7 +112,7 @@ def rub_most(push: Scalar, friction: Scalar) -> Scalar:
         friction: Coefficient of dry friction: how much of the normal force the surface can hold
             along itself, 1
 
-    Source: DD32, srs/models/firm_contact.md:118.
+    Source: DD32, srs/models/firm_contact.md:88.
     """
     return friction * push
 
@@ -160,7 +128,7 @@ def limited_rub(rub_wanted: Scalar, rub_most: Scalar) -> Scalar:
         rub_most: Impulse that a contact has given in a substep along its tangent; the most that
             there may be, N*s
 
-    Source: DD32, srs/models/firm_contact.md:119.
+    Source: DD32, srs/models/firm_contact.md:89.
     """
     return largest(least(rub_wanted, rub_most), -rub_most)
 
@@ -176,7 +144,7 @@ def firm_mass_x(line: Vector, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:189.
+    Source: DD33, srs/models/firm_contact.md:159.
     """
     line_x, line_y = line
     return (firmness * line_x * line_x, firmness * line_x * line_y)
@@ -193,7 +161,7 @@ def firm_mass_y(line: Vector, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:190.
+    Source: DD33, srs/models/firm_contact.md:160.
     """
     line_x, line_y = line
     return (firmness * line_y * line_x, firmness * line_y * line_y)
@@ -211,7 +179,7 @@ def firm_moment(line: Vector, turning_arm_a: Scalar, firmness: Scalar) -> Vector
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:191.
+    Source: DD33, srs/models/firm_contact.md:161.
     """
     line_x, line_y = line
     return (firmness * line_x * turning_arm_a, firmness * line_y * turning_arm_a)
@@ -230,7 +198,7 @@ def firm_lever(line: Vector, turning_arm_b: Scalar, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:192.
+    Source: DD33, srs/models/firm_contact.md:162.
     """
     line_x, line_y = line
     return (firmness * turning_arm_b * line_x, firmness * turning_arm_b * line_y)
@@ -249,7 +217,7 @@ def firm_inertia(turning_arm_a: Scalar, turning_arm_b: Scalar, firmness: Scalar)
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:193.
+    Source: DD33, srs/models/firm_contact.md:163.
     """
     return firmness * turning_arm_b * turning_arm_a
 
@@ -264,7 +232,7 @@ def momentum_left(mass: Scalar, velocity_start: Vector, velocity: Vector) -> Vec
         velocity_start: Velocity of the centre of mass; at the start, m/s
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD34, srs/models/firm_contact.md:239.
+    Source: DD34, srs/models/firm_contact.md:209.
     """
     velocity_start_x, velocity_start_y = velocity_start
     velocity_x, velocity_y = velocity
@@ -283,7 +251,7 @@ def angular_momentum_left(
         angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD34, srs/models/firm_contact.md:240.
+    Source: DD34, srs/models/firm_contact.md:210.
     """
     return inertia * (angular_velocity_start - angular_velocity)
 
@@ -298,7 +266,7 @@ def momentum_a_kicked(momentum_a: Vector, kick: Scalar, line: Vector) -> Vector:
         kick: Impulse that is given in one visit of a row, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD34, srs/models/firm_contact.md:241.
+    Source: DD34, srs/models/firm_contact.md:211.
     """
     momentum_a_x, momentum_a_y = momentum_a
     line_x, line_y = line
@@ -318,7 +286,7 @@ def angular_momentum_a_kicked(
         turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
             body; of body A, m
 
-    Source: DD34, srs/models/firm_contact.md:242.
+    Source: DD34, srs/models/firm_contact.md:212.
     """
     return angular_momentum_a - kick * turning_arm_a
 
@@ -333,7 +301,7 @@ def momentum_b_kicked(momentum_b: Vector, kick: Scalar, line: Vector) -> Vector:
         kick: Impulse that is given in one visit of a row, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD34, srs/models/firm_contact.md:243.
+    Source: DD34, srs/models/firm_contact.md:213.
     """
     momentum_b_x, momentum_b_y = momentum_b
     line_x, line_y = line
@@ -353,7 +321,7 @@ def angular_momentum_b_kicked(
         turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
             body; of body B, m
 
-    Source: DD34, srs/models/firm_contact.md:244.
+    Source: DD34, srs/models/firm_contact.md:214.
     """
     return angular_momentum_b + kick * turning_arm_b
 
@@ -367,7 +335,7 @@ def linear_energy(mass: Scalar, velocity: Vector) -> Scalar:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD35, srs/models/firm_contact.md:267.
+    Source: DD35, srs/models/firm_contact.md:237.
     """
     velocity_x, velocity_y = velocity
     return mass * (velocity_x * velocity_x + velocity_y * velocity_y) / 2
@@ -382,7 +350,7 @@ def turning_energy(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD35, srs/models/firm_contact.md:268.
+    Source: DD35, srs/models/firm_contact.md:238.
     """
     return inertia * angular_velocity * angular_velocity / 2
 
@@ -396,7 +364,7 @@ def linear_energy_start(momentum: Vector, mass: Scalar) -> Scalar:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD35, srs/models/firm_contact.md:269.
+    Source: DD35, srs/models/firm_contact.md:239.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x * momentum_x + momentum_y * momentum_y) / (2 * mass)
@@ -411,7 +379,7 @@ def turning_energy_start(angular_momentum: Scalar, inertia: Scalar) -> Scalar:
         angular_momentum: Moment of momentum about the origin, kg*m^2/s
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD35, srs/models/firm_contact.md:270.
+    Source: DD35, srs/models/firm_contact.md:240.
     """
     return angular_momentum * angular_momentum / (2 * inertia)
 
@@ -425,6 +393,6 @@ def bias_energy(mass: Scalar, bias_velocity: Scalar) -> Scalar:
         mass: Mass of a body, kg
         bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
 
-    Source: DD35, srs/models/firm_contact.md:271.
+    Source: DD35, srs/models/firm_contact.md:241.
     """
     return mass * bias_velocity * bias_velocity / 2

@@ -1,11 +1,12 @@
 """Soft contact: Row of a contact; Kick along a row; Soft contact; Overlap at rest; Preload of a
-contact; Separation of a contact that moves; Soft step of a contact.
+contact; Frequency under a load; Shift through a substep; Separation of a contact that moves;
+What is left of a gap; Soft step of a contact.
 
 Generated from srs/models/soft_contact.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, largest, least
+from tamias2d.spec.functions import Scalar, Vector, largest, least, sqrt
 
 
 def turning_arm(arm: Vector, line: Vector) -> Scalar:
@@ -287,6 +288,74 @@ def preload_later(
     )
 
 
+def angular_frequency_loaded(
+    angular_frequency: Scalar,
+    push: Scalar,
+    inverse_mass_a: Scalar,
+    inverse_mass_b: Scalar,
+    time_step: Scalar,
+    overlap_share: Scalar,
+    extent: Scalar,
+    firmest: Scalar,
+) -> Scalar:
+    """Phase that an oscillation gains per unit of time; under a load (rad/s).
+
+    angular_frequency_loaded = max(angular_frequency, min(angular_frequency_wanted,
+    firmest*angular_frequency))
+        where angular_frequency_wanted = sqrt(push*(inverse_mass_a + inverse_mass_b)/(time_step*overlap_share*extent))
+
+    Args:
+        angular_frequency: Phase that an oscillation gains per unit of time, rad/s
+        push: Impulse that a contact has given in a substep along its normal, N*s
+        inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
+        inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
+        time_step: Length of one step of a stepped scheme, s
+        overlap_share: Overlap with which a loaded contact should rest, as a part of the smaller
+            body's extent, 1
+        extent: How far the smaller of two bodies reaches from its centre of mass, m
+        firmest: Frequency of a contact under a load, at most, over that without one, 1
+
+    Source: DD42, srs/models/soft_contact.md:399.
+    """
+    angular_frequency_wanted = sqrt(
+        push * (inverse_mass_a + inverse_mass_b) / (time_step * overlap_share * extent)
+    )
+    return largest(angular_frequency, least(angular_frequency_wanted, firmest * angular_frequency))
+
+
+def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
+    """How far the centre of mass has moved since a contact was found; after the bodies have moved
+    (m).
+
+    shift_later = shift + time_step*velocity
+
+    Args:
+        shift: How far the centre of mass has moved since a contact was found, m
+        velocity: Velocity of the centre of mass, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD43, srs/models/soft_contact.md:447.
+    """
+    shift_x, shift_y = shift
+    velocity_x, velocity_y = velocity
+    return (shift_x + time_step * velocity_x, shift_y + time_step * velocity_y)
+
+
+def turn_later(turn: Scalar, angular_velocity: Scalar, time_step: Scalar) -> Scalar:
+    """How far a body has turned since a contact was found; after the bodies have moved (rad).
+
+    turn_later = turn + time_step*angular_velocity
+
+    Args:
+        turn: How far a body has turned since a contact was found, rad
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD43, srs/models/soft_contact.md:448.
+    """
+    return turn + time_step * angular_velocity
+
+
 def bend(arm: Vector, line: Vector) -> Scalar:
     """Part of an arm along the line, as far as it turns with its body (m).
 
@@ -296,7 +365,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the contact point, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:397.
+    Source: DD29, srs/models/soft_contact.md:471.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -334,7 +403,7 @@ def separation_later(
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:398.
+    Source: DD29, srs/models/soft_contact.md:472.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -349,19 +418,75 @@ def separation_later(
     )
 
 
-def bias_velocity(separation: Scalar, bias_rate: Scalar, time_step: Scalar) -> Scalar:
+def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Scalar) -> Scalar:
+    """Velocity with which a row is asked to close, negative to open it; after the bodies have
+    moved (m/s).
+
+    bias_velocity_later = max(separation/time_step + row_velocity, 0)
+
+    Args:
+        separation: Distance between two bodies, negative where they overlap, m
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD31, srs/models/soft_contact.md:538.
+    """
+    return largest(separation / time_step + row_velocity, 0)
+
+
+def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Scalar) -> Scalar:
+    """Distance between two bodies, negative where they overlap (m).
+
+    separation = time_step*(bias_velocity_later - row_velocity)
+
+    Args:
+        bias_velocity_later: Velocity with which a row is asked to close, negative to open it;
+            after the bodies have moved, m/s
+        row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD31, srs/models/soft_contact.md:539.
+    """
+    return time_step * (bias_velocity_later - row_velocity)
+
+
+def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar) -> Scalar:
+    """Velocity with which a row is asked to close, negative to open it; the least that there can
+    be (m/s).
+
+    bias_velocity_least = -removal_share*extent/time_step
+
+    Args:
+        removal_share: How far an overlap is removed in a substep at most, as a part of the
+            smaller body's extent, 1
+        extent: How far the smaller of two bodies reaches from its centre of mass, m
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM10, srs/models/soft_contact.md:589.
+    """
+    return (-removal_share) * extent / time_step
+
+
+def bias_velocity(
+    separation: Scalar, bias_rate: Scalar, bias_velocity_least: Scalar, time_step: Scalar
+) -> Scalar:
     """Velocity with which a row is asked to close, negative to open it (m/s).
 
-    bias_velocity = max(separation, 0)/time_step + bias_rate*min(separation, 0)
+    bias_velocity = max(max(separation, 0)/time_step + bias_rate*min(separation, 0),
+    bias_velocity_least)
 
     Args:
         separation: Distance between two bodies, negative where they overlap, m
         bias_rate: Share of an overlap that a soft contact removes per unit of time, 1/s
+        bias_velocity_least: Velocity with which a row is asked to close, negative to open it;
+            the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:483.
+    Source: IM10, srs/models/soft_contact.md:590.
     """
-    return largest(separation, 0) / time_step + bias_rate * least(separation, 0)
+    return largest(
+        largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
+    )
 
 
 def soft_push(
@@ -385,7 +510,7 @@ def soft_push(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its push that a soft contact gives back in a visit, 1
 
-    Source: IM10, srs/models/soft_contact.md:485.
+    Source: IM10, srs/models/soft_contact.md:593.
     """
     return largest(
         push - row_mass * mass_share * (row_velocity + bias_velocity) - impulse_share * push, 0
@@ -407,7 +532,7 @@ def limited_rub(
             along itself, 1
         push: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:488.
+    Source: IM10, srs/models/soft_contact.md:596.
     """
     return largest(least(rub - row_mass * row_velocity, friction * push), (-friction) * push)
 
@@ -432,6 +557,6 @@ def bouncing_push(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:490.
+    Source: IM10, srs/models/soft_contact.md:598.
     """
     return largest(push - row_mass * (row_velocity + restitution * row_velocity_before), 0)

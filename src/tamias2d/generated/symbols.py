@@ -849,6 +849,42 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=558,
     ),
+    "overlap_share": Symbol(
+        "overlap_share",
+        "1",
+        "overlap with which a loaded contact should rest, as a part of the smaller body's extent",
+        range=Range("> 0", low=0.0),
+        tex="\\sigma_o",
+        file="srs/symbols.md",
+        line=563,
+    ),
+    "removal_share": Symbol(
+        "removal_share",
+        "1",
+        "how far an overlap is removed in a substep at most, as a part of the smaller body's extent",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\sigma_r",
+        file="srs/symbols.md",
+        line=570,
+    ),
+    "extent": Symbol(
+        "extent",
+        "m",
+        "how far the smaller of two bodies reaches from its centre of mass",
+        range=Range("> 0", low=0.0),
+        tex="e",
+        file="srs/symbols.md",
+        line=577,
+    ),
+    "firmest": Symbol(
+        "firmest",
+        "1",
+        "frequency of a contact under a load, at most, over that without one",
+        range=Range(">= 1", low=1.0, low_open=False),
+        tex="f",
+        file="srs/symbols.md",
+        line=582,
+    ),
     "preload": Symbol(
         "preload",
         "m",
@@ -856,7 +892,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=563,
+        line=587,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -865,7 +901,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=568,
+        line=592,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -874,7 +910,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=573,
+        line=597,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -883,7 +919,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=578,
+        line=602,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -892,10 +928,10 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=583,
+        line=607,
     ),
     "pace": Symbol(
-        "pace", "m/s", "velocity along one axis", tex="v_k", file="srs/symbols.md", line=588
+        "pace", "m/s", "velocity along one axis", tex="v_k", file="srs/symbols.md", line=612
     ),
     "pace_given": Symbol(
         "pace_given",
@@ -903,7 +939,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=592,
+        line=616,
     ),
     "pace_later": Symbol(
         "pace_later",
@@ -911,7 +947,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=596,
+        line=620,
     ),
     "pull": Symbol(
         "pull",
@@ -919,7 +955,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=600,
+        line=624,
     ),
     "way": Symbol(
         "way",
@@ -927,7 +963,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=604,
+        line=628,
     ),
     "flow_decay": Symbol(
         "flow_decay",
@@ -936,7 +972,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=608,
+        line=632,
     ),
     "flow_gain": Symbol(
         "flow_gain",
@@ -945,7 +981,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=613,
+        line=637,
     ),
     "flow_lift": Symbol(
         "flow_lift",
@@ -954,7 +990,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=618,
+        line=642,
     ),
     "shift": Symbol(
         "shift",
@@ -963,7 +999,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=623,
+        line=647,
     ),
     "turn": Symbol(
         "turn",
@@ -971,7 +1007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since a contact was found",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=628,
+        line=652,
     ),
     "firmness": Symbol(
         "firmness",
@@ -980,7 +1016,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=632,
+        line=656,
     ),
     "push_share": Symbol(
         "push_share",
@@ -989,7 +1025,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=639,
+        line=663,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -998,7 +1034,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=644,
+        line=668,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1007,7 +1043,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=651,
+        line=675,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1016,7 +1052,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=658,
+        line=682,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1025,7 +1061,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=664,
+        line=688,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1033,7 +1069,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=671,
+        line=695,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1042,7 +1078,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=682,
+        line=706,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1050,7 +1086,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=687,
+        line=711,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1059,7 +1095,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=691,
+        line=715,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1067,7 +1103,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=696,
+        line=720,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1076,7 +1112,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=700,
+        line=724,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1085,7 +1121,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=705,
+        line=729,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1094,7 +1130,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=710,
+        line=734,
     ),
     "work": Symbol(
         "work",
@@ -1102,7 +1138,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=715,
+        line=739,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1111,7 +1147,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=719,
+        line=743,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1119,7 +1155,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=724,
+        line=748,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1128,7 +1164,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=728,
+        line=752,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1136,7 +1172,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=733,
+        line=757,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1145,7 +1181,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=738,
+        line=762,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1154,7 +1190,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=743,
+        line=767,
     ),
     "calm_share": Symbol(
         "calm_share",
@@ -1163,7 +1199,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=748,
+        line=772,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1172,7 +1208,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=755,
+        line=779,
     ),
     "energy": Symbol(
         "energy",
@@ -1180,7 +1216,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=760,
+        line=784,
     ),
     "radius": Symbol(
         "radius",
@@ -1189,7 +1225,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=769,
+        line=793,
     ),
     "length": Symbol(
         "length",
@@ -1198,7 +1234,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=774,
+        line=798,
     ),
     "width": Symbol(
         "width",
@@ -1207,7 +1243,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=781,
+        line=805,
     ),
     "height": Symbol(
         "height",
@@ -1216,7 +1252,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=786,
+        line=810,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1225,7 +1261,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=791,
+        line=815,
     ),
     "center": Symbol(
         "center",
@@ -1234,7 +1270,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=796,
+        line=820,
     ),
     "offset": Symbol(
         "offset",
@@ -1242,7 +1278,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=801,
+        line=825,
     ),
     "area": Symbol(
         "area",
@@ -1251,7 +1287,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=805,
+        line=829,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1260,6 +1296,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=810,
+        line=834,
     ),
 }

@@ -12,7 +12,7 @@ Source: Rockafellar (1976), proximal point; George and Liu (1981), elimination o
 
 from math import sqrt
 
-from tamias2d.generated.definitions import momentum
+from tamias2d.generated.definitions import angular_momentum_own, momentum
 from tamias2d.generated.firm_contact import (
     bias_energy,
     linear_energy,
@@ -222,7 +222,7 @@ def set_out(n: int, rows: Array, lanes: Whole, motion: Array, web: Whole, weave:
         mass, inertia, start = weave[knot, MASS], weave[knot, INERTIA], weave[knot, START:]
         x, y = momentum(mass, (start[0], start[1]))
         x, y = x + weave[knot, CHANGE], y + weave[knot, CHANGE + 1]
-        turn = inertia * start[2] + weave[knot, CHANGE + 2]
+        turn = angular_momentum_own(inertia, start[2]) + weave[knot, CHANGE + 2]
         energy += linear_energy_start((x, y), mass) if mass > 0.0 else 0.0
         energy += turning_energy_start(turn, inertia) if inertia > 0.0 else 0.0
     return energy

@@ -7,18 +7,18 @@ which knots its impulses load.
 from tamias2d.generated.firm_contact import (
     angular_momentum_a_kicked,
     angular_momentum_b_kicked,
-    bias_velocity_later,
     limited_rub,
     momentum_a_kicked,
     momentum_b_kicked,
     rub_most,
-    separation,
 )
 from tamias2d.generated.soft_contact import (
     angular_velocity_a_kicked,
     angular_velocity_b_kicked,
     bias_velocity,
+    bias_velocity_later,
     row_velocity,
+    separation,
     separation_later,
     velocity_a_kicked,
     velocity_b_kicked,
@@ -125,7 +125,7 @@ def open_joint(
                 row[at + P_SIDE_B + m] + row[R_ROUND_B + m],
                 line,
             )
-            bias = max(bias_velocity(gap, rate, substep), row[R_LIMIT + m])
+            bias = bias_velocity(gap, rate, row[R_LIMIT + m], substep)
         weave[joint, BIAS + k] = bias
         weave[joint, ASKED + k] = speed + bias
         fastest, least = max(fastest, abs(speed + bias)), min(least, bias)

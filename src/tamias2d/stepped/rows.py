@@ -7,15 +7,17 @@ has a block for itself. Contacts with what does not move come last, because a st
 Source: Catto, Box2D v3 (2024), for colours; the layout is that of `SIZE` rows of lanes a point.
 """
 
-from math import sqrt
-
 from tamias2d.generated.soft_contact import (
+    angular_frequency_loaded,
+    bend,
     bias_rate,
+    bias_velocity_least,
     impulse_share,
     mass_share,
     preload_later,
     row_mass,
     row_velocity,
+    turning_arm,
 )
 from tamias2d.state import Array
 from tamias2d.stepped.layout import (
@@ -224,8 +226,8 @@ def fill_rows(
         b, m = seat_of(k, hits)
         points = 1 + hits[HIT_COLOUR, k] % 2
         row, one, other = rows[b], carried[i], carried[j]
-        normal_x, normal_y = touch[p, NX], touch[p, NY]
-        row[R_NX + m], row[R_NY + m] = normal_x, normal_y
+        normal = (touch[p, NX], touch[p, NY])
+        row[R_NX + m], row[R_NY + m] = normal
         pushes = touch[p, PUSH] + (touch[p, PUSH + POINT] if points == 2 else 0.0)
         row[R_LOAD + m] = pushes / points
         reach = row[R_REACH + m]
@@ -234,9 +236,9 @@ def fill_rows(
         for n in range(points):
             at = SHARED + n * SIZE + m
             x, y = touch[p, PX + POINT * n], touch[p, PY + POINT * n]
-            arm_a, side_a = x * normal_y - y * normal_x, x * normal_x + y * normal_y
+            arm_a, side_a = turning_arm((x, y), normal), bend((x, y), normal)
             x, y = x - delta_x, y - delta_y
-            arm_b, side_b = x * normal_y - y * normal_x, x * normal_x + y * normal_y
+            arm_b, side_b = turning_arm((x, y), normal), bend((x, y), normal)
             gap, preload = touch[p, GAP + POINT * n], 0.0
             if fixed:  # to the surfaces, which meet if they do
                 half = 0.5 * max(gap, 0.0)
@@ -260,7 +262,7 @@ def fill_rows(
                     (other[NOTED], other[NOTED + 1]),
                     other[NOTED + 2],
                     arm_b,
-                    (normal_x, normal_y),
+                    normal,
                 )
 
 
@@ -298,13 +300,13 @@ def soften_lanes(row: Array, substep: float) -> None:
         frequency = CIRCLE * CYCLES / substep
         frequency = frequency if (a > 0.0) & (b > 0.0) else FIRMER * frequency
         reach = row[R_REACH + m] if row[R_REACH + m] > 0.0 else 1.0  # 0 in an idle lane
-        wanted = row[R_LOAD + m] * (a + b) / (substep * REST * reach)  # of its square (DD28)
-        firm = min(sqrt(wanted), FIRMEST * frequency)
-        frequency = firm if firm > frequency else frequency
+        frequency = angular_frequency_loaded(
+            frequency, row[R_LOAD + m], a, b, substep, REST, reach, FIRMEST
+        )
         row[R_BIAS + m] = bias_rate(frequency, DAMPING, substep)
         row[R_SHARE + m] = mass_share(frequency, DAMPING, substep)
         row[R_KEEP + m] = impulse_share(frequency, DAMPING, substep)
-        row[R_LIMIT + m] = -FASTEST * reach / substep
+        row[R_LIMIT + m] = bias_velocity_least(FASTEST, reach, substep)
 
 
 def keep_impulses(

@@ -8,6 +8,7 @@ from tamias2d.generated.soft_contact import (
     angular_velocity_a_kicked,
     angular_velocity_b_kicked,
     bias_velocity,
+    bias_velocity_later,
     bouncing_push,
     limited_rub,
     row_velocity,
@@ -180,7 +181,7 @@ def push_lanes(at: int, row: Array, bench: Array, substep: float) -> None:
             (row[R_NX + m], row[R_NY + m]),
         )
         row[at + P_NOW + m] = gap
-        bias = max(bias_velocity(gap, row[R_BIAS + m], substep), row[R_LIMIT + m])
+        bias = bias_velocity(gap, row[R_BIAS + m], row[R_LIMIT + m], substep)
         apart = gap > 0.0
         part = 1.0 if apart else row[R_SHARE + m]
         kept = 0.0 if apart else row[R_KEEP + m]
@@ -196,10 +197,7 @@ def relax_lanes(at: int, row: Array, bench: Array, substep: float) -> None:
     """Correct the pushes along the normals so that nothing approaches beyond its gap."""
     for m in range(LANES):
         speed = approach(m, at, row, bench)
-        room = (
-            row[at + P_NOW + m] / substep + speed
-        )  # the gap has changed since by the last substep
-        bias = room if room > 0.0 else 0.0
+        bias = bias_velocity_later(row[at + P_NOW + m], speed, substep)
         before = row[at + P_PUSH + m]
         after = soft_push(before, speed, bias, row[at + P_MASS + m], 1.0, 0.0)
         row[at + P_PUSH + m] = after

@@ -10,6 +10,7 @@ from tamias2d.generated.definitions import (
     pace_given,
     pace_later,
 )
+from tamias2d.generated.soft_contact import shift_later, turn_later
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 from tamias2d.stepped.direct import (
@@ -259,6 +260,6 @@ def shift(substep: float, first: int, last: int, motion: Array, hits: Whole) -> 
     """Move bodies along for a substep, s."""
     for k in range(first, last):
         i = hits[ACTIVE_ROW, k]
-        motion[i, DX] += substep * motion[i, VX]
-        motion[i, DY] += substep * motion[i, VY]
-        motion[i, DTURN] += substep * motion[i, SPIN]
+        now = motion[i]
+        now[DX], now[DY] = shift_later((now[DX], now[DY]), (now[VX], now[VY]), substep)
+        now[DTURN] = turn_later(now[DTURN], now[SPIN], substep)
