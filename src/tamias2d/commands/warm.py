@@ -6,7 +6,7 @@ Serves: the command `warm`. Hides: how it is told whether something was compiled
 import time
 
 from tamias2d.commands.output import say
-from tamias2d.stepped.menu import MENU
+from tamias2d.engine.menu import MENU
 from tamias2d.storage import home
 
 

@@ -9,13 +9,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tamias2d.engine.engine import Engine
 from tamias2d.errors import SimulationError
 from tamias2d.generated import drag
 from tamias2d.motion.terms import Attraction, Drag, LawTerm, Springs, Term
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_laws
 from tamias2d.state import Array
-from tamias2d.stepped.world import World
 
 
 class Acting:
@@ -33,13 +33,13 @@ class Acting:
         """Whether nothing acts that varies."""
         return not self._terms
 
-    def loads(self, world: World, time: float) -> Array:
-        """Return what acts on the bodies of a world at a time, s: forces and torques (n+1, 3).
+    def loads(self, engine: Engine, time: float) -> Array:
+        """Return what acts on the bodies of a engine at a time, s: forces and torques (n+1, 3).
 
         Raises:
             SimulationError: a force is not finite; names it and a body.
         """
-        place, rate = world.pose[self._rows], world.velocity[self._rows]
+        place, rate = engine.world.state.pose[self._rows], engine.world.state.velocity[self._rows]
         held = np.zeros_like(place)
         with np.errstate(all="ignore"):
             for term in self._terms:
@@ -51,7 +51,7 @@ class Acting:
                         f"'{name}' (R4): bodies are at one place, or float64 cannot hold it. "
                         "Move it, or change the scene."
                     )
-        loads = np.zeros_like(world.load)
+        loads = np.zeros_like(engine.world.state.load)
         loads[self._rows] = held
         return loads
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.scene.checks import checked_inertia, refuse_shape
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
@@ -18,7 +19,6 @@ from tamias2d.scene.shapes import HalfPlane
 from tamias2d.simulator.batch import UNSTATED, Batch, slowing
 from tamias2d.simulator.columns import as_array, numbers, vectors, wholes
 from tamias2d.state import Array
-from tamias2d.stepped.layout import DYNAMIC, KINEMATIC, STATIC
 
 Whole = NDArray[np.int64]
 Shapes = Shape | None | Sequence[Shape | None]

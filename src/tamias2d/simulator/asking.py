@@ -10,12 +10,13 @@ from types import SimpleNamespace
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.menu import QUERY
+from tamias2d.kernels.groups import addresses
 from tamias2d.scene.filters import checked_mask
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.columns import as_array, vectors
 from tamias2d.state import Array
-from tamias2d.stepped.menu import QUERY
-from tamias2d.stepped.world import World
 
 Whole = NDArray[np.int64]
 _POINT = "Give (x, y) in m."
@@ -39,19 +40,16 @@ class Hits:
 
 
 class Questions:
-    """A world that is asked, with a tree for the places at which its bodies were last found."""
+    """A engine that is asked, with a tree for the places at which its bodies were last found."""
 
-    def __init__(self, world: World) -> None:
-        self._world = world
+    def __init__(self, engine: Engine) -> None:
+        self._engine = engine
+        self._revision = -1
         self._pose = np.zeros((0, 3))
-        self._ranked = np.zeros((2, 0), dtype=np.uint32)
-        self._sizes = np.zeros(2, dtype=np.int64)
-        self._box = self._node = np.zeros((0, 4))
-        self._curve = np.zeros((5, 0), dtype=np.uint32)
 
     def rays(self, start: object, end: object, mask: object) -> Hits:
         """Return what rays from points to points, (2,) or (k, 2) each, meet first."""
-        world, of = self._world, "the rays"
+        engine, of = self._engine, "the rays"
         count = max(_rows(start, "start", of), _rows(end, "end", of))
         rays = np.hstack(
             [
@@ -68,16 +66,14 @@ class Questions:
             )
         self._look()
         met, hits = np.empty(count, dtype=np.int64), np.empty((count, 3))
-        _engine().cast(
-            rays, checked_mask(mask, of), world.pose, world.ranked, world.shape_body,
-            world.shape_kind, world.shape_first, world.shape_count, world.shape_radius,
-            world.filters, world.corner, self._box, self._curve, self._node, self._sizes, met, hits,
-            np.empty(len(world.shape_body), dtype=np.uint32),
+        _library().cast_rays(
+            self._argument, rays, checked_mask(mask, of), met, hits,
+            np.empty(len(engine.world.state.body_of_shape), dtype=np.uint32),
         )  # fmt: skip
         fraction = np.minimum(hits[:, 0], 1.0)
         return Hits(
-            body=np.where(met >= 0, world.shape_body[met].astype(np.int64), -1)
-            if len(world.shape_body)
+            body=np.where(met >= 0, engine.world.state.body_of_shape[met].astype(np.int64), -1)
+            if len(engine.world.state.body_of_shape)
             else met,
             point=rays[:, :2] + fraction[:, None] * (rays[:, 2:] - rays[:, :2]),
             normal=hits[:, 1:].copy(),
@@ -86,38 +82,36 @@ class Questions:
 
     def within(self, low: Array, high: Array, mask: object) -> Whole:
         """Return the bodies (k,) that reach into a box between two corners (2,), by rank."""
-        world = self._world
+        engine = self._engine
         self._look()
-        found = np.empty(len(world.shape_body), dtype=np.uint32)
-        total = _engine().gather(
-            *low.tolist(), *high.tolist(), checked_mask(mask, "the question"), world.pose,
-            world.shape_body, world.shape_kind, world.shape_first, world.shape_count,
-            world.shape_radius, world.filters, world.corner, self._box, self._curve, self._node,
-            self._sizes, found,
-        )  # fmt: skip
-        shapes = found[:total][np.argsort(world.ranked[1, found[:total]])]
-        return np.array(list(dict.fromkeys(world.shape_body[shapes].tolist())), dtype=np.int64)
+        found = np.empty(len(engine.world.state.body_of_shape), dtype=np.uint32)
+        total = _library().shapes_in_box(
+            self._argument, *low.tolist(), *high.tolist(), checked_mask(mask, "the question"), found
+        )
+        shapes = found[:total][np.argsort(engine.world.broad_phase.canonical[1, found[:total]])]
+        return np.array(
+            list(dict.fromkeys(engine.world.state.body_of_shape[shapes].tolist())), dtype=np.int64
+        )
 
     def _look(self) -> None:
         """Make the tree anew if a body was moved, added or removed."""
-        world = self._world
-        if self._ranked is world.ranked and np.array_equal(self._pose, world.pose):
+        engine = self._engine
+        world = engine.world
+        if self._revision == engine.revision and np.array_equal(self._pose, world.state.pose):
             return
-        if not np.isfinite(world.pose).all():
-            row = int(np.argmin(np.isfinite(world.pose).all(axis=1)))
+        if not np.isfinite(engine.world.state.pose).all():
+            row = int(np.argmin(np.isfinite(engine.world.state.pose).all(axis=1)))
             raise RuleError(
                 f"position or orientation[{row}]: must be finite to be asked for (R4). Set it to "
                 "a number."
             )
-        self._pose, self._ranked = world.pose.copy(), world.ranked
-        if self._box.shape != world.box.shape or self._curve.shape != world.curve.shape:
-            self._box, self._node = np.zeros_like(world.box), np.zeros_like(world.node)
-            self._curve = np.zeros_like(world.curve)
-        _engine().survey(
-            world.kind, world.pose, world.ranked, world.shape_body, world.shape_kind,
-            world.shape_first, world.shape_count, world.shape_radius, world.corner, self._box,
-            self._curve, self._node, self._sizes,
-        )  # fmt: skip
+        self._revision, self._pose = engine.revision, world.state.pose.copy()
+        tree = world.tree._replace(
+            **{name: np.zeros_like(values) for name, values in world.tree._asdict().items()}
+        )
+        self._world = world._replace(tree=tree)  # keeps the arrays whose addresses are known
+        self._argument = addresses(self._world)
+        _library().build_query_tree(self._argument)
 
 
 def _rows(points: object, key: str, of: str) -> int:
@@ -148,5 +142,5 @@ def one_point(point: object) -> Array:
 
 
 @cache
-def _engine() -> SimpleNamespace:
+def _library() -> SimpleNamespace:
     return QUERY.compiled()

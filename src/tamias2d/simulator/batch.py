@@ -9,13 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.generated import drag
 from tamias2d.scene import Body, Scene
 from tamias2d.scene.acting import steady_load
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.rules import RuleError
 from tamias2d.state import Array
-from tamias2d.stepped.layout import DYNAMIC, KINEMATIC, STATIC
 
 Whole = NDArray[np.int64]
 UNSTATED = -1.0

@@ -11,25 +11,25 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.state import Array
-from tamias2d.stepped.layout import (
-    COUNT,
-    FLOWN_NORMAL,
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.tables import (
+    BUFFER,
+    CONTACTS,
     GAP,
+    IMPACT_NORMAL,
     NX,
     NY,
-    OF_A,
-    OF_B,
-    PAIRS,
     POINT,
+    POINT_COUNT,
     PX,
     PY,
-    SIDE,
-    TOTAL,
-    TOUCHED,
-    WHERE,
+    SLOT_A,
+    SLOT_B,
+    TOTAL_IMPULSE,
+    TOUCHES,
+    WORLD_POINT,
 )
-from tamias2d.stepped.world import World
+from tamias2d.state import Array
 
 Whole = NDArray[np.int64]
 
@@ -91,16 +91,21 @@ def touching_of(arrays: Mapping[str, NDArray[Any]]) -> Touching:
     return Touching(contacts=contacts, began=began, ended=arrays["ended"])
 
 
-def touching(world: World) -> Touching:
-    """Return what touched in the last step of a world."""
-    side, size = int(world.counts[SIDE]), int(world.counts[PAIRS])
-    noted = world.traces[side, :size, TOUCHED]
+def touching(engine: Engine) -> Touching:
+    """Return what touched in the last step of a engine."""
+    side, size = (
+        int(engine.world.broad_phase.counts[BUFFER]),
+        int(engine.world.broad_phase.counts[CONTACTS]),
+    )
+    noted = engine.world.buffers.flags[side, :size, TOUCHES]
     rows = np.flatnonzero(noted)
-    bodies = world.owner[world.pairs[side, rows, OF_A : OF_B + 1]].astype(np.int64)
-    code = bodies.min(axis=1) * len(world.pose) + bodies.max(axis=1)
+    bodies = engine.world.state.body_of_slot[
+        engine.world.buffers.pairs[side, rows, SLOT_A : SLOT_B + 1]
+    ].astype(np.int64)
+    code = bodies.min(axis=1) * len(engine.world.state.pose) + bodies.max(axis=1)
     now, before = (np.unique(code[noted[rows] & bit != 0]) for bit in (1, 2))
-    touch = world.touches[side, rows]
-    count = world.traces[side, rows, COUNT].astype(np.int64)
+    touch = engine.world.buffers.manifolds[side, rows]
+    count = engine.world.buffers.flags[side, rows, POINT_COUNT].astype(np.int64)
     pushed = _pushed(touch, count, noted[rows].astype(np.int64))
     sensed = np.setdiff1d(np.flatnonzero(noted[rows] & 1), pushed.pair)
     found = _Points(
@@ -108,8 +113,8 @@ def touching(world: World) -> Touching:
         np.concatenate((pushed.number, np.zeros_like(sensed))),
         np.concatenate((pushed.impulse, np.zeros(len(sensed)))),
     )
-    touch[sensed, WHERE : WHERE + 2] = (
-        world.pose[bodies[sensed, 0], :2] + touch[sensed, PX : PY + 1]
+    touch[sensed, WORLD_POINT : WORLD_POINT + 2] = (
+        engine.world.state.pose[bodies[sensed, 0], :2] + touch[sensed, PX : PY + 1]
     )
     begun = _strongest(found, code, np.setdiff1d(now, before))
     ended = np.flatnonzero(np.isin(code, np.setdiff1d(before, now)))
@@ -122,7 +127,7 @@ def touching(world: World) -> Touching:
 
 def _pushed(touch: Array, count: Whole, noted: Whole) -> _Points:
     """Return all points that were pushed, in the order of the pairs; in flight a pair has one."""
-    total = touch[:, [TOTAL, TOTAL + POINT]]
+    total = touch[:, [TOTAL_IMPULSE, TOTAL_IMPULSE + POINT]]
     there = np.arange(2) < np.maximum(count, 1)[:, None]
     pair, number = np.nonzero(there & (total > 0.0) & (noted & 1 != 0)[:, None])
     return _Points(pair, number, total[pair, number])
@@ -147,8 +152,10 @@ def _contacts(bodies: Whole, touch: Array, count: Whole, points: _Points) -> Con
     flown = count[pair] == 0
     row = touch[pair]
     at = np.arange(len(pair))
-    place = WHERE + POINT * number
-    normal = np.where(flown[:, None], row[:, FLOWN_NORMAL : FLOWN_NORMAL + 2], row[:, NX : NY + 1])
+    place = WORLD_POINT + POINT * number
+    normal = np.where(
+        flown[:, None], row[:, IMPACT_NORMAL : IMPACT_NORMAL + 2], row[:, NX : NY + 1]
+    )
     return Contacts(
         bodies=bodies[pair],
         point=np.column_stack((row[at, place], row[at, place + 1])),

@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tamias2d.engine.tables import CAPSULE, DISC, HALF_PLANE, POLYGON
 from tamias2d.scene import HalfPlane
 from tamias2d.scene.compound import Shape, pieces_of
 from tamias2d.scene.rules import Vector
 from tamias2d.state import Array
-from tamias2d.stepped.layout import CAPSULE, DISC, HALF_PLANE, POLYGON
 
 
 class Piece(NamedTuple):

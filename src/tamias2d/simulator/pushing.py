@@ -6,24 +6,24 @@ Serves: `apply_impulse` and `apply_force`. Hides: how a push becomes a change of
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.tables import INVERSE_INERTIA, INVERSE_MASS
 from tamias2d.generated import definitions, impact
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.columns import vectors
 from tamias2d.state import Array
-from tamias2d.stepped.layout import INVERSE_INERTIA, INVERSE_MASS
-from tamias2d.stepped.world import World
 
 Whole = NDArray[np.int64]
 _OF = "the bodies"
 
 
-def kicks(world: World, rows: Whole, impulse: object, at: object) -> Array:
+def kicks(engine: Engine, rows: Whole, impulse: object, at: object) -> Array:
     """Return the changes of velocity and angular velocity (k, 3) by impulses, N s, at points."""
     remedy = "Give (x, y) in N s."
     given = vectors(impulse, "impulse", _OF, remedy, count=len(rows), symbol="impulse_vector")
-    push, body = _pair(given), world.body[rows]
+    push, body = _pair(given), engine.world.state.properties[rows]
     changes = np.zeros((len(rows), 3))
-    arms = _arms(world, rows, at)
+    arms = _arms(engine, rows, at)
     with np.errstate(all="ignore"):  # what overflows is refused
         changes[:, 0], changes[:, 1] = impact.velocity_b_after(
             (0.0, 0.0), 1.0, push, body[:, INVERSE_MASS]
@@ -34,10 +34,10 @@ def kicks(world: World, rows: Whole, impulse: object, at: object) -> Array:
     return changes
 
 
-def loads(world: World, rows: Whole, force: object, at: object) -> Array:
+def loads(engine: Engine, rows: Whole, force: object, at: object) -> Array:
     """Return the loads (k, 3), N and N m, by forces at points."""
     push = vectors(force, "force", _OF, "Give (x, y) in N.", count=len(rows), symbol="force")
-    arms = _arms(world, rows, at)
+    arms = _arms(engine, rows, at)
     with np.errstate(all="ignore"):
         return np.column_stack((push, definitions.torque(arms, _pair(push))))
 
@@ -62,13 +62,13 @@ def add_rows(values: Array, rows: Whole, changes: Array, what: str) -> None:
         )
 
 
-def _arms(world: World, rows: Whole, at: object) -> tuple[Array, Array]:
+def _arms(engine: Engine, rows: Whole, at: object) -> tuple[Array, Array]:
     """Return the arms from centres of mass to points, m; 0 where no point is given."""
     if at is None:
         return np.zeros(len(rows)), np.zeros(len(rows))
-    remedy = "Give points of the world (x, y) in m."
+    remedy = "Give points of the engine (x, y) in m."
     points = vectors(at, "at", _OF, remedy, count=len(rows), symbol="position")
-    return _pair(points - world.pose[rows, :2])
+    return _pair(points - engine.world.state.pose[rows, :2])
 
 
 def _pair(rows: Array) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""Which rows of a world's arrays hold which bodies and shapes, and their canonical order.
+"""Which rows of an engine's arrays hold which bodies and shapes, and their canonical order.
 
 Serves: adding and removing while a simulator runs. Hides: how freed rows are used again, and how
 arrays grow.
@@ -16,38 +16,38 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.tables import (
+    ABSENT,
+    BOUNDING_RADIUS,
+    BUFFER,
+    CONTACTS,
+    CORE_RADIUS,
+    FIRST_RUN,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    MIN_EXTENT,
+    POINT_COUNT,
+    PROPAGATOR,
+    SLOT_A,
+    SLOT_B,
+    X,
+    Y,
+)
 from tamias2d.simulator.batch import Batch
 from tamias2d.simulator.drag import Drag
 from tamias2d.simulator.pieces import Piece, pieces
 from tamias2d.state import Array
-from tamias2d.stepped.layout import (
-    ABSENT,
-    ARM,
-    COUNT,
-    FLOW,
-    INNER,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    OF_A,
-    OF_B,
-    PAIRS,
-    REACH,
-    SIDE,
-    SORTED,
-    X,
-    Y,
-)
-from tamias2d.stepped.world import SHAPE_ROWS, World
 
 Whole = NDArray[np.int64]
 STRETCH = 4.0  # reaches of a body, by which the canonical order goes along
 
 
 class Roster:
-    """The taken and the free rows of a world."""
+    """The taken and the free rows of an engine."""
 
-    def __init__(self, world: World) -> None:
-        self.world = world
+    def __init__(self, engine: Engine) -> None:
+        self.engine = engine
         self.rank = np.zeros(0, dtype=np.int64)
         """(n,), place of each body in the canonical order; what is absent or new has none, -1"""
         self._order = np.zeros(0, dtype=np.int64)  # shapes that have a rank, by it
@@ -59,26 +59,26 @@ class Roster:
         self._placed: list[int] = []  # shapes of such bodies, of each in their order
         self._form_number: dict[tuple[float, ...], int] = {}  # as they came, since all had ranks
         self._leaving = np.zeros(0, dtype=np.int64)  # removed since it was settled
-        self._drag = Drag(world)
+        self._drag = Drag(engine)
 
     def place(self, batch: Batch) -> Whole:
         """Add the bodies of a batch, and return their rows."""
-        world = self.world
+        engine = self.engine
         rows = self._take(len(batch))
-        world.pose[rows] = batch.pose
-        world.velocity[rows] = batch.motion
-        world.load[rows] = batch.load
-        world.body[rows, INVERSE_MASS] = 1 / batch.mass
-        world.body[rows, INVERSE_INERTIA] = 1 / batch.inertia
+        engine.world.state.pose[rows] = batch.pose
+        engine.world.state.velocity[rows] = batch.motion
+        engine.world.state.load[rows] = batch.load
+        engine.world.state.properties[rows, INVERSE_MASS] = 1 / batch.mass
+        engine.world.state.properties[rows, INVERSE_INERTIA] = 1 / batch.inertia
         self._drag.slow(rows, batch.slowing)
-        world.kind[rows] = batch.kind
+        engine.world.state.kind[rows] = batch.kind
         self._place_shapes(batch, rows)
-        world.forget()
+        engine.forget_pairs()
         return rows
 
     def remove(self, rows: Whole) -> None:
         """Take bodies out; the rows of all others stay, and theirs are free once it is settled."""
-        self.world.kind[rows] = ABSENT
+        self.engine.world.state.kind[rows] = ABSENT
         self._leaving = np.concatenate((self._leaving, rows))
         for row in rows.tolist():
             self._new.pop(row, None)
@@ -95,8 +95,8 @@ class Roster:
             for s in self._shapes_of(i)
             for t in self._shapes_of(j)
         ]
-        self.world.mixed = _by_shapes(np.array(rows, dtype=np.float64).reshape(-1, 4))
-        self.world.forget()
+        self.engine.set_pair_overrides(_by_shapes(np.array(rows, dtype=np.float64).reshape(-1, 4)))
+        self.engine.forget_pairs()
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return all that it knows; everything must have its rank."""
@@ -133,43 +133,53 @@ class Roster:
         self._new.clear()
         self._placed.clear()  # what was removed before it was settled is here, too
         self._form_number.clear()
-        self.world.settle(np.concatenate((gone, new)))
+        self.engine.settle(np.concatenate((gone, new)))
         self._publish()
 
     def _let_go(self, rows: Whole) -> None:
-        world = self.world
+        engine = self.engine
         self._drop_pairs(rows)
-        gone = np.isin(world.shape_body, rows)
+        gone = np.isin(engine.world.state.body_of_shape, rows)
         for slot in np.flatnonzero(gone).tolist():
-            self._free_shapes.setdefault(int(world.shape_count[slot]), []).append(slot)
-        world.shape_body[gone] = self._idle
+            self._free_shapes.setdefault(int(engine.world.shapes.count[slot]), []).append(slot)
+        engine.world.state.body_of_shape[gone] = self._idle
         self._order = self._order[~gone[self._order]]
-        world.clear(rows)
+        engine.clear(rows)
         self.rank[rows] = -1
         self._free = sorted({*self._free, *rows.tolist()}, reverse=True)
 
     def _rank(self, rows: Whole) -> None:
         """Order new bodies by what and where they are, and seat them and their shapes so."""
-        world = self.world
-        new = np.zeros(len(world.pose), dtype=bool)
+        engine = self.engine
+        new = np.zeros(len(engine.world.state.pose), dtype=bool)
         new[rows] = True
         owned = np.array(self._placed, dtype=np.int64)
-        owned = owned[new[world.shape_body[owned]]]
-        first = np.full(len(world.pose), -1)
-        first[world.shape_body[owned][::-1]] = owned[::-1]
-        body = world.body[rows]
-        flows = world.flows[body[:, FLOW].astype(np.int64)]
-        tables = (world.pose[rows], world.velocity[rows], world.load[rows], body[:, :FLOW], flows)
-        touching = np.concatenate((world.surface, np.zeros((1, 4))))[first[rows]]
-        meeting = np.concatenate((world.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]]
+        owned = owned[new[engine.world.state.body_of_shape[owned]]]
+        first = np.full(len(engine.world.state.pose), -1)
+        first[engine.world.state.body_of_shape[owned][::-1]] = owned[::-1]
+        body = engine.world.state.properties[rows]
+        flows = engine.world.bodies.propagators[body[:, PROPAGATOR].astype(np.int64)]
+        tables = (
+            engine.world.state.pose[rows],
+            engine.world.state.velocity[rows],
+            engine.world.state.load[rows],
+            body[:, :PROPAGATOR],
+            flows,
+        )
+        touching = np.concatenate((engine.world.shapes.material, np.zeros((1, 4))))[first[rows]]
+        meeting = np.concatenate((engine.world.shapes.filters, np.zeros((1, 4), dtype=np.int64)))[
+            first[rows]
+        ]
         columns = [column for table in (*tables, touching, meeting) for column in table.T]
-        stretch, y = self._stretches(rows), world.pose[rows, Y]
-        keys = [world.kind[rows], stretch, y, *columns, self._forms()]
+        stretch, y = self._stretches(rows), engine.world.state.pose[rows, Y]
+        keys = [engine.world.state.kind[rows], stretch, y, *columns, self._forms()]
         sequence = rows[np.lexsort(keys[::-1])]
         self.rank[sequence] = np.arange(self._next, self._next + len(rows))
         self._next += len(rows)
-        world.sit(sequence, np.sort(world.seat[rows]))
-        self._arrange_shapes(owned[np.argsort(self.rank[world.shape_body[owned]], kind="stable")])
+        engine.assign_slots(sequence, np.sort(engine.world.state.slot_of_body[rows]))
+        self._arrange_shapes(
+            owned[np.argsort(self.rank[engine.world.state.body_of_shape[owned]], kind="stable")]
+        )
         self._order = np.concatenate((self._order, np.sort(owned)))
 
     def _stretches(self, rows: Whole) -> Array:
@@ -177,29 +187,36 @@ class Roster:
 
         Those that are near each other are so in the order, too, and thus in memory.
         """
-        reach = self.world.body[rows, REACH]
+        reach = self.engine.world.state.properties[rows, BOUNDING_RADIUS]
         width = STRETCH * np.median(reach[reach > 0.0]) if (reach > 0.0).any() else np.inf
         with np.errstate(all="ignore"):
-            stretch: Array = np.floor(self.world.pose[rows, X] / width)
+            stretch: Array = np.floor(self.engine.world.state.pose[rows, X] / width)
         return stretch
 
     def _arrange_shapes(self, sequence: Whole) -> None:
         """Put new shapes, and their corners where these lie together, in an order."""
-        world, slots = self.world, np.sort(sequence)
-        for name in SHAPE_ROWS:
-            values = getattr(world, name)
+        engine, slots = self.engine, np.sort(sequence)
+        shapes = engine.world.shapes
+        for values in (
+            *(engine.world.state.body_of_shape, shapes.kind, shapes.first, shapes.count),
+            *(shapes.radius, shapes.material, shapes.filters),
+        ):
             values[slots] = values[sequence]
-        moved = np.arange(len(world.shape_body))
+        moved = np.arange(len(engine.world.state.body_of_shape))
         moved[sequence] = slots
-        world.mixed[:, :2] = np.sort(moved[world.mixed[:, :2].astype(np.int64)], axis=1)
-        world.mixed = _by_shapes(world.mixed)
-        count = world.shape_count[slots].astype(np.int64)
+        engine.world.shapes.pair_overrides[:, :2] = np.sort(
+            moved[engine.world.shapes.pair_overrides[:, :2].astype(np.int64)], axis=1
+        )
+        engine.set_pair_overrides(_by_shapes(engine.world.shapes.pair_overrides))
+        count = engine.world.shapes.count[slots].astype(np.int64)
         start, total = np.cumsum(count) - count, int(count.sum())
-        old = np.repeat(world.shape_first[slots] - start, count) + np.arange(total)
+        old = np.repeat(engine.world.shapes.first[slots] - start, count) + np.arange(total)
         if total and old.max() - old.min() + 1 == total:
             place = slice(old.min(), old.min() + total)
-            world.corner[place] = world.turned[place] = world.corner[old]
-            world.shape_first[slots] = place.start + start
+            engine.world.shapes.local_vertices[place] = engine.world.shapes.world_vertices[
+                place
+            ] = engine.world.shapes.local_vertices[old]
+            engine.world.shapes.first[slots] = place.start + start
 
     def _forms(self) -> Whole:
         """Return a number for the form of each new body, in the order of the forms themselves."""
@@ -209,27 +226,28 @@ class Roster:
         return place[list(self._new.values())]
 
     def _publish(self) -> None:
-        """Tell the world the order of its shapes; those without a body come last."""
-        world = self.world
-        rest = np.ones(len(world.shape_body), dtype=bool)
+        """Tell the engine the order of its shapes; those without a body come last."""
+        engine = self.engine
+        rest = np.ones(len(engine.world.state.body_of_shape), dtype=bool)
         rest[self._order] = False
-        world.ranked = np.empty((2, len(rest)), dtype=np.uint32)
-        world.ranked[0] = np.concatenate((self._order, np.flatnonzero(rest)))
-        world.ranked[1, world.ranked[0]] = np.arange(len(rest))
-        world.forget()
+        engine.world.broad_phase.canonical[0] = np.concatenate((self._order, np.flatnonzero(rest)))
+        engine.world.broad_phase.canonical[1, engine.world.broad_phase.canonical[0]] = np.arange(
+            len(rest)
+        )
+        engine.forget_pairs()
 
     @property
     def _idle(self) -> int:
-        return len(self.world.pose) - 1
+        return len(self.engine.world.state.pose) - 1
 
     def _take(self, count: int) -> Whole:
         """Return rows for so many bodies, freed ones first."""
-        world = self.world
+        engine = self.engine
         used = [self._free.pop() for _ in range(min(count, len(self._free)))]
         more = count - len(used)
-        world.make_room(more)
-        rows = np.array([*used, *range(world.size, world.size + more)], dtype=np.int64)
-        world.size += more
+        engine.make_room(more)
+        rows = np.array([*used, *range(engine.size, engine.size + more)], dtype=np.int64)
+        engine.size += more
         self.rank = np.concatenate((self.rank, np.full(more, -1)))
         return rows
 
@@ -242,56 +260,88 @@ class Roster:
         found = [piece for shape in batch.shapes for piece in made[shape]]
         if not found:
             return
-        world, corners = self.world, sum(len(piece.corner) for piece in found)
-        world.make_shape_room(self._shapes + len(found), self._corners + corners)
+        engine, corners = self.engine, sum(len(piece.corner) for piece in found)
+        engine.make_shape_room(self._shapes + len(found), self._corners + corners)
         slots = np.array([self._slot(len(piece.corner)) for piece in found])
         self._placed += slots.tolist()
-        world.shape_body[slots] = rows[owner]
-        world.shape_kind[slots] = [piece.kind for piece in found]
-        world.shape_radius[slots] = [piece.radius for piece in found]
-        count = world.shape_count[slots].astype(np.int64)
+        engine.world.state.body_of_shape[slots] = rows[owner]
+        engine.world.shapes.kind[slots] = [piece.kind for piece in found]
+        engine.world.shapes.radius[slots] = [piece.radius for piece in found]
+        count = engine.world.shapes.count[slots].astype(np.int64)
         within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-        places = np.repeat(world.shape_first[slots], count) + within
-        world.corner[places] = np.concatenate([piece.corner for piece in found])
-        world.turned[places] = world.corner[places]
+        places = np.repeat(engine.world.shapes.first[slots], count) + within
+        engine.world.shapes.local_vertices[places] = np.concatenate(
+            [piece.corner for piece in found]
+        )
+        engine.world.shapes.world_vertices[places] = engine.world.shapes.local_vertices[places]
         reach = np.array([piece.reach for piece in found])
         inner = np.array([piece.inner for piece in found])
         surfaces = (batch.friction[owner], batch.restitution[owner], reach, inner)
-        world.surface[slots] = np.stack(surfaces, axis=1)
-        world.filters[slots] = batch.filters[owner]
+        engine.world.shapes.material[slots] = np.stack(surfaces, axis=1)
+        engine.world.shapes.filters[slots] = batch.filters[owner]
         bounded = np.isfinite(reach)
-        np.maximum.at(world.body[:, REACH], rows[owner][bounded], reach[bounded])
-        world.body[rows, INNER] = np.inf
-        np.minimum.at(world.body[:, INNER], rows[owner], [piece.half for piece in found])
-        np.maximum.at(world.body[:, ARM], rows[owner], [piece.arm for piece in found])
+        np.maximum.at(
+            engine.world.state.properties[:, BOUNDING_RADIUS], rows[owner][bounded], reach[bounded]
+        )
+        engine.world.state.properties[rows, MIN_EXTENT] = np.inf
+        np.minimum.at(
+            engine.world.state.properties[:, MIN_EXTENT],
+            rows[owner],
+            [piece.half for piece in found],
+        )
+        np.maximum.at(
+            engine.world.state.properties[:, CORE_RADIUS],
+            rows[owner],
+            [piece.arm for piece in found],
+        )
 
     def _slot(self, corners: int) -> int:
         """Return a row for a shape with so many corners."""
         if self._free_shapes.get(corners):
             return self._free_shapes[corners].pop()
         slot = self._shapes
-        self.world.shape_first[slot], self.world.shape_count[slot] = self._corners, corners
+        self.engine.world.shapes.first[slot], self.engine.world.shapes.count[slot] = (
+            self._corners,
+            corners,
+        )
         self._shapes += 1
         self._corners += corners
         return slot
 
     def _shapes_of(self, row: int) -> Sequence[int]:
-        return list(np.flatnonzero(self.world.shape_body == row).tolist())
+        return list(np.flatnonzero(self.engine.world.state.body_of_shape == row).tolist())
 
     def _drop_pairs(self, rows: Whole) -> None:
         """Take the pairs of bodies out of the list, and what was set for them; wake the others."""
-        world = self.world
-        side, size = world.counts[SIDE], world.counts[PAIRS]
-        owner = world.owner[world.pairs[side, :size, OF_A : OF_B + 1]]
+        engine = self.engine
+        side, size = (
+            engine.world.broad_phase.counts[BUFFER],
+            engine.world.broad_phase.counts[CONTACTS],
+        )
+        owner = engine.world.state.body_of_slot[
+            engine.world.buffers.pairs[side, :size, SLOT_A : SLOT_B + 1]
+        ]
         left = np.isin(owner, rows).any(axis=1)
-        world.wake(owner[left & (world.traces[side, :size, COUNT] > 0)].ravel())
+        engine.wake(
+            owner[left & (engine.world.buffers.flags[side, :size, POINT_COUNT] > 0)].ravel()
+        )
         kept = np.flatnonzero(~left)
-        for values in (world.pairs, world.touches, world.traces):
+        for values in (
+            engine.world.buffers.pairs,
+            engine.world.buffers.manifolds,
+            engine.world.buffers.flags,
+        ):
             values[side, : len(kept)] = values[side, kept]
-        world.counts[SORTED] = np.count_nonzero(kept < world.counts[SORTED])
-        world.counts[PAIRS] = len(kept)
-        owner = world.shape_body[world.mixed[:, :2].astype(np.int64)]
-        world.mixed = world.mixed[~np.isin(owner, rows).any(axis=1)]
+        engine.world.broad_phase.counts[FIRST_RUN] = np.count_nonzero(
+            kept < engine.world.broad_phase.counts[FIRST_RUN]
+        )
+        engine.world.broad_phase.counts[CONTACTS] = len(kept)
+        owner = engine.world.state.body_of_shape[
+            engine.world.shapes.pair_overrides[:, :2].astype(np.int64)
+        ]
+        engine.set_pair_overrides(
+            engine.world.shapes.pair_overrides[~np.isin(owner, rows).any(axis=1)]
+        )
 
 
 def _by_shapes(mixed: Array) -> Array:

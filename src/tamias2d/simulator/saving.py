@@ -10,13 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.engine import Engine
 from tamias2d.errors import RecordingError
-from tamias2d.stepped.alignment import aligned_copy
-from tamias2d.stepped.world import World
 from tamias2d.storage import aside
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 5  # of what the arrays hold; of the engine's columns too
+VERSION = 6  # of what the arrays hold; of the engine's columns too
 _MARK = "tamias2d simulator"
 
 
@@ -71,19 +70,13 @@ def part(arrays: Arrays, name: str) -> dict[str, NDArray[Any]]:
     return {key.partition(".")[2]: a for key, a in arrays.items() if key.startswith(f"{name}.")}
 
 
-def world_arrays(world: World) -> dict[str, NDArray[Any]]:
-    """Return all arrays of a world, and its size as one."""
-    found = {key: value for key, value in vars(world).items() if isinstance(value, np.ndarray)}
-    return {**found, "size": np.array(world.size)}
-
-
-def fill(world: World, found: Arrays, where: str) -> None:
-    """Put arrays into a world.
+def fill(engine: Engine, found: Arrays, where: str) -> None:
+    """Let an engine continue from arrays.
 
     Raises:
-        RecordingError: one is missing, or of another kind than the world's own.
+        RecordingError: one is missing, or of another kind than the engine's own.
     """
-    for name, own in world_arrays(world).items():
+    for name, own in engine.arrays().items():
         there = found.get(name)
         if there is None or (there.dtype, there.ndim) != (own.dtype, own.ndim):
             what = "nothing" if there is None else f"{there.dtype} of {there.ndim} axes"
@@ -91,4 +84,4 @@ def fill(world: World, found: Arrays, where: str) -> None:
                 f"{where}: {name}: found {what}: must be {own.dtype} of {own.ndim} axes. It is "
                 "damaged, or was saved by another version. Save it again."
             )
-        setattr(world, name, int(there) if name == "size" else aligned_copy(there))
+    engine.take_over(found)

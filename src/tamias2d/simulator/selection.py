@@ -9,9 +9,9 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.tables import ABSENT
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.simulator.columns import as_array
-from tamias2d.stepped.layout import ABSENT
 
 Whole = NDArray[np.int64]
 Bodies: TypeAlias = int | str | Sequence[int] | Sequence[str] | NDArray[np.integer | np.bool_]

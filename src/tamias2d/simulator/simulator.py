@@ -14,6 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.tables import (
+    DYNAMIC,
+    KINEMATIC,
+    SLEEP_STEPS,
+    STATIC,
+)
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
 from tamias2d.scene.reading import read_scene
@@ -31,13 +38,6 @@ from tamias2d.simulator.selection import Bodies, selected
 from tamias2d.simulator.unstated import refuse_unstated
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array
-from tamias2d.stepped.layout import (
-    DYNAMIC,
-    KINEMATIC,
-    PATIENCE,
-    STATIC,
-)
-from tamias2d.stepped.world import World
 
 Whole = NDArray[np.int64]
 _QUIET = 0.5  # s, until what is quiet falls asleep
@@ -104,21 +104,21 @@ class Simulator(Views):
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
         self._staying = list(range(len(scene)))
         gravity, substeps = scene.gravity, self._substeps
-        self._begin(World(gravity=gravity, time_step=self._time_step, substeps=substeps))
+        self._begin(Engine(gravity=gravity, time_step=self._time_step, substeps=substeps))
         if _checked_flag(sleeping, "sleeping"):
-            self._world.counts[PATIENCE] = max(round(_QUIET / self._time_step), 1)
+            self._engine.world.islands.counts[SLEEP_STEPS] = max(round(_QUIET / self._time_step), 1)
         batch = scene_batch(scene)
         names = [f"'{body.name}'" for body in scene.bodies]
-        refuse_unstated(self._world, batch, names.__getitem__, scene.restitution_of_pairs)
+        refuse_unstated(self._engine, batch, names.__getitem__, scene.restitution_of_pairs)
         self._roster.place(batch)
         self._look()
         self._roster.mix(scene.friction_of_pairs, scene.restitution_of_pairs)
 
-    def _begin(self, world: World) -> None:
-        self._world = world
+    def _begin(self, engine: Engine) -> None:
+        self._engine = engine
         self._look()
-        self._roster = Roster(world)
-        self._questions = Questions(self._world)
+        self._roster = Roster(engine)
+        self._questions = Questions(self._engine)
         self._acting: Acting | None = None
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
@@ -142,8 +142,8 @@ class Simulator(Views):
             if self._acting is not None or self._pushed is not None:
                 self._step_loaded()
                 taken = 1
-            elif self._world.step(count):
-                raise fault(self._world, self._name_of)
+            elif not self._engine.step(count):
+                raise fault(self._engine, self._name_of)
             self._touching = None
             self._steps += taken
             count -= taken
@@ -165,17 +165,17 @@ class Simulator(Views):
 
     def _step_loaded(self) -> None:
         """Take a step with loads that count for this one only."""
-        world = self._world
-        kept = world.load.copy()
+        engine = self._engine
+        kept = engine.world.state.load.copy()
         if self._acting is not None:
-            world.load += self._acting.loads(world, self.time)
+            engine.world.state.load += self._acting.loads(engine, self.time)
         if self._pushed is not None:
-            world.load[: len(self._pushed)] += self._pushed
+            engine.world.state.load[: len(self._pushed)] += self._pushed
         try:
-            if world.step():
-                raise fault(world, self._name_of)
+            if not engine.step():
+                raise fault(engine, self._name_of)
         finally:
-            world.load[:] = kept
+            engine.world.state.load[:] = kept
         self._pushed = None
 
     # -- state
@@ -200,26 +200,31 @@ class Simulator(Views):
     def apply_impulse(self, bodies: Bodies, impulse: object, *, at: object | None = None) -> None:
         """Change velocities by an impulse in N s, (2,) or (k, 2), for each of k bodies.
 
-        It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m. A body that
+        It acts at the centres of mass, or `at` points of the engine, (2,) or (k, 2), m. A body that
         is given twice gets it twice; what nothing can push stays as it is.
 
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
         """
         rows = self._rows(bodies)
-        add_rows(self._world.velocity, rows, kicks(self._world, rows, impulse, at), "impulse")
+        add_rows(
+            self._engine.world.state.velocity,
+            rows,
+            kicks(self._engine, rows, impulse, at),
+            "impulse",
+        )
 
     def apply_force(self, bodies: Bodies, force: object, *, at: object | None = None) -> None:
         """Push bodies through the next step with a force in N, (2,) or (k, 2), besides `force`.
 
-        It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m.
+        It acts at the centres of mass, or `at` points of the engine, (2,) or (k, 2), m.
 
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
         """
         rows = self._rows(bodies)
-        changes = loads(self._world, rows, force, at)
-        pushed = np.zeros((self._world.size, 3))
+        changes = loads(self._engine, rows, force, at)
+        pushed = np.zeros((self._engine.size, 3))
         if self._pushed is not None:
             pushed[: len(self._pushed)] = self._pushed
         add_rows(pushed, rows, changes, "force")
@@ -234,7 +239,7 @@ class Simulator(Views):
         Raises:
             InputError: a body is not there.
         """
-        self._world.wake(self._rows(bodies))
+        self._engine.wake(self._rows(bodies))
 
     # -- adding and removing
 
@@ -308,7 +313,7 @@ class Simulator(Views):
         return self._add(added_batch(KINEMATIC, shape, **given), position)
 
     def _add(self, batch: Batch, position: object) -> Any:
-        refuse_unstated(self._world, batch, self._name_of)
+        refuse_unstated(self._engine, batch, self._name_of)
         rows = self._roster.place(batch)
         self._look()
         self._unsettled = True
@@ -391,7 +396,7 @@ class Simulator(Views):
 
     def _tell(self) -> Touching:
         if self._touching is None:
-            self._touching = touching(self._world)
+            self._touching = touching(self._engine)
         return self._touching
 
     # -- keeping
@@ -427,7 +432,7 @@ class Simulator(Views):
             "scene": None if self._scene is None else scene_text(self._scene),
         }
         parts = {
-            "world": saving.world_arrays(self._world),
+            "engine": self._engine.arrays(),
             "roster": self._roster.arrays(),
             "touching": arrays_of(self._tell()),
             "pushed": {} if self._pushed is None else {"load": self._pushed},
@@ -441,9 +446,9 @@ class Simulator(Views):
         self._steps, self._names, self._staying = about["steps"], about["names"], about["staying"]
         text = about["scene"]
         self._scene = None if text is None else read_scene(text, file=where)
-        world = World(gravity=(0.0, 0.0), time_step=self._time_step, substeps=self._substeps)
-        saving.fill(world, saving.part(arrays, "world"), where)
-        self._begin(world)
+        engine = Engine(gravity=(0.0, 0.0), time_step=self._time_step, substeps=self._substeps)
+        saving.fill(engine, saving.part(arrays, "engine"), where)
+        self._begin(engine)
         self._roster.take_over(saving.part(arrays, "roster"))
         self._touching = touching_of(saving.part(arrays, "touching"))
         self._pushed = arrays.get("pushed.load")
@@ -457,7 +462,11 @@ class Simulator(Views):
         there = np.flatnonzero(self._roster.rank >= 0)
         order = there[np.argsort(self._roster.rank[there])]
         total = hashlib.sha256(f"{self._steps} {self._time_step!r}".encode())
-        for values in (self._world.pose, self._world.velocity, self._world.load):
+        for values in (
+            self._engine.world.state.pose,
+            self._engine.world.state.velocity,
+            self._engine.world.state.load,
+        ):
             total.update(np.ascontiguousarray(values[order] + 0.0).tobytes())
         return total.hexdigest()
 
@@ -469,8 +478,8 @@ class Simulator(Views):
 
     def _name_of(self, row: int) -> str:
         names: Mapping[int, str] = {k: name for name, k in self._names.items()}
-        if row >= self._world.size:
-            return f"body {row - self._world.size} of those added"
+        if row >= self._engine.size:
+            return f"body {row - self._engine.size} of those added"
         return f"body '{names[row]}'" if row in names else f"body {row}"
 
 

@@ -6,27 +6,27 @@ Serves: the frame loop. Hides: the columns of the engine.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.tables import ABSENT, DYNAMIC, INVERSE_MASS, SLEEP_ID
 from tamias2d.scene.rules import RuleError
 from tamias2d.state import Array
-from tamias2d.stepped.layout import ABSENT, DYNAMIC, INVERSE_MASS, NIGHT
-from tamias2d.stepped.world import World
 
 
 class Views:
     """What can be read and written between steps; assigning to a view writes into it."""
 
-    __slots__ = ("_position", "_world")
-    _world: World
+    __slots__ = ("_engine", "_position")
+    _engine: Engine
     _position: Array  # kept, since a step of few bodies takes little longer than making a view
 
     def _look(self) -> None:
-        """Look at the arrays of the world anew, which adding may put elsewhere."""
-        self._position = self._world.pose[: self._world.size, :2]
+        """Look at the arrays of the engine anew, which adding may put elsewhere."""
+        self._position = self._engine.world.state.pose[: self._engine.size, :2]
 
     @property
     def gravity(self) -> Array:
         """The same for all bodies, m/s^2: a view (2,)."""
-        return self._world.settings[:2]
+        return self._engine.world.control.settings[:2]
 
     @gravity.setter
     def gravity(self, value: ArrayLike) -> None:
@@ -44,7 +44,7 @@ class Views:
     @property
     def orientation(self) -> Array:
         """Counter-clockwise, unbounded, rad: a view (n,)."""
-        return self._world.pose[: self._world.size, 2]
+        return self._engine.world.state.pose[: self._engine.size, 2]
 
     @orientation.setter
     def orientation(self, value: ArrayLike) -> None:
@@ -53,7 +53,7 @@ class Views:
     @property
     def velocity(self) -> Array:
         """m/s: a view (n, 2)."""
-        return self._world.velocity[: self._world.size, :2]
+        return self._engine.world.state.velocity[: self._engine.size, :2]
 
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None:
@@ -62,7 +62,7 @@ class Views:
     @property
     def angular_velocity(self) -> Array:
         """rad/s: a view (n,)."""
-        return self._world.velocity[: self._world.size, 2]
+        return self._engine.world.state.velocity[: self._engine.size, 2]
 
     @angular_velocity.setter
     def angular_velocity(self, value: ArrayLike) -> None:
@@ -71,7 +71,7 @@ class Views:
     @property
     def force(self) -> Array:
         """Applied besides gravity until it is changed, N: a view (n, 2)."""
-        return self._world.load[: self._world.size, :2]
+        return self._engine.world.state.load[: self._engine.size, :2]
 
     @force.setter
     def force(self, value: ArrayLike) -> None:
@@ -80,7 +80,7 @@ class Views:
     @property
     def torque(self) -> Array:
         """Applied until it is changed, N m: a view (n,)."""
-        return self._world.load[: self._world.size, 2]
+        return self._engine.world.state.load[: self._engine.size, 2]
 
     @torque.setter
     def torque(self, value: ArrayLike) -> None:
@@ -90,7 +90,7 @@ class Views:
     def mass(self) -> Array:
         """kg, infinite for what nothing can push: a new array (n,)."""
         with np.errstate(divide="ignore"):
-            return 1 / self._world.body[: self._world.size, INVERSE_MASS]
+            return 1 / self._engine.world.state.properties[: self._engine.size, INVERSE_MASS]
 
     @property
     def present(self) -> NDArray[np.bool_]:
@@ -105,12 +105,14 @@ class Views:
     @property
     def asleep(self) -> NDArray[np.bool_]:
         """Which bodies sleep: a new array (n,)."""
-        night: NDArray[np.int64] = self._world.island[self._world.seat[: self._world.size], NIGHT]
+        night: NDArray[np.int64] = self._engine.world.islands.links[
+            self._engine.world.state.slot_of_body[: self._engine.size], SLEEP_ID
+        ]
         return np.greater(night, 0)
 
     @property
     def _kind(self) -> NDArray[np.int8]:
-        return self._world.kind[: self._world.size]
+        return self._engine.world.state.kind[: self._engine.size]
 
     def __len__(self) -> int:
         """How many bodies there are."""

@@ -1,0 +1,11 @@
+"""The libraries of compiled code that there are; no scene ever needs another."""
+
+from tamias2d.engine.motion.ballistic import integrate_ballistic, note_course
+from tamias2d.engine.query.overlap import build_query_tree, shapes_in_box
+from tamias2d.engine.query.ray_cast import cast_rays
+from tamias2d.engine.step import step
+from tamias2d.kernels import Engine
+
+CONTACT = Engine("contact engine", (step, integrate_ballistic, note_course))
+QUERY = Engine("queries", (build_query_tree, cast_rays, shapes_in_box))
+MENU: tuple[Engine, ...] = (CONTACT, QUERY)

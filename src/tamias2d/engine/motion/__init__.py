@@ -1,0 +1,1 @@
+"""Bodies that touch nothing: closed forms, and rotation."""

@@ -1,0 +1,129 @@
+"""The arrays of a world: allocated, made longer, and named, as `tables` declares them."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.broad_phase.bvh import first_leaf_node
+from tamias2d.engine.memory import aligned_zeros
+from tamias2d.engine.tables import CHUNK, CHUNK_LANES, Chunks, Sized, World
+from tamias2d.kernels.groups import array_type, fields_of, is_group
+
+_SORTING = 256  # columns that a radix sort counts in
+
+
+@dataclass(frozen=True)
+class Rooms:
+    """For how many of what there is room; axes of the arrays follow from these numbers."""
+
+    slots: int = CHUNK  # one more than bodies, whole chunks
+    shapes: int = 0
+    vertices: int = 0
+    propagators: int = 1
+    overrides: int = 0
+    candidates: int = 16
+    contacts: int = 16
+    blocks: int = 4
+    sparse: int = 2
+    clip: int = 8  # vertices of two shapes, and one
+
+    def lengths(self) -> dict[str, int]:
+        """Return the lengths that `tables` names."""
+        events = self.slots + self.contacts
+        return {
+            **vars(self),
+            "ranks": self.shapes + 1,
+            "nodes": 2 * first_leaf_node(self.shapes),
+            "morton": self.shapes + _SORTING,
+            "pair_bodies": 2 * self.contacts,
+            "events": events,
+            "queue": 4 * events,
+            "chunks": self.slots // CHUNK,
+            "streams": self.slots // CHUNK + 1,
+        }
+
+
+def allocated(rooms: Rooms) -> World:
+    """Return a world of zeros with some rooms."""
+    return _with_views(_made(World, rooms.lengths(), None))
+
+
+def resized(world: World, rooms: Rooms) -> World:
+    """Return the world with other rooms: arrays keep what they hold, as far as it fits."""
+    return _with_views(_made(World, rooms.lengths(), world))
+
+
+def named_arrays(world: World) -> dict[str, NDArray[Any]]:
+    """Return all declared arrays by their names, such as 'bodies.pose'."""
+    return dict(_named(world, ""))
+
+
+def with_arrays(world: World, arrays: Mapping[str, NDArray[Any]]) -> World:
+    """Return the world with some arrays, by their names, in the place of its own."""
+    for name, values in arrays.items():
+        group, _, field = name.partition(".")
+        part = getattr(world, group)._replace(**{field: values})
+        world = world._replace(**{group: part})
+    return _with_views(world)
+
+
+def _made(group: type, lengths: Mapping[str, int], old: Any) -> Any:
+    """Return a group of arrays; those whose shape stays are the old ones."""
+    values = {}
+    for name, declared in _declared(group).items():
+        before = None if old is None else getattr(old, name)
+        if isinstance(declared, type):
+            values[name] = _made(declared, lengths, before)
+        elif declared is not None:
+            kind, sized = declared
+            shape = tuple(lengths[n] if isinstance(n, str) else n for n in sized.shape)
+            values[name] = _kept(before, shape, kind)
+        else:
+            values[name] = before
+    return group(**values)
+
+
+@cache
+def _declared(group: type) -> dict[str, Any]:
+    """Return of each field its group, or its type of number and size; None for a view."""
+    found: dict[str, Any] = {}
+    for name, hint in fields_of(group).items():
+        sized = next((m for m in getattr(hint, "__metadata__", ()) if isinstance(m, Sized)), None)
+        kind = (array_type(hint) or "").partition("[")[0]
+        found[name] = hint if is_group(hint) else (np.dtype(kind), sized) if sized else None
+    return found
+
+
+def _kept(old: NDArray[Any] | None, shape: tuple[int, ...], kind: Any) -> NDArray[Any]:
+    if old is not None and old.shape == shape:
+        return old
+    new = aligned_zeros(shape, kind)
+    if old is not None:
+        common = tuple(slice(min(a, b)) for a, b in zip(old.shape, shape, strict=True))
+        new[common] = old[common]
+    return new
+
+
+def _with_views(world: World) -> World:
+    """Return the world with its chunks, which look at the state of the bodies."""
+    state = world.state
+    poses, velocities, loads = (
+        values.reshape(-1, CHUNK_LANES) for values in (state.pose, state.velocity, state.load)
+    )
+    chunks = Chunks(
+        poses, velocities, loads, loads.view(np.int64), world.chunks.course, world.chunks.stream
+    )
+    return world._replace(chunks=chunks)
+
+
+def _named(group: Any, prefix: str) -> Iterator[tuple[str, NDArray[Any]]]:
+    for name, declared in _declared(type(group)).items():
+        value = getattr(group, name)
+        if isinstance(declared, type):
+            yield from _named(value, f"{prefix}{name}.")
+        elif declared is not None:
+            yield f"{prefix}{name}", value
