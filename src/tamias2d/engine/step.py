@@ -93,7 +93,8 @@ def take_step(world: World) -> int:
             return status
         counts[STAGE] = PAIRS_KNOWN
     if counts[STAGE] == PAIRS_KNOWN:
-        find_contacts(world, current_contacts(world.broad_phase, world.buffers))
+        contacts = current_contacts(world.broad_phase, world.buffers)
+        find_contacts(world, contacts)
         counts[STAGE] = MANIFOLDS_KNOWN
     if counts[STAGE] == MANIFOLDS_KNOWN:
         contacts = current_contacts(world.broad_phase, world.buffers)

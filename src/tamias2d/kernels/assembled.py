@@ -13,7 +13,8 @@ from types import FunctionType, ModuleType
 from typing import Any, TypeVar
 
 from tamias2d.kernels.arrays import entered_by, signature
-from tamias2d.kernels.copied import Function, copied, references
+from tamias2d.kernels.copied import Function, copied, references, text_of
+from tamias2d.kernels.flattened import Flat, flattened
 from tamias2d.kernels.groups import is_group, text_of_classes, text_of_entry, text_of_views
 from tamias2d.spec import functions as elementary
 
@@ -65,8 +66,9 @@ def assembled(*entries: Function, says: str) -> str:
     constants = [f"{name} = {value!r}" for name, value in parts.constants.items()]
     views = [text_of_views(*parts.entered)] if parts.entered else []
     numba = ["from numba import njit, types"] if views else ["from numba import njit"]
-    groups = ["from collections import namedtuple", "from typing import Any", ""]
-    head = [_HEAD.format(says=says), *(groups if parts.groups else []), *imports, *numba]
+    names = ["from collections import namedtuple"] if parts.groups else []
+    names += ["from typing import Any"] if views else []
+    head = [_HEAD.format(says=says), *names, *imports, *numba]
     for lines in (constants, parts.groups):
         head += ["", *lines] if lines else []
     return "\n\n\n".join(["\n".join(head), *views, *parts.texts]) + "\n"
@@ -82,6 +84,7 @@ class _Parts:
         self.groups: list[str] = []
         self.entered: list[type] = []
         self.texts: list[str] = []
+        self.flat: dict[Function, Flat] = {}
         self.meanings: dict[str, tuple[Any, Function]] = {}
         """What a name means, and for which function it was taken up."""
 
@@ -91,18 +94,26 @@ class _Parts:
         if name in self.meanings and self.meanings[name][0] is function:
             return name
         self._claim(name, function, function)
-        names = {}
+        names, called = {}, {}
         for node in references(function):
             names[ast.unparse(node)] = self._use(function, node)
-        text = copied(function, names).replace(f"def {function.__name__}(", f"def {name}(", 1)
-        group, others = entered_by(function) if function in self.entries else (None, "")
-        entry = _ENTRY.format(signature=signature(function)) if function in self.entries else ""
+            if isinstance(value := _value(function, node), Hashable) and value in self.flat:
+                called[ast.unparse(node)] = (value, self.flat[value])
+        flat, edits = flattened(function, text_of(function), called)
+        self.flat[function] = flat
+        text = copied(function, names, edits, flat.groups)
+        text = text.replace(f"def {function.__name__}(", f"def {name}(", 1)
+        is_entry = function in self.entries
         helper = _INLINED if function in _inlined else _HELPER
-        self.texts.append(f"{helper if group or not entry else entry}\n{text}")
-        if group:
+        entry = _ENTRY.format(signature=signature(function)) if is_entry else ""
+        self.texts.append(f"{helper if flat.groups or not is_entry else entry}\n{text}")
+        if is_entry and flat.groups:
+            ((parameter, group),) = flat.groups.items()
             self.entered.append(group)
-            self._use_group(group)
-            self.texts.append(f"{entry}\n{text_of_entry(name, group, others)}")
+            others = entered_by(function)[1]
+            self.texts.append(
+                f"{entry}\n{text_of_entry(name, group, flat.used[parameter], others)}"
+            )
         return name
 
     def _use_group(self, group: type) -> None:

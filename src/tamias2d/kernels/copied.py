@@ -6,12 +6,12 @@ modules are cut out of a text whose layout and comments stay.
 
 import ast
 import inspect
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any
 
 Function = Callable[..., Any]
-_Edit = tuple[int, int, str]  # from, to (bytes of the source), and what stands there then
+Edit = tuple[int, int, str]  # from, to (bytes of the source), and what stands there then
 
 
 def function_of(function: Function) -> ast.FunctionDef:
@@ -36,17 +36,29 @@ def references(function: Function) -> Iterator[ast.Name | ast.Attribute]:
     yield from _read(function_of(function), own)
 
 
-def copied(function: Function, names: Mapping[str, str]) -> str:
+def text_of(function: Function) -> "Text":
+    """Return where the parts of a function lie in its source."""
+    return Text(_source(function).encode())
+
+
+def copied(
+    function: Function,
+    names: Mapping[str, str],
+    more: Iterable[Edit] = (),
+    whole: Collection[str] = (),
+) -> str:
     """Return the text of a function without types and marks, with other names for what it reads.
 
-    Of its docstring the first line and the source stay.
+    Of its docstring the first line and the source stay. Further edits are made, too; they replace
+    the parameters that are named as a whole.
     """
     source = _source(function).encode()
     tree = function_of(function)
-    text = _Text(source)
+    text = Text(source)
     edits = [
         (0, text.starts[tree.lineno - 1], ""),
-        *_signature(tree, text),
+        *more,
+        *_signature(tree, text, whole),
         *_docstring(tree, text),
         *_typed(tree, text),
     ]
@@ -76,7 +88,7 @@ def _read(node: ast.AST, own: set[str]) -> Iterator[ast.Name | ast.Attribute]:
                 yield from _read(child, own)
 
 
-class _Text:
+class Text:
     """Where the nodes of a tree lie in its source."""
 
     def __init__(self, source: bytes) -> None:
@@ -97,9 +109,9 @@ class _Text:
         return self.start(node), self.end(node)
 
 
-def _signature(tree: ast.FunctionDef, text: _Text) -> Iterator[_Edit]:
+def _signature(tree: ast.FunctionDef, text: Text, whole: Collection[str]) -> Iterator[Edit]:
     for argument in tree.args.args:
-        if argument.annotation is not None:
+        if argument.annotation is not None and argument.arg not in whole:
             name_end = text.start(argument) + len(argument.arg.encode())
             yield name_end, text.end(argument.annotation), ""
     if tree.returns is not None:
@@ -107,7 +119,7 @@ def _signature(tree: ast.FunctionDef, text: _Text) -> Iterator[_Edit]:
         yield arrow, text.end(tree.returns), ""
 
 
-def _docstring(tree: ast.FunctionDef, text: _Text) -> Iterator[_Edit]:
+def _docstring(tree: ast.FunctionDef, text: Text) -> Iterator[Edit]:
     says = (ast.get_docstring(tree) or "").splitlines()
     if not says:
         return
@@ -115,7 +127,7 @@ def _docstring(tree: ast.FunctionDef, text: _Text) -> Iterator[_Edit]:
     yield (*text.span(tree.body[0]), f'"""{says[0]}{"".join(origin)}"""')
 
 
-def _typed(tree: ast.FunctionDef, text: _Text) -> Iterator[_Edit]:
+def _typed(tree: ast.FunctionDef, text: Text) -> Iterator[Edit]:
     """Without the types of variables."""
     for node in ast.walk(tree):
         if isinstance(node, ast.AnnAssign):

@@ -7,7 +7,7 @@ for a call, where 46 arrays take 0.9 us.
 
 import inspect
 import typing
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -66,14 +66,26 @@ def text_of_classes(group: type) -> Iterator[tuple[type, str]]:
     yield group, f'{group.__name__} = namedtuple("{group.__name__}", "{names}")'
 
 
-def text_of_entry(name: str, group: type, others: str) -> str:
-    """Return the function by which compiled code is entered: it makes the group and calls `name`.
+def text_of_entry(name: str, group: type, used: Sequence[tuple[str, ...]], others: str) -> str:
+    """Return the function by which compiled code is entered, which calls `name`.
 
-    Its own name is that of the function it calls, with `_at`; `others` are further arguments.
+    Its own name is that with `_at`. It finds the fields that are used of a group by their
+    addresses; a path to one begins with a parameter's name. `others` are further arguments.
     """
-    made, _ = _construction(group, 0)
-    more = f", {others}" if others else ""
-    return f"def {name}_at(addresses{more}):\n    return {name}({made}{more})"
+    rows = {path: k for k, path in enumerate(paths_of(group))}
+    made = [f"{_view_of(_type_at(group, path[1:]))}(addresses, {rows[path[1:]]})" for path in used]
+    more = [others] if others else []
+    head = ", ".join(["addresses", *more])
+    return f"def {name}_at({head}):\n    return {name}({', '.join([*made, *more])})"
+
+
+def paths_of(group: type) -> Iterator[tuple[str, ...]]:
+    """Yield the paths to the arrays of a group in the order of their declaration."""
+    for name, hint in fields_of(group).items():
+        if is_group(hint):
+            yield from ((name, *path) for path in paths_of(hint))
+        else:
+            yield (name,)
 
 
 def text_of_views(*groups: type) -> str:
@@ -136,12 +148,8 @@ def _view_of(array: str) -> str:
     return f"{kind}_{axes.count(':') - 1}d"
 
 
-def _construction(group: type, row: int) -> tuple[str, int]:
-    parts = []
-    for hint in fields_of(group).values():
-        if is_group(hint):
-            text, row = _construction(hint, row)
-        else:
-            text, row = f"{_view_of(array_type(hint) or '')}(addresses, {row})", row + 1
-        parts.append(text)
-    return f"{group.__name__}({', '.join(parts)})", row
+def _type_at(group: type, path: tuple[str, ...]) -> str:
+    hint: Any = group
+    for name in path:
+        hint = fields_of(hint)[name]
+    return array_type(hint) or ""
