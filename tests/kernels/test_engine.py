@@ -27,7 +27,7 @@ NUMBER = st.floats(width=64)
 
 def as_engine(function: Callable[..., Any]) -> Callable[..., Any]:
     """A function as if it were in a module of the package, which others are not assembled from."""
-    function.__module__ = "tamias2d.stepped.test"
+    function.__module__ = "tamias2d.engine.test"
     return function
 
 
@@ -99,7 +99,7 @@ def module(name: str, text: str) -> ModuleType:
     """A module of the package, from a text that can be looked up."""
     import linecache
 
-    made = ModuleType(f"tamias2d.stepped.{name}")
+    made = ModuleType(f"tamias2d.engine.{name}")
     file = f"<{name} {abs(hash(text))}>"
     linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
     sys.modules[made.__name__] = made
@@ -109,7 +109,7 @@ def module(name: str, text: str) -> ModuleType:
 
 HELPER = "def factor(x: float) -> float:\n    return {} * x\n"
 CALLER = """
-from tamias2d.stepped.helper import factor
+from tamias2d.engine.helper import factor
 def twice(x: float) -> float:
     return factor(x)
 """

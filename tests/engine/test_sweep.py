@@ -11,8 +11,8 @@ from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, IndexRows, Indices
 from tamias2d.stepped.clip import PARALLEL
 from tamias2d.stepped.layout import TOUCH
 from tamias2d.stepped.sweep import MISSED, NEAR, time_of_impact
-from tests.stepped.outlines import Outline, Pairing, box, capsule, disc, half_plane
-from tests.stepped.test_manifold import ANGLES, SHAPES, placed, plainly_placed
+from tests.engine.outlines import Outline, Pairing, box, capsule, disc, half_plane
+from tests.engine.test_manifold import ANGLES, SHAPES, placed, plainly_placed
 
 MOVES = st.tuples(st.floats(-9, 9), st.floats(-9, 9)).map(np.array)
 TURNS = st.one_of(st.just(0.0), st.floats(-4, 4), st.floats(-200, 200))

@@ -12,7 +12,7 @@ from tamias2d.stepped import polygons
 from tamias2d.stepped.clip import PARALLEL
 from tamias2d.stepped.layout import CACHE, POINT, PUSH, RUB, TOUCH
 from tamias2d.stepped.manifold import collide
-from tests.stepped.outlines import (
+from tests.engine.outlines import (
     Outline,
     Pairing,
     box,

@@ -14,7 +14,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
-from tests.stepped.test_extremes import totals
+from tests.engine.test_extremes import totals
 
 STEPS = 20
 FLAT, UPRIGHT = t2.Box(width=2.0, height=0.02), t2.Box(width=0.02, height=2.04)

@@ -1,6 +1,6 @@
 """The same bits on any day: the digest of each scene of many contacts after some steps is stored.
 
-Where the engine is meant to change, `python -m tests.stepped.test_hashes` stores them anew. They
+Where the engine is meant to change, `python -m tests.engine.test_hashes` stores them anew. They
 are those of one C library: sine and cosine are its own.
 """
 
@@ -81,7 +81,7 @@ def test_simulators_in_threads_of_their_own_give_the_same_bits() -> None:
 
 
 def test_another_process_gives_the_same_bits() -> None:
-    program = f"from tests.stepped.test_hashes import *\nfor n in {SMALL!r}: print(digest(n))"
+    program = f"from tests.engine.test_hashes import *\nfor n in {SMALL!r}: print(digest(n))"
     environment = {**os.environ, "PYTHONHASHSEED": "4242"}
     call = [sys.executable, "-c", program]
     found = subprocess.run(call, env=environment, capture_output=True, text=True, check=True)
