@@ -206,7 +206,7 @@ def replay(
 
 @app.command()
 def warm() -> None:
-    """Compile ahead, once for this machine, what runs would otherwise wait for."""
+    """Compile ahead what runs would otherwise wait for; it is kept for later ones."""
     from tamias2d.commands.warm import warm_up
 
     warm_up()

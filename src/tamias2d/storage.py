@@ -1,40 +1,56 @@
-"""Where results and caches live on this machine, and how a file is replaced whole.
+"""Where results and compiled code live on this machine.
 
-Serves: a directory that can be written, the path of the verification results, safe writing.
-Hides: the order in which places are tried, and how two checkouts are kept apart.
+Serves: a directory that can be written, the path of the verification results, and a directory that
+nobody else can write. Hides: the order in which places are tried, and how two checkouts are kept
+apart.
 """
 
 import hashlib
+import logging
 import os
-import secrets
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
+import stat
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import platformdirs
 
 from tamias2d.errors import InputError
+from tamias2d.replacement import aside, write_aside
+
+__all__ = ["aside", "home", "home_path", "make_private", "refuse_shared", "results_path",
+           "write_aside"]  # fmt: skip
+
+_OTHERS = stat.S_IWGRP | stat.S_IWOTH
+
+
+def home_path() -> Path:
+    """The directory for results and compiled code, whether or not it can be written.
+
+    TAMIAS2D_HOME if it is set, else the user's cache directory. Raises InputError if TAMIAS2D_HOME
+    names no place.
+    """
+    chosen = os.environ.get("TAMIAS2D_HOME")
+    if not chosen:
+        return platformdirs.user_cache_path("tamias2d", appauthor=False)
+    try:
+        return Path(chosen).expanduser().absolute()
+    except RuntimeError as fault:  # ~nosuchuser
+        raise _unusable(Path(chosen)) from fault
 
 
 def home() -> Path:
-    """The directory for results and caches, made if need be.
+    """The directory for results, made if need be.
 
-    TAMIAS2D_HOME if it is set, else the user's cache directory, else a temporary one for this
-    process. Raises InputError if TAMIAS2D_HOME cannot be written.
+    That of `home_path` or, where the user's cache directory cannot be written, a temporary one for
+    this process. Raises InputError if TAMIAS2D_HOME cannot be written.
     """
-    chosen = os.environ.get("TAMIAS2D_HOME")
-    if chosen:
-        path = Path(chosen).expanduser().absolute()
-        if not _writable(path):
-            raise InputError(
-                f"TAMIAS2D_HOME: {path}: must be a directory that can be written. "
-                "Make it writable, or unset the variable."
-            )
+    path = home_path()
+    if _writable(path):
         return path
-    path = platformdirs.user_cache_path("tamias2d", appauthor=False)
-    return path if _writable(path) else temporary()
+    if os.environ.get("TAMIAS2D_HOME"):
+        raise _unusable(path)
+    return Path(_temporary(path).name)
 
 
 def results_path() -> Path:
@@ -43,37 +59,55 @@ def results_path() -> Path:
     return home() / f"results-{copy}.json"
 
 
-@contextmanager
-def aside(path: Path) -> Iterator[Path]:
-    """Give a path to write to, which takes the place of `path` when the block ends well.
+def make_private(path: Path) -> None:
+    """Make a directory that only the user can enter, and its parents; raises OSError."""
+    if not path.parent.exists():
+        make_private(path.parent)
+    path.mkdir(mode=0o700, exist_ok=True)
 
-    A reader sees the old content or the new one, whole. Raises OSError as `open` does; the file at
-    `path` is then as it was.
-    """
-    draft = path.with_name(f".{path.name}.{secrets.token_hex(8)}.tmp")
+
+def refuse_shared(path: Path) -> None:
+    """Raise InputError if somebody else may write into a directory; on Windows, never."""
     try:
-        yield draft
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)
+        found = path.stat()
+    except OSError:
+        return
+    if os.name != "posix":
+        return
+    if found.st_uid not in (os.geteuid(), 0):  # root may write anywhere
+        fault, remedy = f"belongs to user {found.st_uid}", "Name a directory of your own"
+    elif found.st_mode & _OTHERS:
+        fault = f"has mode {stat.S_IMODE(found.st_mode):04o}: others may write to it"
+        remedy = f"Delete it, or if you trust what is in it `chmod go-w {path}`, or name another"
+    else:
+        return
+    raise InputError(
+        f"{path}: {fault}: compiled code is run only from a directory that nobody else can write. "
+        f"{remedy} by TAMIAS2D_HOME."
+    )
 
 
-def write_aside(path: Path, content: bytes) -> None:
-    """Replace the content of the file at `path` in one step; raises as `aside` does."""
-    with aside(path) as draft:
-        draft.write_bytes(content)
+def _unusable(path: Path) -> InputError:
+    return InputError(
+        f"TAMIAS2D_HOME: {path}: must be a directory that can be written. "
+        "Make it writable, or unset the variable."
+    )
 
 
 def _writable(path: Path) -> bool:
     try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError:
+        make_private(path)
+    except (OSError, ValueError):  # a name with a null byte
         return False
     return os.access(path, os.W_OK | os.X_OK)
 
 
 @cache
-def temporary() -> Path:
-    """A directory that lasts as long as the system lets it, made once for this process."""
-    # Not a fixed name: compiled code will be cached here, and another user could have laid it out.
-    return Path(tempfile.mkdtemp(prefix="tamias2d-"))
+def _temporary(instead_of: Path) -> "TemporaryDirectory[str]":
+    """A directory that lasts as long as this process."""
+    logging.getLogger("tamias2d").warning(
+        "%s cannot be written: results are kept only until this program ends. "
+        "Set TAMIAS2D_HOME to a directory that can be.",
+        instead_of,
+    )
+    return TemporaryDirectory(prefix="tamias2d-", ignore_cleanup_errors=True)

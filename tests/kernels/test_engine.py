@@ -125,7 +125,7 @@ def test_a_changed_helper_in_another_module_is_compiled_anew(
         made = module("caller", CALLER)
         answers.append(Engine("caller", (made.twice,)).compiled().twice(1.0))
     assert answers == [2.0, 4.0]
-    assert len(list((tmp_path / "kernels").glob("*.py"))) == 2
+    assert len(list((tmp_path / "kernels").iterdir())) == 2
 
 
 def unknown(x: float) -> float:
@@ -187,7 +187,7 @@ def test_who_waits_is_told_and_only_then(
     told = capsys.readouterr()
     assert told.out == ""
     assert re.search(
-        r"Compiling the engine of the tests, about \d+ s, once for this machine", told.err
+        r"Compiling the engine of the tests: 6 functions, about 1 s of processor time", told.err
     )
     forget()
     ENGINE.compiled()
@@ -242,7 +242,7 @@ def test_two_processes_compile_at_once_and_a_third_finds_it(tmp_path: Path) -> N
 
 
 @pytest.mark.skipif(os.name != "posix", reason="directories without leave to write")
-def test_kernels_that_cannot_be_written_go_to_a_temporary_place(
+def test_kernels_that_cannot_be_written_are_compiled_all_the_same(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
@@ -250,7 +250,6 @@ def test_kernels_that_cannot_be_written_go_to_a_temporary_place(
     forget()
     made = ENGINE.compiled()
     assert made.pushed(np.ones((1, 48)), 1) == ENGINE.plain().pushed(np.ones((1, 48)), 1)
-    assert not made.pushed.__code__.co_filename.startswith(str(tmp_path))
     forget()
 
 

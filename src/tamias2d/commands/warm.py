@@ -7,7 +7,7 @@ import time
 
 from tamias2d.commands.output import say
 from tamias2d.engine.menu import MENU
-from tamias2d.storage import home
+from tamias2d.kernels.cache import folder
 
 
 def warm_up() -> None:
@@ -16,4 +16,4 @@ def warm_up() -> None:
         start = time.perf_counter()
         engine.compiled()
         say(f"{engine.name}: ready after {time.perf_counter() - start:.1f} s")
-    say(f"Compiled code is kept in {home() / 'kernels'}.")
+    say(f"Compiled code is kept in {folder()}.")

@@ -65,7 +65,7 @@ def assembled(*entries: Function, says: str) -> str:
     imports = [f"from math import {', '.join(sorted(parts.imports))}"] if parts.imports else []
     constants = [f"{name} = {value!r}" for name, value in parts.constants.items()]
     views = [text_of_views(*parts.entered)] if parts.entered else []
-    numba = ["from numba import njit, types"] if views else ["from numba import njit"]
+    numba = ["from numba import njit", *(["from numba import types"] if views else [])]
     names = ["from collections import namedtuple"] if parts.groups else []
     names += ["from typing import Any"] if views else []
     head = [_HEAD.format(says=says), *names, *imports, *numba]

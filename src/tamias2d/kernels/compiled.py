@@ -1,23 +1,22 @@
-"""Kernels on disk and in memory: each is compiled once, and found again by its text.
+"""Kernels in memory: the module that a source becomes, compiled or as plain Python.
 
-Serves: whoever runs a kernel. Hides: numba, its cache, and where files lie. A file is named after
-the hash of all of its text, because numba does not notice that a function elsewhere has changed.
+Serves: whoever runs a kernel. Hides: numba, and how a source is run. What is run is the source that
+this process has made; compiled code is found again by all of its text, because numba does not
+notice that a function elsewhere has changed.
 """
 
 import hashlib
-import importlib.util
 import linecache
-import os
 import sys
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from tamias2d.kernels.demand import Demand
 from tamias2d.kernels.source import source
-from tamias2d.storage import home, temporary, write_aside
+
+_IMPORT = "from numba import njit"
 
 Kernel = Callable[..., None]
 
@@ -32,48 +31,32 @@ def compiled(demand: Demand) -> Kernel:
 @cache
 def plain(demand: Demand) -> Kernel:
     """Return the same kernel as plain Python, which debuggers and tracebacks can look into."""
-    text = source(demand, compiled=False)
-    name = f"<tamias2d kernel {_hash(text)}>"
-    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
     names: dict[str, Any] = {}
-    exec(compile(text, name, "exec"), names)
+    _run(source(demand, compiled=False), names)
     kernel: Kernel = names["advance"]
     return kernel
 
 
 @cache
 def loaded(text: str) -> ModuleType:
-    """Return the module with a text, which is kept on disk so that its compiled code is too.
+    """Return the module with a text; what it compiles is kept on disk, or found there.
 
-    What the text compiles when it is run is compiled here, or found where a process left it.
+    Raises InputError if others may write where compiled code is kept.
     """
-    path = _stored(text)
-    name = f"tamias2d_kernel_{path.stem}"
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:
-        raise ImportError(path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module  # numba finds compiled code again by the module's name
-    spec.loader.exec_module(module)
+    from tamias2d.kernels.cache import njit
+
+    module = ModuleType(f"tamias2d_kernel_{_hash(text)}")
+    module.__dict__["njit"] = njit(text)
+    sys.modules[module.__name__] = module  # numba finds the names of compiled code here
+    _run(text, module.__dict__)
     return module
 
 
-def _stored(text: str) -> Path:
-    """Write a text where compiled code can be kept beside it; return its path."""
-    name = f"{_hash(text)}.py"
-    try:
-        return _written(home() / "kernels" / name, text)
-    except OSError:  # a place that was made by somebody else, or is full
-        return _written(temporary() / "kernels" / name, text)
-
-
-def _written(path: Path, text: str) -> Path:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    if not os.access(path.parent, os.W_OK | os.X_OK):
-        raise PermissionError(path.parent)
-    if not path.exists():
-        write_aside(path, text.encode())
-    return path
+def _run(text: str, names: dict[str, Any]) -> None:
+    """Run a source; tracebacks show its lines."""
+    name = f"<tamias2d kernel {_hash(text)}>"
+    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
+    exec(compile(text.replace(_IMPORT, "", 1), name, "exec"), names)  # our `njit` is in `names`
 
 
 def _hash(text: str) -> str:

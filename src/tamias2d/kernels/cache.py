@@ -1,0 +1,150 @@
+"""Compiled code on disk: a file for each function and machine, whole or not used.
+
+Serves: `compiled`. Hides: the files, and what numba asks of a cache.
+
+Compiled code is a pickle, and a pickle runs what its author wants. So a file is loaded only if its
+digest fits, and only from a directory that nobody else may write. A damaged file counts as none:
+the function is compiled once more, and the file replaced.
+"""
+
+import hashlib
+import logging
+import pickle
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+import llvmlite
+import numba
+from numba.core.caching import _Cache
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+
+from tamias2d import storage
+
+_DIGEST = hashlib.sha256().digest_size
+
+
+def folder() -> Path:
+    """The directory of compiled code, which need not exist.
+
+    Raises InputError if others may write to it.
+    """
+    path = storage.home_path() / "kernels"
+    storage.refuse_shared(path)
+    return path
+
+
+def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
+    """Return numba's `njit` for one source; with `cache=True`, code is kept as this module says."""
+
+    def decorator(*signatures: str, cache: bool = False, **options: Any) -> Any:
+        def compile_(function: FunctionType) -> Any:
+            made: Any = numba.njit(**options)(function)
+            if made is function:  # NUMBA_DISABLE_JIT
+                return made
+            if cache:
+                made._cache = KernelCache(function.__qualname__, source)
+            for signature in signatures:
+                made.compile(signature)
+            if signatures:
+                made.disable_compile()
+            return made
+
+        return compile_
+
+    return decorator
+
+
+class KernelCache(_Cache):
+    """The compiled code of one function of a source, for any types of its arguments."""
+
+    def __init__(self, function: str, source: str) -> None:
+        self._name = f"{hashlib.sha256(source.encode()).hexdigest()[:16]}.{function}"
+        self._source = source
+        self._folder = folder()
+
+    @property
+    def cache_path(self) -> str:
+        """The directory of the files."""
+        return str(self._folder)
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """Return the code for some types, or None if there is none, or a damaged one."""
+        target_context.refresh()
+        key = self._key(sig, target_context.codegen())
+        content = _content(self._path(key))
+        payload = content[_DIGEST:]
+        if content[:_DIGEST] != _digest(key, payload):
+            return None
+        found = pickle.loads(payload)
+        return CompileResult._rebuild(target_context, *found)  # type: ignore[no-untyped-call]
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """Keep the code for some types; where that cannot be done, say so once and go on."""
+        key = self._key(sig, data.codegen)
+        payload = dumps(data._reduce())  # type: ignore[no-untyped-call]
+        try:
+            storage.make_private(self._folder)
+            _replace(self._path(key), _digest(key, payload) + payload)
+        except OSError as fault:
+            _say_not_kept(self._folder, fault.strerror or type(fault).__name__)
+
+    def enable(self) -> None:
+        """Nothing: it always is."""
+
+    def disable(self) -> None:
+        """Nothing: what is not to be kept has no such cache."""
+
+    def flush(self) -> None:
+        """Nothing: it holds no list of its files."""
+
+    def _path(self, key: bytes) -> Path:
+        return self._folder / f"{self._name}.{hashlib.sha256(key).hexdigest()[:16]}"
+
+    def _key(self, types: Any, codegen: Any) -> bytes:
+        """All that decides whether code can be used here: its source, types, compiler, machine."""
+        parts = (
+            self._name, self._source, types, codegen.magic_tuple(), numba.__version__,
+            llvmlite.__version__, sys.implementation.cache_tag, getattr(sys, "abiflags", ""),
+        )  # fmt: skip
+        return "\0".join(map(str, parts)).encode()
+
+
+def _content(path: Path) -> bytes:
+    """What is in a file; nothing where there is none, or a link, a pipe or a directory."""
+    try:
+        return path.read_bytes() if _is_plain(path) else b""
+    except OSError:
+        return b""
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """Write a file; what lies there instead of one is removed, and a link is not followed."""
+    if path.is_dir() and not path.is_symlink():
+        path.rmdir()
+    elif not _is_plain(path):
+        path.unlink(missing_ok=True)
+    storage.write_aside(path, content)
+
+
+def _is_plain(path: Path) -> bool:
+    return path.is_file() and not path.is_symlink()
+
+
+def _digest(key: bytes, payload: bytes) -> bytes:
+    """With the key, so that the code of another function under this name is found out."""
+    return hashlib.sha256(hashlib.sha256(key).digest() + payload).digest()
+
+
+@cache
+def _say_not_kept(place: Path, why: str) -> None:
+    logging.getLogger("tamias2d").warning(
+        "Compiled code cannot be kept in %s: %s. Each process compiles it again until it can, or "
+        "until TAMIAS2D_HOME names another directory.",
+        place,
+        why,
+    )
