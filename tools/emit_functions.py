@@ -13,6 +13,7 @@ from tamias2d.spec.python import PythonPrinter
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import SymbolTable
 from tamias2d.spec.tex import plain
+from tools.quoting import docstring, quoted
 
 HEADER = '''"""{title}
 
@@ -54,15 +55,11 @@ def emit(module: str, made: list[Function], specification: Specification) -> str
     name = module.replace("_", " ").capitalize()
     title = f"{name}: {'; '.join(dict.fromkeys(f.item.title for f in made))}."
     head = HEADER.format(
-        title=_wrapped(title),
-        sources=" and ".join(files),
+        title="\n".join(map(quoted, textwrap.wrap(title, 96))),
+        sources=quoted(" and ".join(files)),
         imports=", ".join(sorted(types | printer.helpers)),
     )
     return "\n\n".join([head, *bodies])
-
-
-def _wrapped(text: str) -> str:
-    return "\n".join(textwrap.wrap(text, 96))
 
 
 def _function(function: Function, printer: PythonPrinter) -> str:
@@ -111,8 +108,7 @@ def _docstring(function: Function, table: SymbolTable) -> list[str]:
             f"    {name}: {meaning}, {own_unit}", 92, subsequent_indent="        "
         )
     lines += ["", f"Source: {item.id}, {item.file}:{line}."]
-    quoted = ['"""' + lines[0], *lines[1:], '"""']
-    return [f"    {text}" if text else "" for text in quoted]
+    return docstring(lines)
 
 
 def describe(name: str, table: SymbolTable) -> tuple[str, str]:

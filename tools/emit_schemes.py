@@ -9,6 +9,7 @@ from itertools import zip_longest
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.scheme import Scheme, scheme_of
 from tamias2d.spec.specification import Specification
+from tools.quoting import docstring, quoted
 
 HEADER = '''"""Integration schemes: one step of each.
 
@@ -65,7 +66,9 @@ def emit(specification: Specification) -> str:
     items = specification.of_kind("scheme")
     files = dict.fromkeys(item.file for item in items)
     bodies = [_function(item) for item in items]
-    return "\n\n".join([HEADER.format(sources=",\n".join(files)), *bodies, _facts(items)])
+    return "\n\n".join(
+        [HEADER.format(sources=",\n".join(map(quoted, files))), *bodies, _facts(items)]
+    )
 
 
 def _facts(items: Sequence[Item]) -> str:
@@ -94,15 +97,9 @@ def _function(item: Item) -> str:
     result = "Pair" if scheme.error else "tuple[Any, Any]"
     lines = [f"def {scheme.name}({arguments}) -> {result}:"]
     says = textwrap.wrap(" ".join(item.data["says"].split()) + ".", 92)
-    lines += [f'    """{item.title}, of order {scheme.order}.', ""]
-    lines += [
-        f"    {text[0].upper() + text[1:] if k == 0 else text}" for k, text in enumerate(says)
-    ]
-    lines += [
-        "",
-        f"    Source: {item.file}:{item.line}; {', '.join(item.data['source'])}.",
-        '    """',
-    ]
+    source = f"Source: {item.file}:{item.line}; {', '.join(item.data['source'])}."
+    head = f"{item.title}, of order {scheme.order}."
+    lines += docstring([head, "", says[0][0].upper() + says[0][1:], *says[1:], "", source])
     return "\n".join(lines + [f"    {line}" for line in body[scheme.family](scheme)])
 
 

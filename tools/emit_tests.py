@@ -13,6 +13,7 @@ from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import Symbol
 from tamias2d.spec.tex import plain
 from tools.emit_functions import functions_by_module, module_of
+from tools.quoting import docstring
 
 HEADER = '''"""{title}
 
@@ -40,6 +41,10 @@ def _file(title: str, imports: Iterable[str], tests: Iterable[str]) -> str:
     return "\n\n".join([HEADER.format(title=title, imports="\n".join(imports)), *tests])
 
 
+def _says(text: str) -> str:
+    return "\n".join(docstring([text]))
+
+
 def _functions(specification: Specification) -> str:
     modules = functions_by_module(specification)
     names = ", ".join(sorted(modules))
@@ -61,7 +66,7 @@ def _function(module: str, function: Function) -> str:
     return (
         f"@given({drawn})\n"
         f"def test_{function.name}_is_{item.id.lower()}(**given: Value) -> None:\n"
-        f'    """{item.id}, {item.file}:{item.line}."""\n'
+        f"{_says(f'{item.id}, {item.file}:{item.line}.')}\n"
         f"    agrees({module}.{function.name}, {text}, given{extra})\n"
     )
 
@@ -87,7 +92,7 @@ def _closed_form(item: Item) -> str:
     lines = [
         f"@given({drawn})",
         f"def test_{item.id.lower()}_closed_form_solves_its_equations(**given: Value) -> None:",
-        f'    """{item.id}, {item.file}:{item.line}."""',
+        _says(f"{item.id}, {item.file}:{item.line}."),
         f"    solution = solve({json.dumps(states)}, given)",
     ]
     for state in states:
@@ -117,7 +122,7 @@ def _scheme(item: Item) -> str:
     given = ", ".join([f"schemes.{item.id}", *_LONG.get(int(order), ())])
     return (
         f"def test_{item.id}_has_order_{order}() -> None:\n"
-        f'    """{item.file}:{item.line}."""\n'
+        f"{_says(f'{item.file}:{item.line}.')}\n"
         f"    found = observed_order{kind}({given})\n"
         f"    assert found == pytest.approx({order}, abs=0.1)\n"
     )
@@ -145,7 +150,7 @@ def _symbol(symbol: Symbol) -> str:
             inside.append(repr(math.nextafter(bound, -away)))
     return (
         f"def test_range_of_{symbol.name}() -> None:\n"
-        f'    """{symbol.file}:{symbol.line}: {limits.text}."""\n'
+        f"{_says(f'{symbol.file}:{symbol.line}: {limits.text}.')}\n"
         f'    symbol = SYMBOLS["{symbol.name}"]\n'
         f"    assert all(symbol.admits(value) for value in ({', '.join(inside)},))\n"
         f"    assert not any(symbol.admits(value) for value in ({', '.join(outside)}))\n"
@@ -165,4 +170,4 @@ def _case(item: Item) -> str:
     head = f"{item.id}, {item.file}:{item.line}; verifies {verified or 'no requirement'}."
     text = textwrap.shorten(head, 90)
     name = f"test_{item.id.lower()}_{words}"
-    return f'def {name}() -> None:\n    """{text}"""\n    passes("{item.id}")\n'
+    return f'def {name}() -> None:\n{_says(text)}\n    passes("{item.id}")\n'

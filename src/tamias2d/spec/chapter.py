@@ -3,6 +3,7 @@
 Serves: the reader. Hides: the Markdown parser and how fences carry YAML.
 """
 
+import keyword
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -16,6 +17,7 @@ from tamias2d.spec.markup import MarkupError, Path as KeyPath, Place, compose
 from tamias2d.spec.messages import Code, Diagnostic
 
 _FENCE = re.compile(r"\{(\w[\w-]*)\}\s*(.*)")
+_FILE = re.compile(r"[a-z0-9_]+\.md")  # a module of code is named after it
 _ROLE = re.compile(r"\{srs\}`([^`]*)`")
 _PROSE_DIRECTIVES = ("note", "math")
 
@@ -94,6 +96,9 @@ def read_chapter(path: Path, file: str) -> Chapter:
         reason = f"{type(error).__name__}: must be readable UTF-8. Save the file so"
         chapter.faults.append(Diagnostic(file, 1, 1, Code.UNREADABLE.code, reason))
         return chapter
+    if not _FILE.fullmatch(path.name):
+        reason = f"'{path.name}' is no name of a chapter: must be like 'friction.md'. Rename it"
+        chapter.faults.append(Diagnostic(file, 1, 1, Code.BAD_NAME.code, reason))
     lines = text.splitlines()
     fenced: set[int] = set()
     for token in MarkdownIt("commonmark").parse(text):
@@ -135,6 +140,8 @@ def _heading_fault(kind: str, name: str, title: str, closed: bool) -> tuple[Code
     """What is wrong with the first line of a fence, if anything."""
     if not closed:
         return Code.YAML, "the fence is not closed. Close it with the same backticks"
+    if keyword.iskeyword(name):
+        return Code.BAD_HEADING, f"'{name}' is a word of Python. Give another id"
     if kind not in KINDS:
         known = ", ".join(KINDS)
         return Code.UNKNOWN_KIND, f"'{kind}' is no kind of item: must be one of {known}. Correct it"

@@ -133,6 +133,10 @@ def parse(text: str) -> Node:
         raise SpecFault(
             Code.NOT_ALLOWED, f"'{source[place]}' is not ASCII. Write names as words", lead + place
         )
+    if "#" in source:
+        raise SpecFault(
+            Code.NOT_ALLOWED, "'#' begins a comment. Remove it", lead + source.index("#")
+        )
     source = re.sub(r"\s", " ", source)
     tree = _python_tree(source, lead)
     return _Reader(source, lead).read(tree, 0)

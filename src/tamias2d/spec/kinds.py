@@ -8,19 +8,26 @@ from dataclasses import dataclass
 from typing import Any
 
 from tamias2d.spec.comparisons import COMPARISONS
-from tamias2d.spec.schema import TEXT, WHOLE, mapping
+from tamias2d.spec.schema import NAME, TEXT, WHOLE, mapping
 
-_ID = {"type": "string", "pattern": r"^[A-Z]{1,3}[0-9]+[a-z]?(-[a-z]+)?$|^[a-z][a-z0-9_]*$"}
+
+def _table(schema: dict[str, Any]) -> dict[str, Any]:
+    """The schema of a mapping from names to values of one kind."""
+    return {"type": "object", "patternProperties": {NAME: schema}, "additionalProperties": False}
+
+
+_ID = {"type": "string", "pattern": r"^[A-Z]{1,3}[0-9]+[a-z]?(-[a-z]+)?\Z|" + NAME}
 _IDS = {"type": "array", "items": _ID}
-_NAMES = {"type": "array", "items": {"type": "string", "pattern": "^[a-z][a-z0-9_]*$"}}
+_NAMES = {"type": "array", "items": {"type": "string", "pattern": NAME}}
 _TEXTS = {"type": "array", "items": TEXT}
-_EXPRESSIONS = {"type": "object", "additionalProperties": TEXT}
+_EXPRESSIONS = _table(TEXT)
+_REPLACED = {"type": "object", "additionalProperties": TEXT}  # a key may be an expression
 _NUMBERS = {"type": "array", "items": {"type": "string"}}
 
 
 _DERIVATION = {
     "type": "array",
-    "items": mapping(("equation", "by"), equation=TEXT, by=TEXT, where=_EXPRESSIONS),
+    "items": mapping(("equation", "by"), equation=TEXT, by=TEXT, where=_REPLACED),
 }
 _STATEMENT = {
     "says": TEXT,
@@ -30,8 +37,8 @@ _STATEMENT = {
     "equation": TEXT,
     "condition": TEXT,
     "equations": _EXPRESSIONS,
-    "arguments": {"type": "object", "additionalProperties": _NAMES},
-    "module": {"type": "string", "pattern": "^[a-z_]+$"},
+    "arguments": _table(_NAMES),
+    "module": {"type": "string", "pattern": NAME},
     "derivation": _DERIVATION,
 }
 _SYMBOL = mapping(
@@ -59,11 +66,6 @@ class Kind:
     def takes_id(self, text: str) -> bool:
         """Whether a text has the form of this kind's ids."""
         return self.ids is not None and re.fullmatch(self.ids, text) is not None
-
-
-def _table(schema: dict[str, Any]) -> dict[str, Any]:
-    names = {"^[a-z][a-z0-9_]*$": schema}
-    return {"type": "object", "patternProperties": names, "additionalProperties": False}
 
 
 KINDS = {

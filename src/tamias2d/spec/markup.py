@@ -74,10 +74,19 @@ class _Composer:
     def plain(self, node: Any, path: Path) -> Any:
         self.marks[path] = self.place(node.start_mark)
         if isinstance(node, yaml.ScalarNode):
-            return node.value
+            return self.text(node)
         if isinstance(node, yaml.SequenceNode):
             return [self.plain(item, (*path, k)) for k, item in enumerate(node.value)]
         return dict(self.items(node, path))
+
+    def text(self, node: Any) -> str:
+        """The text of a scalar; "\\ud800" would be half a character, which no file can hold."""
+        value: str = node.value
+        if not value.isascii() and any("\ud800" <= character <= "\udfff" for character in value):
+            raise self.fault(
+                Code.YAML, "half a character (surrogate). Write the whole one", node.start_mark
+            )
+        return value
 
     def items(self, node: Any, path: Path) -> Iterator[tuple[str, Any]]:
         """The keys and values of a mapping; a key that stands twice is refused."""
@@ -87,7 +96,7 @@ class _Composer:
                 raise self.fault(
                     Code.YAML, "a key must be a word. Quote it or rewrite it", key.start_mark
                 )
-            if key.value in seen:
+            if self.text(key) in seen:
                 raise self.fault(
                     Code.DUPLICATE_KEY, f"'{key.value}' stands twice. Remove one", key.start_mark
                 )

@@ -11,6 +11,7 @@ class Code(Enum):
     """Stable code of a fault, and what it means."""
 
     UNREADABLE = "unreadable", "the file is missing, not UTF-8, or too large"
+    BAD_NAME = "bad-name", "the name of a chapter's file has other signs than a-z, 0-9 and _"
     YAML = "yaml", "the text is not valid YAML"
     YAML_FEATURE = "yaml-feature", "anchors, aliases and tags are refused"
     DUPLICATE_KEY = "duplicate-key", "a key stands twice in one mapping"
@@ -59,4 +60,5 @@ class Diagnostic:
     message: str
 
     def __str__(self) -> str:
-        return f"{self.file}:{self.line}:{self.column}: {self.code}: {self.message}"
+        message = self.message.replace("\n", "\\n")
+        return f"{self.file}:{self.line}:{self.column}: {self.code}: {message}"

@@ -1,9 +1,10 @@
 """Reads srs/ into a checked specification.
 
-Serves: generator, docs, tests. Hides: the order of the checks. All faults of all chapters are
+Serves: generator, docs, tests. Hides: the order of the checks. Faults of all chapters are
 collected and reported together, each as `file:line:column: code: message`.
 """
 
+import keyword
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -28,6 +29,7 @@ def read(folder: Path) -> Specification:
 
     Raises:
         SpecError: at least one fault; its text has a line for each, in the order of the files.
+            Faults that may follow from others are told when those are mended.
     """
     return _Reader(folder).read()
 
@@ -41,31 +43,31 @@ class _Reader:
         self.faults.append(fault)
 
     def read(self) -> Specification:
-        """All chapters, checked in this order: form, links, sources, formulas."""
+        """All chapters, checked in this order: form, declarations, links, sources, formulas.
+
+        What a fault of form or of a declaration hides would give faults elsewhere: they wait.
+        """
         chapters = [
             read_chapter(path, self.name(path)) for path in sorted(self.folder.rglob("*.md"))
         ]
         if not chapters:
-            where = str(self.folder)
-            self.report(
-                Diagnostic(
-                    where,
-                    1,
-                    1,
-                    Code.UNREADABLE.code,
-                    "no chapter (*.md) is here. Name the folder of the specification",
-                )
-            )
+            text = "no chapter (*.md) is here. Name the folder of the specification"
+            self.report(Diagnostic(str(self.folder), 1, 1, Code.UNREADABLE.code, text))
         self.faults += [fault for chapter in chapters for fault in chapter.faults]
         items = [item for chapter in chapters for item in chapter.items if self.has_schema(item)]
+        self.stop_at_faults()
         specification = self.assemble(items, chapters)
+        self.stop_at_faults()
         self.check_links(specification)
         self.check_sources(specification)
         for item in specification.items.values():
             self.faults += check_item(item, specification.table)
+        self.stop_at_faults()
+        return specification
+
+    def stop_at_faults(self) -> None:
         if self.faults:
             raise SpecError("\n".join(str(fault) for fault in sorted(set(self.faults))))
-        return specification
 
     def name(self, path: Path) -> str:
         return f"{self.folder.name}/{path.relative_to(self.folder).as_posix()}"
@@ -101,7 +103,10 @@ class _Reader:
 
     def declare(self, item: Item, found: dict[str, Any], make: Any) -> None:
         for name, data in item.data.items():
-            if name in found:
+            if keyword.iskeyword(name):
+                text = f"'{name}' is a word of Python, and code could not use it. Rename it"
+                self.report(item.diagnostic(Code.BAD_KEY, text, name, "key"))
+            elif name in found:
                 self.report(
                     item.diagnostic(
                         Code.DUPLICATE_ID, f"'{name}' is declared twice. Remove one", name, "key"

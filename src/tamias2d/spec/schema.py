@@ -6,7 +6,8 @@ Serves: the kinds of item and of comparison. Hides: the dialect of JSON schema.
 from typing import Any
 
 TEXT: dict[str, Any] = {"type": "string", "minLength": 1}
-WHOLE: dict[str, Any] = {"type": "string", "pattern": "^[0-9]+$"}
+WHOLE: dict[str, Any] = {"type": "string", "pattern": r"^[0-9]+\Z"}
+NAME = r"^[a-z][a-z0-9_]*\Z"  # not `$`, which allows a line after the name
 
 
 def mapping(required: tuple[str, ...] = (), **properties: Any) -> dict[str, Any]:
