@@ -76,7 +76,7 @@ def from_json(text: str) -> Certificate:
         values = json.loads(text)
         lists = {name: tuple(values[name]) for name in ("claims", "does_not_claim")}
         return Certificate(**{f.name: values[f.name] for f in fields(Certificate)} | lists)
-    except (ValueError, KeyError, TypeError) as fault:
+    except (ValueError, KeyError, TypeError, RecursionError) as fault:
         raise RecordingError(
             "certificate: cannot be read: its fields are not those of a certificate. "
             "Certify the run again."

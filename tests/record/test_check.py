@@ -9,6 +9,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d import record
+from tamias2d.record import header as headers
 from tamias2d.record.difference import first_difference
 from tamias2d.record.history import OF_BODIES, TOTALS
 
@@ -120,19 +121,19 @@ def test_a_changed_input_is_found(run: t2.Run, tmp_path: Path) -> None:
     assert (answer.difference.time, answer.difference.quantity) == (0.0, "energy")
 
 
-def test_changed_by_hand_or_by_another_version(run: t2.Run, tmp_path: Path) -> None:
+def test_changed_by_hand_or_by_another_version(
+    run: t2.Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = tmp_path / "run.npz"
     replace(run, energy=one_bit(run.energy, (0,))).save(path)
     assert "the program has changed" in record.check(path).says
     stored = dict(np.load(path))
-    other = str(stored["header"]).replace('"numpy": "', '"numpy": "0.')
-    np.savez(path, **{**stored, "header": np.array(other)})
-    assert (
-        f"recorded with numpy 0.{np.__version__}, now {np.__version__}" in record.check(path).says
-    )
+    here = headers.versions()
+    monkeypatch.setattr(headers, "versions", lambda: {**here, "numpy": "0.1"})
+    assert f"recorded with numpy {np.__version__}, now 0.1" in record.check(path).says
     stored["energy"][7] = 0.0
     np.savez(path, **stored)
-    assert "its numbers were changed after it was recorded" in record.check(path).says
+    assert "it was changed after it was recorded" in record.check(path).says
 
 
 def test_what_the_viewer_draws_is_not_the_history(run: t2.Run, tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tamias2d.errors import InputError, RecordingError
-from tamias2d.record import history
+from tamias2d.record import header as headers, history
 from tamias2d.record.aside import refuse_place
 
 if TYPE_CHECKING:
@@ -40,10 +40,16 @@ def load(path: str | Path) -> Run:
 
     Raises:
         InputError: another suffix.
-        RecordingError: no such file, or it is cut, damaged or of another program.
+        RecordingError: no such file, or it is cut, damaged, changed or of another program.
     """
     header, arrays = stored(Path(path))
-    return history.run_of(header, arrays, where=str(path))
+    run = history.run_of(header, arrays, where=str(path))
+    if headers.digest(header, run) != header.digest:
+        raise RecordingError(
+            f"{path}: was changed after it was recorded: its digest does not fit. "
+            "Record the run again."
+        )
+    return run
 
 
 def stored(path: Path) -> tuple[Header, Arrays]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 import platform
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from importlib import metadata, resources
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +22,9 @@ from tamias2d.scene import scene_text
 if TYPE_CHECKING:
     from tamias2d.run import Run
 
-FORMAT = 1
+FORMAT = 2
+UNCOVERED = 1
+"""The format of recordings whose digest is that of the numbers alone."""
 METHODS: dict[str, Any] = {
     kind.__name__: kind
     for kind in (
@@ -82,7 +84,7 @@ class Header:
 
 def header_of(run: Run) -> Header:
     """Describe a run: its inputs, its size, the programs that made it, and its digest."""
-    return Header(
+    header = Header(
         scene=scene_text(run.scene),
         method={"name": type(run.method).__name__, **vars(run.method)},
         duration=float(run.duration),
@@ -91,23 +93,32 @@ def header_of(run: Run) -> Header:
         impacts=len(run.impacts.time),
         bodies=tuple(body.name for body in run.scene.bodies),
         notes=tuple(run.notes),
-        digest=run.digest(),
+        digest="",
         versions=versions(),
         certificate=None if run.certificate is None else run.certificate.as_json(),
     )
+    return replace(header, digest=digest(header, run))
+
+
+def digest(header: Header, run: Run) -> str:
+    """Return the SHA-256 of a header and of all numbers of its run."""
+    numbers = run.digest()
+    if header.format == UNCOVERED:
+        return numbers
+    return hashlib.sha256((replace(header, digest=numbers).dumps()).encode()).hexdigest()
 
 
 def loads(text: str, *, where: str) -> Header:
     """Read a header; raise `RecordingError` that begins with `where` if it is not one of ours."""
     try:
         values = json.loads(text)
-        if values["format"] != FORMAT:
+        if values["format"] not in (UNCOVERED, FORMAT):
             raise RecordingError(
                 f"{where}: format {values['format']}: this version reads format {FORMAT}. "
                 f"Open it with tamias2d {values['versions']['tamias2d']}."
             )
         return _header(values)
-    except (ValueError, KeyError, TypeError) as fault:
+    except (ValueError, KeyError, TypeError, RecursionError) as fault:
         raise RecordingError(
             f"{where}: its header cannot be read. Record the run again."
         ) from fault

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tamias2d import archive
 from tamias2d.certificate import Certificate, from_json
 from tamias2d.errors import RecordingError, TamiasError
 from tamias2d.record import header as headers
@@ -134,13 +135,6 @@ def store(header: headers.Header, arrays: dict[str, Any], path: Path) -> None:
 
 def read(path: Path) -> tuple[headers.Header, Arrays]:
     """Read header and arrays of an `.npz`; raise `RecordingError` if it is not one of ours."""
-    try:
-        with np.load(path, allow_pickle=False) as file:
-            stored = {name: file[name] for name in file.files}
-    except Exception as fault:  # zipfile, zlib, numpy and its header's tokenizer have their own
-        raise RecordingError(
-            f"{path}: cannot be read as .npz ({type(fault).__name__}): it is cut, damaged or of "
-            "another kind. Record the run again."
-        ) from fault
+    stored = archive.read(path, remedy="Record the run again.")
     text = str(stored.pop("header", ""))
     return headers.loads(text, where=str(path)), stored

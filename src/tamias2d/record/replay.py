@@ -6,10 +6,11 @@ Serves: the command `replay`. Hides: how a run is computed again.
 from __future__ import annotations
 
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tamias2d.certificate import Certificate
 from tamias2d.errors import InputError, RecordingError, SimulationError
 from tamias2d.record import files, header as headers, history
 from tamias2d.record.difference import Difference, first_difference
@@ -31,7 +32,9 @@ class Check:
 
 
 def check(path: str | Path) -> Check:
-    """Compute a recorded run again, and compare every bit of its history.
+    """Compute a recorded run again, and compare every bit of its history and its certificate.
+
+    Notes and versions cannot be computed; a digest covers them against chance, not against intent.
 
     Raises:
         InputError: the name is that of no recording.
@@ -41,13 +44,52 @@ def check(path: str | Path) -> Check:
     recorded = history.run_of(header, arrays, where=str(path))
     recomputed = _again(recorded, where=str(path))
     difference = first_difference(recorded, recomputed)
-    if difference is None and recorded.digest() == header.digest:
-        says = (
-            f"{path}: identical: {len(recorded.times)} samples and {len(recorded.impacts)} "
-            f"impacts of {len(recorded.scene.bodies)} bodies."
-        )
-        return Check(True, says, None)
-    return Check(False, f"{path}: {_differs(difference)}; {_why(header, recorded)}.", difference)
+    fault = _fault(header, recorded, difference) or _certificate_fault(recorded, recomputed)
+    if fault:
+        return Check(False, f"{path}: {fault}.", difference)
+    says = (
+        f"{path}: identical: {len(recorded.times)} samples and {len(recorded.impacts)} "
+        f"impacts of {len(recorded.scene.bodies)} bodies{_further(header)}."
+    )
+    return Check(True, says, None)
+
+
+def _fault(header: Header, recorded: Run, difference: Difference | None) -> str:
+    """Return what is wrong with the numbers or the header; nothing if they are as recorded."""
+    intact = headers.digest(header, recorded) == header.digest
+    if difference is not None:
+        return f"differs first {difference}; {_why(header, intact=intact)}"
+    return "" if intact else f"its digest does not fit; {_why(header, intact=intact)}"
+
+
+def _certificate_fault(recorded: Run, recomputed: Run) -> str:
+    """Return in what a certificate differs from one that is made now; nothing if in nothing.
+
+    Whoever changes a certificate can change the digest, too: so it is computed again.
+    """
+    claimed = recorded.certificate
+    if claimed is None:
+        return ""
+    from tamias2d.study.certify import certify
+
+    made = certify(recomputed).certificate
+    for field in fields(Certificate):
+        ours, theirs = getattr(claimed, field.name), getattr(made, field.name)
+        if field.name != "hashes" and ours != theirs:  # those of another version are other ones
+            return (
+                f"its certificate differs: {field.name}: recorded {ours!r}, computed again "
+                f"{theirs!r}"
+            )
+    return ""
+
+
+def _further(header: Header) -> str:
+    """Return what was checked besides the numbers, and what cannot be."""
+    certified = header.certificate is not None
+    said = "; its certificate, computed again, is the same" if certified else ""
+    if header.format == headers.UNCOVERED:
+        said += f"; its notes and versions (format {header.format}) are covered by no digest"
+    return said
 
 
 def _again(recorded: Run, *, where: str) -> Run:
@@ -69,14 +111,10 @@ def _again(recorded: Run, *, where: str) -> Run:
         return reached
 
 
-def _differs(difference: Difference | None) -> str:
-    return f"differs first {difference}" if difference else "its digest does not fit its numbers"
-
-
-def _why(header: Header, recorded: Run) -> str:
+def _why(header: Header, *, intact: bool) -> str:
     """Return what may have made the difference."""
-    if recorded.digest() != header.digest:
-        return "its numbers were changed after it was recorded"
+    if not intact:
+        return "it was changed after it was recorded"
     here = headers.versions()
     changed = [
         f"{name} {header.versions.get(name)}, now {version}"
