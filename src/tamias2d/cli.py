@@ -23,8 +23,13 @@ class _Commands(TyperGroup):
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command that was asked for; no fault of a user ends in a traceback."""
+        from tamias2d.commands.output import flush
+
         try:
-            return super().invoke(ctx)
+            try:
+                return super().invoke(ctx)
+            finally:
+                flush()
         except TamiasError as fault:
             _stop(str(fault), 2)
         except OSError as fault:
@@ -246,6 +251,7 @@ def tradeoff(
 
 def main() -> None:
     """Run the command line of this process."""
-    from tamias2d.commands.output import command
+    from tamias2d.commands.output import command, prepare
 
+    prepare()
     app(prog_name=command())

@@ -3,11 +3,14 @@
 Serves: one look for all commands. Hides: which library draws it, and how wide the screen is.
 """
 
+import errno
+import io
 import json
 import math
 import os
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 _COLOURS = {"pass": "green", "fail": "bold red", "stale": "yellow", "uncovered": "yellow"}
@@ -19,14 +22,44 @@ def command() -> str:
     return os.environ.get("TAMIAS2D_COMMAND", "tamias2d")
 
 
+def prepare() -> None:
+    """Make it possible to print anything: to streams that are closed, or have few letters."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115 - for good
+        getattr(sys, name).reconfigure(errors="backslashreplace")
+
+
+@contextmanager
+def _output() -> Iterator[None]:
+    """Give a fault of standard output its name, and print nothing more to it.
+
+    That a reader has enough is no fault of anybody.
+    """
+    try:
+        yield
+    except OSError as fault:
+        if fault.errno != errno.EPIPE:
+            fault.filename = "standard output"
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise
+
+
+def flush() -> None:
+    """Print what is still to be printed; raise OSError if that cannot be done."""
+    with _output():
+        sys.stdout.flush()
+
+
 def say(text: str = "") -> None:
-    """Print one line to standard output."""
-    print(text)
+    """Print one line to standard output; raise OSError if that cannot be done."""
+    with _output():
+        print(text)
 
 
 def print_json(value: Any) -> None:
     """Print a value as JSON, every float with all its digits; NaN and infinity are refused."""
-    print(json.dumps(value, indent=2, allow_nan=False))
+    say(json.dumps(value, indent=2, allow_nan=False))
 
 
 def print_table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
@@ -41,10 +74,9 @@ def print_table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
     if sys.stdout.isatty():
         Console().print(table)
         return
-    console = Console(width=_WIDE, color_system=None)
-    with console.capture() as drawn:
-        console.print(table)
-    say("\n".join(line.rstrip() for line in drawn.get().splitlines()))
+    drawn = io.StringIO()
+    Console(file=drawn, width=_WIDE, color_system=None).print(table)
+    say("\n".join(line.rstrip() for line in drawn.getvalue().splitlines()))
 
 
 def figure(value: float) -> str:

@@ -89,13 +89,15 @@ def run_scene(
 
         run = certify(run)
     errors = known_errors(run, name)
-    if as_json:
-        print_json(_as_json(run, name, errors, files))
-        files.write(run)  # last: a full disk loses no answer
-        return
-    _print(run, name, errors)
-    files.write(run)
-    _print_files(files)
+    try:
+        if as_json:
+            print_json(_as_json(run, name, errors, files))
+        else:
+            _print(run, name, errors)
+    finally:
+        files.write(run)  # last: a full disk loses no answer, and a lost answer no file
+    if not as_json:
+        _print_files(files)
 
 
 def _keep(run: Run | None, files: _Files) -> None:

@@ -42,6 +42,10 @@ def show_tradeoff(
             f"--tolerance: {tolerance!r}: must lie between 0 and 1, it is a relative error. "
             "Give one such as 1e-6."
         )
+    if plot is not None:
+        from tamias2d.record.aside import refuse_place
+
+        refuse_place(plot)
     with _progress() as told:
         found = study(scene, duration=time, phases_asked=phases, told=told)
     if as_json:

@@ -5,6 +5,7 @@ Serves: everything that writes a recording. Hides: what can be in the way, told 
 
 from __future__ import annotations
 
+import os
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,13 +18,25 @@ if TYPE_CHECKING:
 
 
 def refuse_place(path: Path) -> None:
-    """Raise `RecordingError` if no file can be at this path."""
-    if path.is_dir():
+    """Raise `RecordingError` if no file can be written at this path."""
+    try:
+        os.lstat(path)
+    except (FileNotFoundError, NotADirectoryError):
+        pass
+    except (OSError, ValueError) as fault:  # ValueError: a null byte, or half a character
+        why = getattr(fault, "strerror", None) or fault
+        raise RecordingError(f"{str(path)!r}: cannot be written: {why}. Rename it.") from None
+    target = Path(os.path.realpath(path)) if path.is_symlink() else path
+    if target.is_dir():
         raise RecordingError(f"{path}: is a directory. Give the name of a file in it.")
-    if path.parent.exists() and not path.parent.is_dir():
-        raise RecordingError(f"{path}: {path.parent} is no directory. Choose another place.")
-    if not path.parent.is_dir():
-        raise RecordingError(f"{path}: there is no directory {path.parent}. Make it first.")
+    if target.exists() and not target.is_file():
+        raise RecordingError(f"{path}: is a pipe or a device. Give the name of a file.")
+    if target.parent.exists() and not target.parent.is_dir():
+        raise RecordingError(f"{path}: {target.parent} is no directory. Choose another place.")
+    if not target.parent.is_dir():
+        raise RecordingError(f"{path}: there is no directory {target.parent}. Make it first.")
+    if not os.access(target.parent, os.W_OK | os.X_OK):
+        raise RecordingError(f"{path}: {target.parent} cannot be written. Choose another place.")
 
 
 @contextmanager

@@ -55,10 +55,17 @@ def load(path: str | Path) -> Run:
 def stored(path: Path) -> tuple[Header, Arrays]:
     """Read the header and the arrays of a recording; raises as `load` does."""
     kind = _kind(path)
-    if not path.is_file():
+    if not _is_file(path):
         raise RecordingError(f"{path}: there is no such file. Make it by `run.save(path)`.")
     found: tuple[Header, Arrays] = kind.read(path)
     return found
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # a name that is too long
+        return False
 
 
 def _kind(path: Path) -> Any:
