@@ -13,6 +13,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.certificate import Certificate as Certificate
     from tamias2d.cost import Cost as Cost
     from tamias2d.errors import (
+        ArgumentError as ArgumentError,
         InputError as InputError,
         RecordingError as RecordingError,
         SceneError as SceneError,
@@ -63,7 +64,8 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
 _HOMES = {
     "certificate": "Certificate",
     "cost": "Cost",
-    "errors": "InputError RecordingError SceneError SimulationError SpecError TamiasError",
+    "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
+    "TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
     "Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError Stepped "
     "VelocityVerlet Yoshida4",
@@ -82,10 +84,17 @@ _HOME_OF = {name: home for home, names in _HOMES.items() for name in names.split
 
 def __getattr__(name: str) -> object:
     if name not in _HOME_OF:
-        raise AttributeError(f"module 'tamias2d' has no attribute {name!r}")
+        raise AttributeError(f"t2.{name}: unknown{_meant(name)}", name=name)
     value = getattr(import_module(f"tamias2d.{_HOME_OF[name]}"), name)
     globals()[name] = value
     return value
+
+
+def _meant(name: str) -> str:
+    from tamias2d.suggestions import nearest
+
+    near = nearest(name, _HOME_OF)
+    return f"; did you mean t2.{near}?" if near else ". dir(tamias2d) lists what there is."
 
 
 def __dir__() -> list[str]:

@@ -15,6 +15,10 @@ class InputError(TamiasError, ValueError):
     """An argument breaks a rule of the specification (R4)."""
 
 
+class ArgumentError(InputError, TypeError):
+    """A call lacks an argument, or has one that the function does not take."""
+
+
 class SpecError(TamiasError):
     """A chapter of the specification is at fault."""
 

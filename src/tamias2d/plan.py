@@ -16,6 +16,7 @@ from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.rules import number, sequence
+from tamias2d.scene.scene import checked_scene
 from tamias2d.state import Array
 
 FRAMES = 60
@@ -53,6 +54,7 @@ def planned(
     Raises:
         InputError: an argument does, or the history would take more than 1 GiB.
     """
+    checked_scene(scene)
     duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
     chosen, note, usual = _method(scene, method, duration)
     time_step = usual if time_step is None else time_step

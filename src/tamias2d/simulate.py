@@ -37,6 +37,7 @@ from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene
 from tamias2d.simulator import Frames, Overlap
 from tamias2d.state import Array, History
+from tamias2d.suggestions import suggests
 
 _UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError)
 
@@ -49,6 +50,7 @@ class Interrupted(KeyboardInterrupt):
         self.run = run
 
 
+@suggests
 def simulate(
     scene: Scene,
     *,

@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import Any
 
 from tamias2d.errors import InputError
+from tamias2d.suggestions import suggests
 from tamias2d.verify import results
 from tamias2d.verify.items import Item, fingerprint, items, label_order, links, meant
 from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
@@ -18,11 +19,13 @@ from tamias2d.verify.outcome import FAIL, MANUAL, PASS, Outcome
 STALE = "stale"
 """The specification, or the scene, changed after the last result."""
 UNCOVERED = "uncovered"
-"""No case, or one that has not been run."""
+"""No case checks the item."""
+NOT_RUN = "not run"
+"""A case checks the item, and has no result yet."""
 NONE = "none"
 """An item that nothing can verify: a change, an erratum."""
-WORST_FIRST = (FAIL, STALE, UNCOVERED, MANUAL, PASS, NONE)
-OPEN = (FAIL, STALE, UNCOVERED)
+WORST_FIRST = (FAIL, STALE, UNCOVERED, NOT_RUN, MANUAL, PASS, NONE)
+OPEN = (FAIL, STALE, UNCOVERED, NOT_RUN)
 _DEMANDS = ("goal", "requirement")
 _UNJUDGED = ("change", "erratum")
 _PASSED_UP = ("model", "definition", "property", "requirement", "scheme", "theory")
@@ -59,6 +62,7 @@ class Neighbourhood:
     depended_on_by: tuple[Traced, ...]
 
 
+@suggests
 def trace(id: str | None = None) -> list[Traced]:
     """Return all items in reading order; with an id, that item and all that hang together with it.
 
@@ -87,7 +91,7 @@ def neighbourhood(id: str) -> Neighbourhood:
 
 
 def exit_code(rows: Iterable[Traced]) -> int:
-    """Return 1 if a goal or requirement failed, is stale or is uncovered; else 0.
+    """Return 1 if a goal or requirement failed, is stale, uncovered or not run; else 0.
 
     What only people can judge, and have not yet, is shown but is no fault of the program.
     """
@@ -203,6 +207,8 @@ class Graph:
 
     def _of_case(self, item: Item) -> str:
         outcomes = self.outcomes.get(item["id"], [])
+        if not outcomes:
+            return NOT_RUN
         if any(outcome.hash != self.fingerprint(item) for outcome in outcomes):
             return STALE
         return worst(outcome.verdict for outcome in outcomes)

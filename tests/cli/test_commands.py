@@ -1,9 +1,12 @@
 """Each command: what it prints, what it answers to machines, and how it refuses."""
 
+import io
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +16,7 @@ from typer.testing import CliRunner, Result
 from tamias2d import cli, motion
 from tamias2d.commands import run as run_command
 from tamias2d.commands.names import find_method
+from tamias2d.commands.output import followed
 from tamias2d.errors import RecordingError
 from tamias2d.scene import catalogue, needs
 from tamias2d.simulate import Interrupted, simulate
@@ -116,8 +120,8 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
     ("words", "says"),
     [
         (["run", "tc33"], "SCENE: 'tc33': must be a name of the catalogue or a file (R1). Did you"),
-        (["run", "."], "SCENE: '.': is a directory"),
-        (["run", "no/such.yaml"], "SCENE: 'no/such.yaml': no such file"),
+        (["run", "."], ".: a directory (R2)"),
+        (["run", "no/such.yaml"], "no/such.yaml: no such file (R2)"),
         (["run", "tc3", "--duration", "4 kg"], "--duration: '4 kg': must be a time"),
         (["run", "tc3", "--duration", "soon"], "--duration: 'soon': must be a time"),
         (["run", "tc3", "--duration", "-4 s"], "--duration: '-4 s': must be > 0"),
@@ -133,7 +137,7 @@ def test_a_recording_that_was_changed_is_found_out(call: Call, tmp_path: Path) -
         (["run", "tc3", "--record", "run.txt"], "a recording is .rrd"),
         (["run", "tc3", "--record", ""], "--record: '.': names no file"),
         (["run", "tc3", "--plot", "no/such/run.png"], "there is no directory no/such"),
-        (["explain", "."], "SCENE: '.': is a directory"),
+        (["explain", "."], ".: a directory (R2)"),
         (["verify", "tc1"], "Did you mean 'TC1'?"),
         (["trace", "a6"], "Did you mean 'A6'?"),
         (["run", "tc3", "--record", "no/such/run.npz"], "no/such/run.npz"),
@@ -282,6 +286,30 @@ def test_verify_answers_a_row_a_comparison(call: Call) -> None:
     assert "0 failed" in call("verify", "TC1").stdout
 
 
+class Terminal(io.StringIO):
+    """A screen that keeps what was written on it."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def test_in_a_terminal_verify_shows_how_far_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    screen = Terminal()
+    monkeypatch.setattr(sys, "stderr", screen)
+    assert list(followed(["TC1", "TC2"], str)) == ["TC1", "TC2"]
+    shown = screen.getvalue()
+    assert "TC2" in shown
+    assert "2/2" in shown
+
+
+def test_verify_shows_nothing_where_nobody_looks(call: Call) -> None:
+    assert call("verify", "TC1").stderr == ""
+
+
+def test_version(call: Call) -> None:
+    assert call("--version").stdout == f"tamias2d {metadata.version('tamias2d')}\n"
+
+
 def test_a_failed_case_fails_the_command(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(exact, "distance", lambda *_: 1.0)
     result = call("verify", "TC1")
@@ -291,12 +319,12 @@ def test_a_failed_case_fails_the_command(call: Call, monkeypatch: pytest.MonkeyP
 
 def test_trace_answers_every_item(call: Call) -> None:
     call("verify", "TC1")
-    assert "No results" not in call("trace", "TC1").stderr
+    assert "`tamias2d verify` runs them" in call("trace", "TC1").stderr  # what it rests on
     result = call("trace", "--json")
     assert result.exit_code == 1  # the other cases have not been run
     items = {item["id"]: item for item in json.loads(result.stdout)["items"]}
     assert items["TC1"]["verdict"] == "pass"
-    assert items["OS1"]["verdict"] == "uncovered"
+    assert items["OS1"]["verdict"] == "not run"
     wanted = {"id", "kind", "title", "file", "line", "links", "code", "cases", "verdict"}
     assert wanted <= items["IM1"].keys()
 
@@ -314,10 +342,32 @@ def test_trace_of_an_item_shows_what_depends_on_it(call: Call) -> None:
     result = call("trace", "A6")
     text = result.stdout
     assert result.exit_code == 1
-    assert "run `tamias2d verify`" in result.stderr  # nothing has been run
+    assert "`tamias2d verify A6` runs them" in result.stderr
     assert max(map(len, text.splitlines())) < 200
     assert "A6 rests on: nothing" in text
     assert "R8 " in text.partition("What depends on A6")[2]
+
+
+def test_a_named_pipe_is_no_scene(call: Call, tmp_path: Path) -> None:
+    if not hasattr(os, "mkfifo"):
+        pytest.skip("no named pipes")
+    os.mkfifo(tmp_path / "pipe.yaml")
+    said = refused(call("run", tmp_path / "pipe.yaml"))
+    assert (
+        said == f"{tmp_path}/pipe.yaml: no regular file (R2). Give the path of a scene in YAML.\n"
+    )
+
+
+@pytest.mark.parametrize("command", ["run", "explain", "recommend", "tradeoff"])
+def test_a_scene_in_which_nothing_moves(call: Call, tmp_path: Path, command: str) -> None:
+    path = tmp_path / "still.yaml"
+    path.write_text("gravity: [0 m/s^2, -9.81 m/s^2]\nduration: 1 s\n")
+    more = ["--tolerance", "1e-3"] if command == "recommend" else []
+    result = call(command, path, *more)
+    if command == "tradeoff":
+        assert "no body can move" in refused(result)
+    else:
+        assert result.exit_code == 0
 
 
 # --- as a program ------------------------------------------------------------------------------

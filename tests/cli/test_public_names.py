@@ -78,6 +78,21 @@ def test_a_function_stays_itself_when_its_module_is_imported() -> None:
     ).split() == ["simulate", "verify"]
 
 
-def test_an_unknown_name_is_refused() -> None:
-    with pytest.raises(AttributeError, match="no attribute 'Sphere'"):
-        tamias2d.Sphere  # noqa: B018
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("Circle", "; did you mean t2.Disc?"),
+        ("Ball", "; did you mean t2.Disc?"),
+        ("Poly", "; did you mean t2.Polygon?"),
+        ("Rectangle", "; did you mean t2.Box?"),
+        ("World", "; did you mean t2.Scene?"),
+        ("Space", "; did you mean t2.Scene?"),
+        ("half_plane", "; did you mean t2.HalfPlane?"),
+        ("Simulater", "; did you mean t2.Simulator?"),
+        ("Quaternion", ". dir(tamias2d) lists what there is."),
+    ],
+)
+def test_an_unknown_name_is_refused_with_what_was_meant(name: str, meant: str) -> None:
+    with pytest.raises(AttributeError) as refusal:
+        getattr(tamias2d, name)
+    assert str(refusal.value) == f"t2.{name}: unknown{meant}"

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import tamias2d as t2
 from tamias2d.errors import InputError
 from tamias2d.scene import (
     Box,
@@ -62,6 +63,10 @@ BODY = [
     {"angular_velocity": "fast"},
     {"angular_velocity": None},
     {"force": 3.0},
+    {"force": lambda _: (0, 0)},
+    {"force": (lambda _: 0, 0)},
+    {"torque": lambda _: 0},
+    {"position": np.ma.array([1.0, 2.0], mask=[False, True])},
     {"force": "10[N]"},
     {"force": ("10 N", 0.0)},
     {"force": ("10[m]*time", 0.0)},
@@ -131,6 +136,12 @@ def test_a_body_with_a_bad_value_is_refused(bad: dict[str, Any]) -> None:
     assert scene.add_body(**GOOD) == 1  # the name is still free
 
 
+def corners(count: int) -> np.ndarray:
+    """Return the corners of a regular polygon."""
+    angle = 2 * np.pi * np.arange(count) / count
+    return np.column_stack((np.cos(angle), np.sin(angle)))
+
+
 SHAPES: list[Callable[[], object]] = [
     lambda: Disc(radius=0),
     lambda: Disc(radius=-1),
@@ -172,6 +183,19 @@ SHAPES: list[Callable[[], object]] = [
     lambda: Compound(parts=[Part(shape=Disc(radius=1)), None]),
     lambda: Compound(parts=[Part(shape=Disc(radius=1e300))]),
     lambda: Compound(parts=[Part(shape=Disc(radius=1), position=(x, 0)) for x in (9e307, -1e308)]),
+    lambda: Segment(length=5e-324),
+    lambda: Box(width=5e-324, height=1),
+    lambda: Box(width=1, height=5e-324),
+    lambda: Capsule(length=5e-324, radius=1),
+    lambda: Compound(
+        parts=[
+            Part(shape=Disc(radius=1)),
+            Part(shape=Segment(length=1e-9), position=(1e8, 0)),
+        ]
+    ),
+    lambda: Compound(parts=[Part(shape=Box(width=1, height=1e-20), orientation=0.3)]),
+    lambda: Polygon(vertices=np.ma.array(np.eye(3)[:, :2], mask=np.eye(3)[:, :2])),
+    lambda: Polygon(vertices=corners(1001)),
 ]
 
 
@@ -179,6 +203,17 @@ SHAPES: list[Callable[[], object]] = [
 def test_a_bad_shape_is_refused(make: Callable[[], object]) -> None:
     with pytest.raises(InputError):
         make()
+
+
+def test_a_thousand_corners_are_not_too_many() -> None:
+    assert len(Polygon(vertices=corners(1000)).vertices) == 1000
+
+
+@pytest.mark.parametrize("size", [1e-323, 1e-310, 1e-160])
+def test_a_thin_side_that_float64_can_hold_is_taken(size: float) -> None:
+    assert Box(width=1, height=size).vertices[1][1] < 0 < Box(width=1, height=size).vertices[2][1]
+    part = Part(shape=Box(width=1, height=1e-9), position=(1e3, 0), orientation=0.3)
+    assert len(Compound(parts=[part, Part(shape=Disc(radius=1))]).pieces) == 2
 
 
 SCENES: list[Callable[[Scene], object]] = [
@@ -368,3 +403,37 @@ def test_a_law_without_a_value_is_refused_at_its_time() -> None:
 def test_attraction_has_a_positive_constant(constant: float) -> None:
     with pytest.raises(InputError, match="must be > 0"):
         Scene(gravity=(0, 0)).add_attraction(gravitational_constant=constant)
+
+
+def test_a_function_is_refused_with_how_to_write_a_law() -> None:
+    scene = Scene(gravity=(0, 0))
+    with pytest.raises(InputError) as body:
+        scene.add_body(None, mass=1, position=(0, 0), force=lambda t: (t, 0))  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="found a function"):
+        scene.add_field(torque=math.sin)  # type: ignore[arg-type]
+    said = str(body.value)
+    assert "Write it as text like ('10[N]*sin(2[rad/s]*time)', 0)" in said
+    law = ("10[N]*sin(2[rad/s]*time)", 0)  # what it says works
+    scene.add_body(None, mass=1, position=(0, 0), force=law)
+
+
+@pytest.mark.parametrize("value", [[], None, "tc1", Scene])
+@pytest.mark.parametrize("ask", ["simulate", "recommend", "needs", "scene_text", "Simulator"])
+def test_what_is_no_scene_is_refused(ask: str, value: object) -> None:
+    more = {"simulate": {"duration": 1}, "recommend": {"duration": 1, "tolerance": 1e-3}}
+    with pytest.raises(InputError, match=r"scene: found .*: must be a Scene \(R1\)"):
+        getattr(t2, ask)(value, **more.get(ask, {}))
+
+
+def test_what_is_no_run_is_refused() -> None:
+    with pytest.raises(InputError, match=r"run: found \[\]: must be a Run"):
+        t2.certify([])  # type: ignore[arg-type]
+
+
+def test_an_array_is_no_index() -> None:
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, position=(0, 0))
+    for bad in (np.array([0]), np.array([0.0]), 0.0):
+        with pytest.raises(InputError, match="the scene has none such"):
+            scene.index(bad)  # type: ignore[arg-type]
+    assert scene.index(np.int64(0)) == 0  # type: ignore[arg-type]

@@ -325,6 +325,44 @@ def test_a_fault_of_a_shape_is_named_at_its_place(
     assert words in message
 
 
+@pytest.mark.parametrize("order", ["[[a]]", "[{a: b}]", "[~]", "[]"])
+def test_an_order_names_bodies(order: str) -> None:
+    """A list has the text of a name that looks like a list."""
+    name = {"[[a]]": "['a']", "[{a: b}]": "{'a': 'b'}", "[~]": "None", "[]": "x"}[order]
+    body = "{shape: none, mass: 1 kg, position: [0 m, 0 m]}"
+    text = f'gravity: [0, 0]\nbodies:\n  "{name}": {body}\norder: {order}\n'
+    with pytest.raises(SceneError, match=r"scene:4:8: order: .*must name each body once"):
+        load(text)
+
+
+@pytest.mark.parametrize("text", ['"1[N]*time/1[s] # why"', "'1[N]*(time/1[s])#'"])
+def test_an_expression_has_no_comments(text: str) -> None:
+    with pytest.raises(SceneError, match="has no comments"):
+        load(GOOD.replace('["2[N]*sin(3[rad/s]*time)", 0 N]', f"[{text}, 0 N]"))
+
+
+def test_a_block_of_lines_is_one_line_in_a_message() -> None:
+    with pytest.raises(SceneError) as refusal:
+        load(GOOD.replace("duration: 4 s", "duration: |\n  four\n  s"))
+    assert "\n" not in str(refusal.value)
+    assert load(GOOD.replace("duration: 4 s", "duration: |\n  4\n  s")).duration == 4
+
+
+def test_a_folder_and_a_missing_file_are_told_apart(tmp_path: Path) -> None:
+    with pytest.raises(SceneError) as folder:
+        load(tmp_path)
+    with pytest.raises(SceneError) as missing:
+        load(tmp_path / "a.yaml")
+    assert str(folder.value) == f"{tmp_path}: a directory (R2). Give the path of a scene in YAML."
+    assert str(missing.value).startswith(f"{tmp_path}/a.yaml: no such file (R2).")
+
+
+@pytest.mark.parametrize("source", [None, [], 3, b"x"])
+def test_what_is_no_path_is_refused(source: object) -> None:
+    with pytest.raises(SceneError, match="must be a path or YAML text"):
+        load(source)  # type: ignore[arg-type]
+
+
 def test_a_bare_zero_fits_any_unit() -> None:
     scene = load(GOOD.replace("[0 m, 5 m]", "[0, -0.0]").replace("offset: 0 m", "offset: 0"))
     assert scene.bodies[0].position == (0, 0)

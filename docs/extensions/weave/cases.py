@@ -32,7 +32,7 @@ _NAMES = {
     "refuses": "refusals",
     "pace": "time taken",
 }
-_SIGNS = {"fail": "✗", "stale": "≠", "uncovered": "○", "manual": "?", "pass": "✓"}
+_SIGNS = {"fail": "✗", "stale": "≠", "uncovered": "○", "not run": "○", "manual": "?", "pass": "✓"}
 
 
 def parts(item: Item, woven: Woven) -> Iterator[str]:
@@ -114,9 +114,14 @@ def badge(id: str, woven: Woven) -> str:
 def checked(ids: list[str], woven: Woven) -> str:
     """Links to cases, each with a sign of its last result."""
     signs = ((id, woven.verdict(id)) for id in ids)
-    return " ".join(f"{{srs}}`{id}`[{_SIGNS[word]}]{{.sign .{word}}}" for id, word in signs)
+    return " ".join(f"{{srs}}`{id}`[{_SIGNS[word]}]{{.sign .{_css(word)}}}" for id, word in signs)
 
 
 def mark(word: str) -> str:
     """A verdict as a coloured word."""
-    return f"[{word}]{{.verdict .{word}}}"
+    return f"[{word}]{{.verdict .{_css(word)}}}"
+
+
+def _css(word: str) -> str:
+    """A verdict as the name of a CSS class."""
+    return word.replace(" ", "-")

@@ -16,7 +16,7 @@ from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.reader import read
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.tex import tex
-from tamias2d.trace import UNCOVERED, Traced, trace
+from tamias2d.trace import NOT_RUN, Traced, trace
 from tamias2d.verify import Outcome, results
 
 
@@ -54,7 +54,7 @@ class Woven:
 
     def verdict(self, id: str) -> str:
         """Of an item's cases, or of the case itself."""
-        return self.traced[id].verdict if id in self.traced else UNCOVERED
+        return self.traced[id].verdict if id in self.traced else NOT_RUN
 
     def code(self, id: str) -> list[tuple[str, str]]:
         """The functions printed from an item, with their files."""

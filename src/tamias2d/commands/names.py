@@ -5,6 +5,7 @@ Serves: the commands that take a scene. Hides: how a name is told from a file, a
 
 import difflib
 import math
+import os
 from pathlib import Path
 
 from tamias2d import motion
@@ -21,12 +22,8 @@ def find_scene(text: str) -> Scene:
     names = catalogue.names()
     if text in names:
         return catalogue.load(text)
-    if Path(text).is_file():
+    if os.path.exists(text) or Path(text).suffix in (".yaml", ".yml"):
         return load(Path(text))
-    if Path(text).is_dir():
-        raise InputError(f"SCENE: {text!r}: is a directory (R1). Name a scene file in it.")
-    if Path(text).suffix in (".yaml", ".yml"):
-        raise InputError(f"SCENE: {text!r}: no such file (R1). Give the path of a scene in YAML.")
     near = difflib.get_close_matches(text, names, n=3)
     hint = f"Did you mean {' or '.join(near)}? " if near else ""
     raise InputError(

@@ -9,11 +9,13 @@ import json
 import math
 import os
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TypeVar
 
-_COLOURS = {"pass": "green", "fail": "bold red", "stale": "yellow", "uncovered": "yellow"}
+_OPEN = dict.fromkeys(("stale", "uncovered", "not run"), "yellow")
+_COLOURS = {"pass": "green", "fail": "bold red", **_OPEN}
+_Item = TypeVar("_Item")
 _WIDE = 1000  # columns: where no screen limits them, no line is folded
 
 
@@ -77,6 +79,23 @@ def print_table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
     drawn = io.StringIO()
     Console(file=drawn, width=_WIDE, color_system=None).print(table)
     say("\n".join(line.rstrip() for line in drawn.getvalue().splitlines()))
+
+
+def followed(items: Sequence[_Item], name: Callable[[_Item], str]) -> Iterator[_Item]:
+    """Give the items one by one; in a terminal a bar on standard error shows how far that is."""
+    if not sys.stderr.isatty():
+        yield from items
+        return
+    from rich.console import Console
+    from rich.progress import MofNCompleteColumn, Progress
+
+    columns = (*Progress.get_default_columns(), MofNCompleteColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=len(items))
+        for item in items:
+            bar.update(task, description=name(item))
+            yield item
+            bar.advance(task)
 
 
 def figure(value: float) -> str:

@@ -8,8 +8,7 @@ from collections.abc import Iterable, Iterator
 from typing import TypeAlias
 
 from tamias2d.commands.output import command, print_json, print_table, say
-from tamias2d.trace import Traced, exit_code, neighbourhood, trace
-from tamias2d.verify import results
+from tamias2d.trace import NOT_RUN, Traced, exit_code, neighbourhood, trace
 
 _LISTED = 6  # cases in one row
 _Row: TypeAlias = tuple[str, str, str, str]
@@ -24,8 +23,9 @@ def trace_items(id: str | None, *, as_json: bool) -> int:
         _print_all(items)
     else:
         _print_around(id)
-    if not results.read():
-        hint = f"No results are there yet: run `{command()} verify`, then trace again."
+    if any(item.verdict == NOT_RUN for item in items):
+        asked = f" {id}" if id and items[0].verdict == NOT_RUN else ""
+        hint = f"Some cases have not been run yet: `{command()} verify{asked}` runs them."
         print(hint, file=sys.stderr)
     return exit_code(items)
 

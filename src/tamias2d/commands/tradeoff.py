@@ -46,6 +46,11 @@ def show_tradeoff(
         from tamias2d.record.aside import refuse_place
 
         refuse_place(plot)
+    if not any(body.dynamic for body in scene.bodies):
+        raise InputError(
+            f"SCENE: {name!r}: no body can move, so that nothing can be measured (R5). "
+            "Add a dynamic body."
+        )
     with _progress() as told:
         found = study(scene, duration=time, phases_asked=phases, told=told)
     if as_json:

@@ -5,13 +5,13 @@ Serves: the command `verify`. Hides: how the rows are laid out.
 
 from collections.abc import Sequence
 
-from tamias2d.commands.output import error_text, print_json, print_table, say
+from tamias2d.commands.output import error_text, followed, print_json, print_table, say
 from tamias2d.verify import verify
 
 
 def verify_cases(ids: Sequence[str], *, as_json: bool) -> int:
     """Verify the cases with these ids, or all; return the exit code, 1 if one failed."""
-    outcomes = verify(ids or None)
+    outcomes = verify(ids or None, follow=lambda cases: followed(cases, lambda case: case.id))
     failed = [outcome for outcome in outcomes if outcome.verdict == "fail"]
     if as_json:
         print_json({"cases": [outcome.as_json() for outcome in outcomes]})

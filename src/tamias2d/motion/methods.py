@@ -25,6 +25,7 @@ from tamias2d.motion.stepped import Grid, Scheme
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
+from tamias2d.suggestions import suggests
 
 
 class Method(ABC):
@@ -44,6 +45,7 @@ class Method(ABC):
         """Return the motion of a scene's bodies over a duration in s, in time steps in s."""
 
 
+@suggests
 @dataclass(frozen=True)
 class ClosedForm(Method):
     """The exact solution, where all bodies have one (IM1, IM2, IM6, IM7)."""
@@ -78,6 +80,7 @@ class _Stepped(Method):
         return Grid(step, duration, time_step)
 
 
+@suggests
 @dataclass(frozen=True)
 class ExplicitEuler(_Stepped):
     """Order 1; gains energy on whatever oscillates."""
@@ -85,6 +88,7 @@ class ExplicitEuler(_Stepped):
     scheme = "explicit_euler"
 
 
+@suggests
 @dataclass(frozen=True)
 class SemiImplicitEuler(_Stepped):
     """Order 1, symplectic: what game engines use."""
@@ -92,6 +96,7 @@ class SemiImplicitEuler(_Stepped):
     scheme = "semi_implicit_euler"
 
 
+@suggests
 @dataclass(frozen=True)
 class VelocityVerlet(_Stepped):
     """Order 2, symplectic; exact under constant force."""
@@ -99,6 +104,7 @@ class VelocityVerlet(_Stepped):
     scheme = "velocity_verlet"
 
 
+@suggests
 @dataclass(frozen=True)
 class RungeKutta4(_Stepped):
     """Order 4."""
@@ -106,6 +112,7 @@ class RungeKutta4(_Stepped):
     scheme = "runge_kutta_4"
 
 
+@suggests
 @dataclass(frozen=True)
 class Yoshida4(_Stepped):
     """Order 4, symplectic."""
@@ -113,6 +120,7 @@ class Yoshida4(_Stepped):
     scheme = "yoshida_4"
 
 
+@suggests
 @dataclass(frozen=True)
 class ExponentialDrag(_Stepped):
     """Order 2; exact under linear drag and constant loads, which set its steps no limit."""
@@ -158,6 +166,7 @@ class _Embedded(Method):
         return IntegratedMotion(scene, duration, steps)
 
 
+@suggests
 @dataclass(frozen=True)
 class DormandPrince5(_Embedded):
     """Order 5, adaptive: the error of each step within `rtol` of every value.
@@ -172,6 +181,7 @@ class DormandPrince5(_Embedded):
     damping = 0.04
 
 
+@suggests
 @dataclass(frozen=True)
 class Dop853(_Embedded):
     """Order 8, adaptive as `DormandPrince5` is: for tolerances below about 1e-8."""
@@ -183,6 +193,7 @@ class Dop853(_Embedded):
     damping = 0.0
 
 
+@suggests
 @dataclass(frozen=True)
 class Legacy2018(Method):
     """What the 2018 program did, wrong as it was: for scenes in which nothing meets."""
@@ -194,6 +205,7 @@ class Legacy2018(Method):
         raise NotImplementedError
 
 
+@suggests
 @dataclass(frozen=True)
 class Stepped(Method):
     """Contacts solved in `substeps` of each step: for piles, stacks and all that stays in touch.
@@ -218,6 +230,7 @@ class Stepped(Method):
         raise NotImplementedError
 
 
+@suggests
 @dataclass(frozen=True)
 class Reference(Method):
     """scipy's DOP853 at a relative tolerance `rtol`, for loads that vary with time."""

@@ -11,8 +11,10 @@ from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL
 from tamias2d.scene.law import Law, Value, value_at, varies
 from tamias2d.scene.rules import Vector
+from tamias2d.suggestions import suggests
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class Body:
     """One rigid body of a scene, checked; made by `Scene.add_body` and its like.

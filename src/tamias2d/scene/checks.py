@@ -9,8 +9,8 @@ from typing import get_args
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.compound import Shape
-from tamias2d.scene.law import Law, checked_law, first_value
-from tamias2d.scene.rules import RuleError, Vector, number, pair, shown, vector
+from tamias2d.scene.law import first_value
+from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
 from tamias2d.scene.shapes import HalfPlane
 
 
@@ -65,15 +65,6 @@ def checked_friction(value: object, of: str) -> float:
 def optional_friction(value: object, of: str) -> float | None:
     """Return a coefficient of friction, or None where none is stated."""
     return None if value is None else checked_friction(value, of)
-
-
-def checked_force(value: object, of: str) -> tuple[Law, Law]:
-    """Return both components of a force, each a number in N or a law."""
-    x, y = pair(value, of, "Give (x, y) in N.", at=("force",))
-    return (
-        checked_law(x, "force", of, at=("force", 0)),
-        checked_law(y, "force", of, at=("force", 1)),
-    )
 
 
 def checked_drag(value: object, symbol: str, of: str) -> float:

@@ -20,10 +20,13 @@ from tamias2d.scene.shapes import (
     Segment,
     Single,
 )
+from tamias2d.suggestions import suggests
 
+_LOST = 1e-3  # of a side, by which rounding may move one end against the other
 _SINGLES = (Disc, Box, Polygon, Capsule, Segment)
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class Part:
     """One `shape` of a body: where its centre of mass is, m, and how it is turned, rad."""
@@ -58,6 +61,7 @@ class Part:
         return tuple((x + (c * p - s * q), y + (s * p + c * q)) for p, q in self.shape.core)
 
 
+@suggests
 @dataclass(frozen=True, init=False)
 class Compound:
     """Several shapes that are one body; they may overlap, and what they share counts twice.
@@ -92,6 +96,8 @@ class Compound:
             )
             for part in given
         )
+        for k, piece in enumerate(pieces):
+            _refuse_lost_sides(piece, k)
         for name, value in (("parts", given), ("pieces", pieces), ("centroid", (x + 0.0, y + 0.0))):
             object.__setattr__(self, name, value)
 
@@ -145,6 +151,25 @@ def _checked_parts(parts: object) -> tuple[Part, ...]:
                 k,
             )
     return cast("tuple[Part, ...]", items)
+
+
+def _refuse_lost_sides(piece: Part, k: int) -> None:
+    """Refuse a part whose sides rounding changes too much where it stands."""
+    if piece.orientation == 0 and piece.position == (0, 0):
+        return
+    c, s = math.cos(piece.orientation), math.sin(piece.orientation)
+    for (u, v), (x, y) in zip(_sides(piece.shape.core), _sides(piece.core), strict=True):
+        if math.hypot(x - (c * u - s * v), y - (s * u + c * v)) > _LOST * math.hypot(u, v):
+            raise RuleError(
+                f"parts[{k}] of a compound: a side of {math.hypot(u, v):g} m is lost in rounding, "
+                f"{math.hypot(*piece.position):g} m from the centre of mass (R4). Put the parts "
+                "nearer together, or give this one longer sides.",
+                *("parts", k),
+            )
+
+
+def _sides(core: tuple[Vector, ...]) -> list[Vector]:
+    return [(x - p, y - q) for (p, q), (x, y) in zip(core, core[1:] + core[:1], strict=True)]
 
 
 def _shares(parts: tuple[Part, ...]) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

@@ -7,10 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from tamias2d.scene.bodies import Body
-from tamias2d.scene.law import Law, checked_law, first_value, varies
-from tamias2d.scene.rules import RuleError, pair
+from tamias2d.scene.law import Law, checked_force, checked_law, first_value, varies
+from tamias2d.scene.rules import RuleError
+from tamias2d.suggestions import suggests
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class ForceField:
     """One field of a scene, checked; made by `Scene.add_field`."""
@@ -38,12 +40,8 @@ def checked_field(
     """Return a field with good laws, or raise `RuleError`."""
     if force is None and torque is None:
         raise RuleError(f"{of}: found neither force nor torque (IM8). State one of them.", "force")
-    x, y = (0.0, 0.0) if force is None else pair(force, of, "Give (x, y) in N.", at=("force",))
     return ForceField(
-        force=(
-            checked_law(x, "force", of, at=("force", 0)),
-            checked_law(y, "force", of, at=("force", 1)),
-        ),
+        force=(0.0, 0.0) if force is None else checked_force(force, of),
         torque=0.0 if torque is None else checked_law(torque, "torque", of, at=("torque",)),
         bodies=bodies,
     )

@@ -3,11 +3,11 @@
 Serves: the readers of scene files. Hides: the wording of what is wrong with a form.
 """
 
-import difflib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 from tamias2d.scene.rules import RuleError, shown
+from tamias2d.suggestions import nearest
 
 SECTIONS = ("bodies", "kinematics", "statics")
 """Where the bodies of a scene file stand, in the order in which they are added."""
@@ -64,7 +64,7 @@ def mapping(
     return raw
 
 
-def likely(word: str, known: object) -> str:
+def likely(word: str, known: Iterable[str]) -> str:
     """Return the part of a message that suggests the known word nearest to one, if one is near."""
-    close = difflib.get_close_matches(word, list(known), n=1)  # type: ignore[call-overload]
-    return f", did you mean '{close[0]}'?" if close else ""
+    near = nearest(word, known)
+    return f", did you mean '{near}'?" if near else ""

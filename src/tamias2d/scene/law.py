@@ -15,7 +15,7 @@ import numpy as np
 
 from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
-from tamias2d.scene.rules import RuleError, label, number
+from tamias2d.scene.rules import RuleError, label, number, pair
 from tamias2d.spec.check import Type, expect
 from tamias2d.spec.evaluate import Program
 from tamias2d.spec.expression import Call, Node, names, parse, walk
@@ -91,6 +91,7 @@ def checked_law(value: object, symbol: str, of: str, *, at: tuple[str | int, ...
     """
     unit = SYMBOLS[symbol].unit
     remedy = f"Give it in {unit}, or as text like '10[{unit}]*sin(2[rad/s]*time)'."
+    _refuse_function(value, symbol, of, at=at)
     if not isinstance(value, str):
         return number(value, symbol, of, remedy, at=at)
     what = f"{label(at)} of {of}"
@@ -101,6 +102,29 @@ def checked_law(value: object, symbol: str, of: str, *, at: tuple[str | int, ...
             f"{what}: {fault.message} (R4, column {fault.offset + 1}). {remedy}", *at
         ) from None
     return law if law.names else first_value(law, {}, at=at) + 0.0
+
+
+def checked_force(value: object, of: str) -> tuple[Law, Law]:
+    """Return both components of a force, each a number in N or a law; or raise `RuleError`."""
+    _refuse_function(value, "force", of, at=("force",))
+    x, y = pair(value, of, "Give (x, y) in N.", at=("force",))
+    return (
+        checked_law(x, "force", of, at=("force", 0)),
+        checked_law(y, "force", of, at=("force", 1)),
+    )
+
+
+def _refuse_function(value: object, symbol: str, of: str, *, at: tuple[str | int, ...]) -> None:
+    if callable(value):
+        unit = SYMBOLS[symbol].unit
+        law = f"'10[{unit}]*sin(2[rad/s]*time)'"
+        written = f"({law}, 0)" if at == ("force",) else law
+        raise RuleError(
+            f"{label(at)} of {of}: found a function, which a recording could not keep: must be "
+            f"a number or an expression (R4). Write it as text like {written}; it may use "
+            f"{', '.join(VARYING)} and mass.",
+            *at,
+        )
 
 
 def first_value(law: Law, state: Mapping[str, Value], *, at: tuple[str | int, ...]) -> float:

@@ -14,8 +14,9 @@ from tamias2d.scene.bodies import Body
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import number
-from tamias2d.scene.scene import Scene
+from tamias2d.scene.scene import Scene, checked_scene
 from tamias2d.scene.shapes import Disc
+from tamias2d.suggestions import suggests
 
 _TURNED = {"orientation", "angular_velocity"}
 _SMOOTH = "no body states friction (A6)"
@@ -45,6 +46,7 @@ class Needs:
         return any(entry.what == what and entry.needed for entry in self.entries)
 
 
+@suggests
 def needs(scene: Scene, duration: float | None = None) -> Needs:
     """Return what a scene needs within a duration in s (the scene's own unless given).
 
@@ -52,7 +54,7 @@ def needs(scene: Scene, duration: float | None = None) -> Needs:
         InputError: neither states a duration.
     """
     remedy = "Give a positive duration in s."
-    span = scene.duration if duration is None else duration
+    span = checked_scene(scene).duration if duration is None else duration
     span = number(span, "duration", "the scene", remedy, at=("duration",))
     pairs = tuple(pairs_that_can_meet(scene, span))
     return Needs(tuple(_Inquiry(scene, span, pairs).entries()), pairs)

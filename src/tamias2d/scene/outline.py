@@ -17,6 +17,7 @@ Points = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 _OF = "a polygon"
 _REMEDY = "Give at least three corners of a convex outline in m, e.g. [(0, 0), (1, 0), (0, 1)]."
+_MOST = 1000  # corners: what finds contacts compares each with each
 _STRAIGHT = 1e-12  # sine of the turn below which three corners count as one line
 
 
@@ -26,6 +27,12 @@ def checked_outline(vertices: object) -> tuple[Vector, ...]:
     if len(items) < 3:
         raise RuleError(
             f"vertices of {_OF}: found {len(items)}: must be at least 3 (R4). {_REMEDY}", "vertices"
+        )
+    if len(items) > _MOST:
+        raise RuleError(
+            f"vertices of {_OF}: found {len(items)}: must be at most {_MOST} (R4). Leave corners "
+            "out, or take a Disc, or a Compound of smaller polygons.",
+            "vertices",
         )
     outline = tuple(
         vector(item, "vertex", _OF, _REMEDY, at=("vertices", k)) for k, item in enumerate(items)

@@ -98,7 +98,7 @@ def _component(raw: object, symbol: Symbol, path: Path) -> object:
 
 def read_quantity(raw: object, name: str, path: Path) -> float:
     """Return a number in SI units from ``848.5 m/s``; a bare zero fits any unit."""
-    text, symbol = scalar_text(raw, path), SYMBOLS[name]
+    text, symbol = " ".join(scalar_text(raw, path).split()), SYMBOLS[name]
     if _ZERO.fullmatch(text) and "0" in text:
         return 0.0
     what = label(_named(path))

@@ -3,7 +3,9 @@
 Serves: `load`, the catalogue. Hides: the keys of the file and the order in which they are read.
 """
 
+import stat
 from collections.abc import Mapping
+from os import PathLike
 from pathlib import Path as FilePath
 from typing import Any
 
@@ -15,6 +17,7 @@ from tamias2d.scene.reading_shapes import read_shape, shape_keys
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene import Scene
 from tamias2d.spec.markup import MAX_SIZE, MarkupError, Place, compose
+from tamias2d.suggestions import suggests
 
 _TOP_MAY = (
     *("name", "says", "duration", *SECTIONS, "restitution_of_pairs", "friction_of_pairs"),
@@ -37,12 +40,17 @@ _MUST = {
 _WHAT = {"bodies": "body", "kinematics": "kinematic body", "statics": "static body"}
 
 
+@suggests
 def load(source: str | FilePath) -> Scene:
     """Return the scene of a YAML file, or of YAML text (a text has more than one line).
 
     Raises:
         SceneError: the file or a value in it breaks a rule; the message says where.
     """
+    if not isinstance(source, str | PathLike):
+        raise SceneError(
+            f"scene file: found {shown(source)}: must be a path or YAML text (R2). Give one."
+        )
     if isinstance(source, str) and "\n" in source:
         return read_scene(source, file="scene")
     path = FilePath(source)
@@ -50,20 +58,34 @@ def load(source: str | FilePath) -> Scene:
 
 
 def _file_text(path: FilePath) -> str:
+    content = _file_bytes(path)
     try:
-        if not path.is_file():
-            raise SceneError(f"{path}: no such file (R2). Give the path of a scene in YAML.")
-        if path.stat().st_size > 4 * MAX_SIZE:  # a character has up to four bytes
-            raise SceneError(f"{path}: more than {MAX_SIZE} characters (R2). Split the scene.")
-        return path.read_bytes().decode()
+        return content.decode()
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         raise SceneError(
             f"{path}:{line}: found byte 0x{error.object[error.start]:02x}: must be UTF-8 (R2). "
             "Save the file in UTF-8."
         ) from None
+
+
+def _file_bytes(path: FilePath) -> bytes:
+    where = shown(str(path)) if not str(path).isprintable() else str(path)
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            kind = "a directory" if stat.S_ISDIR(status.st_mode) else "no regular file"
+            fault = f"{kind} (R2). Give the path of a scene in YAML."
+        elif status.st_size > 4 * MAX_SIZE:  # a character has up to four bytes
+            fault = f"more than {MAX_SIZE} characters (R2). Split the scene."
+        else:
+            return path.read_bytes()
+    except (FileNotFoundError, NotADirectoryError):
+        fault = "no such file (R2). Give the path of a scene in YAML."
     except (OSError, ValueError) as error:
-        raise SceneError(f"{shown(str(path))}: {error} (R2). Give a file to read.") from None
+        said = error.strerror if isinstance(error, OSError) else error
+        fault = f"{said} (R2). Give a file to read."
+    raise SceneError(f"{where}: {fault}")
 
 
 def read_scene(text: str, *, file: str, name: str = "", longest: float = MAX_SIZE) -> Scene:
@@ -126,7 +148,7 @@ def _in_order(top: Mapping[str, object]) -> list[tuple[str, str, object]]:
         return found
     order = listed(top["order"], "order")
     names = [name for _, name, _ in found]
-    if sorted(map(str, order)) != sorted(names):
+    if not all(isinstance(name, str) for name in order) or sorted(order) != sorted(names):  # type: ignore[type-var]
         raise RuleError(
             f"order: found {shown(order)}: must name each body once (R1). Name all of {names}.",
             "order",

@@ -92,6 +92,14 @@ def sequence(
     )
 
 
+def refuse_masked(value: object, of: str, remedy: str, *, at: tuple[str | int, ...]) -> None:
+    """Refuse an array of which something is masked: NumPy would take what is below the mask."""
+    if np.any(getattr(value, "mask", False)):
+        raise RuleError(
+            f"{label(at)} of {of}: found a masked value: must be there (R4). {remedy}", *at
+        )
+
+
 def label(at: tuple[str | int, ...]) -> str:
     """Return how a message names an argument: ``velocity[1]``."""
     first, *rest = at

@@ -17,7 +17,6 @@ from tamias2d.scene.checks import (
     checked_angle,
     checked_drag,
     checked_duration,
-    checked_force,
     checked_friction,
     checked_inertia,
     checked_mass,
@@ -35,13 +34,15 @@ from tamias2d.scene.checks import (
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.fields import ForceField, checked_field, refuse_field
 from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole, may_touch
-from tamias2d.scene.law import checked_law
+from tamias2d.scene.law import checked_force, checked_law
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, sequence, shown, vector
 from tamias2d.scene.springs import Spring, checked_spring, refuse_spring
+from tamias2d.suggestions import suggests
 
 _MAX_NAME = 100
 
 
+@suggests
 class Scene:
     """The space in which bodies move and meet (R1), in SI units throughout."""
 
@@ -400,8 +401,8 @@ class Scene:
         if isinstance(body, str):
             if body in self._index:
                 return self._index[body]
-        elif not isinstance(body, bool) and hasattr(body, "__index__"):
-            k = body.__index__()
+        elif isinstance(body, Integral) and not isinstance(body, bool):
+            k = int(body)
             if 0 <= k < len(self._bodies):
                 return k
         names = shown(list(self._index))
@@ -484,3 +485,12 @@ def _surface(
         "group": checked_whole(group, "group", of),
         "sensor": checked_sensor(sensor, of),
     }
+
+
+def checked_scene(value: object) -> Scene:
+    """Return what is a scene, or raise `RuleError`."""
+    if not isinstance(value, Scene):
+        raise RuleError(
+            f"scene: found {shown(value)}: must be a Scene (R1). Make one, or load one.", "scene"
+        )
+    return value

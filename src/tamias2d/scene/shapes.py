@@ -18,10 +18,12 @@ import numpy as np
 from tamias2d.generated import definitions
 from tamias2d.scene.outline import centred, checked_outline, edges
 from tamias2d.scene.rules import RuleError, Vector, number, vector
+from tamias2d.suggestions import suggests
 
 _EPSILON = 2.0**-52
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class Disc:
     """A solid disc of a `radius` in m."""
@@ -82,6 +84,7 @@ class _Corners:
         return max(math.hypot(x, y) for x, y in self.vertices)
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class Box(_Corners):
     """A solid rectangle of a `width` and a `height` in m, along its own axes."""
@@ -93,7 +96,7 @@ class Box(_Corners):
     def __post_init__(self) -> None:
         width = _length(self.width, "width", "a box")
         height = _length(self.height, "height", "a box")
-        x, y = width / 2, height / 2
+        x, y = _half(width, "width", "a box"), _half(height, "height", "a box")
         _set(self, width=width, height=height, vertices=((-x, -y), (x, -y), (x, y), (-x, y)))
 
     @property
@@ -106,6 +109,7 @@ class Box(_Corners):
         return float(definitions.inertia_box(mass, self.width, self.height))
 
 
+@suggests
 @dataclass(frozen=True, init=False)
 class Polygon(_Corners):
     """A solid convex polygon.
@@ -152,6 +156,7 @@ class _Line:
         return self.vertices
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class Capsule(_Line):
     """All that is within a `radius` of a line of a `length`, both in m, along its own x axis.
@@ -164,6 +169,7 @@ class Capsule(_Line):
 
     def __post_init__(self) -> None:
         length = _length(self.length, "length", "a capsule")
+        _half(length, "length", "a capsule")
         _set(self, length=length, radius=_length(self.radius, "radius", "a capsule"))
 
     @property
@@ -187,6 +193,7 @@ class Capsule(_Line):
             return float(definitions.inertia_capsule(mass, self.length, self.radius))
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class Segment(_Line):
     """A line of a `length` in m along its own x axis, solid from both sides."""
@@ -194,7 +201,9 @@ class Segment(_Line):
     length: float
 
     def __post_init__(self) -> None:
-        _set(self, length=_length(self.length, "length", "a segment"))
+        length = _length(self.length, "length", "a segment")
+        _half(length, "length", "a segment")
+        _set(self, length=length)
 
     @property
     def rounding(self) -> float:
@@ -216,6 +225,7 @@ class Segment(_Line):
         return float(definitions.inertia_segment(mass, self.length))
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class HalfPlane:
     """All points p with ``normal . p <= offset``: a floor or a wall. Static bodies only.
@@ -259,6 +269,17 @@ Single: TypeAlias = Disc | Box | Polygon | Capsule | Segment
 
 def _length(value: object, symbol: str, of: str) -> float:
     return number(value, symbol, of, f"Give a positive {symbol} in m.", at=(symbol,))
+
+
+def _half(length: float, symbol: str, of: str) -> float:
+    """Return half of a length; refuse one whose half is 0, since its ends would be one point."""
+    if length / 2 == 0:
+        raise RuleError(
+            f"{symbol} {length!r} m of {of}: float64 cannot hold its half (R4). "
+            f"Give a greater {symbol}.",
+            symbol,
+        )
+    return length / 2
 
 
 def _set(shape: object, **values: object) -> None:

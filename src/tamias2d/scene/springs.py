@@ -11,8 +11,10 @@ from tamias2d.scene.bodies import Body
 from tamias2d.scene.law import Value
 from tamias2d.scene.rules import RuleError, Vector, number, vector
 from tamias2d.spec import functions as fn
+from tamias2d.suggestions import suggests
 
 
+@suggests
 @dataclass(frozen=True, kw_only=True)
 class Spring:
     """One spring of a scene, checked; made by `Scene.add_spring`."""

@@ -15,16 +15,18 @@ from tamias2d.scene.filters import ALL
 from tamias2d.scene.forms import SECTIONS
 from tamias2d.scene.law import Law
 from tamias2d.scene.rules import Vector
-from tamias2d.scene.scene import Scene
+from tamias2d.scene.scene import Scene, checked_scene
 from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segment
 from tamias2d.scene.springs import Spring
+from tamias2d.suggestions import suggests
 
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 
+@suggests
 def scene_text(scene: Scene) -> str:
     """Return the scene as YAML, every value with all its digits and its unit."""
-    return "\n".join(_lines(scene)) + "\n"
+    return "\n".join(_lines(checked_scene(scene))) + "\n"
 
 
 def _lines(scene: Scene) -> Iterator[str]:

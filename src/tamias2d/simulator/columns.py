@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.generated.symbols import SYMBOLS
-from tamias2d.scene.rules import RuleError, label, number, shown
+from tamias2d.scene.rules import RuleError, label, number, refuse_masked, shown
 from tamias2d.state import Array
 
 Whole = NDArray[np.int64]
@@ -55,6 +55,7 @@ def _spread(value: object, key: str, of: str, remedy: str, shape: tuple[int, ...
 
 def as_array(value: object, key: str, of: str, remedy: str) -> NDArray[np.generic]:
     """Return an array of whatever numbers, or raise `RuleError` if its rows differ in length."""
+    refuse_masked(value, of, remedy, at=(key,))
     try:
         return np.asarray(value)
     except ValueError:  # rows of different lengths

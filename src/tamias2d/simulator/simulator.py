@@ -25,6 +25,7 @@ from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
 from tamias2d.scene.reading import read_scene
 from tamias2d.scene.rules import RuleError, number, shown
+from tamias2d.scene.scene import checked_scene
 from tamias2d.simulator import saving
 from tamias2d.simulator.acting import Acting
 from tamias2d.simulator.adding import Shapes, added_batch
@@ -38,11 +39,13 @@ from tamias2d.simulator.selection import Bodies, selected
 from tamias2d.simulator.unstated import refuse_unstated
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array
+from tamias2d.suggestions import suggests
 
 Whole = NDArray[np.int64]
 _QUIET = 0.5  # s, until what is quiet falls asleep
 
 
+@suggests
 class Simulator(Views):
     """A scene that is stepped through its contacts, and can be changed between the steps.
 
@@ -91,10 +94,7 @@ class Simulator(Views):
         Raises:
             InputError: a value breaks a rule (R4).
         """
-        if not isinstance(scene, Scene):
-            raise RuleError(
-                f"scene: found {shown(scene)}: must be a Scene (R1). Make one, or load one."
-            )
+        checked_scene(scene)
         remedy = "Give it in s, such as 1/60."
         self._time_step = number(time_step, "time_step", "the simulator", remedy, at=("time_step",))
         self._substeps = _checked_count(substeps, "substeps", 1)

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import ABSENT, DYNAMIC, INVERSE_MASS, SLEEP_ID
-from tamias2d.scene.rules import RuleError
+from tamias2d.scene.rules import RuleError, refuse_masked
 from tamias2d.state import Array
 
 
@@ -121,6 +121,7 @@ class Views:
 
 def _write(view: Array, value: ArrayLike, key: str) -> None:
     """Write into a view, or raise `RuleError`; what is not finite the next step finds."""
+    refuse_masked(value, "the simulator", "Fill it.", at=(key,))
     try:
         view[...] = value
     except (TypeError, ValueError):

@@ -135,7 +135,7 @@ def parse(text: str) -> Node:
         )
     if "#" in source:
         raise SpecFault(
-            Code.NOT_ALLOWED, "'#' begins a comment. Remove it", lead + source.index("#")
+            Code.NOT_ALLOWED, "an expression has no comments. Remove '#'", lead + source.index("#")
         )
     source = re.sub(r"\s", " ", source)
     tree = _python_tree(source, lead)

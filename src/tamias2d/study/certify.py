@@ -11,13 +11,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tamias2d.certificate import Certificate, Kind, hashes, not_claimed
+from tamias2d.errors import InputError
 from tamias2d.motion import ClosedForm, Dop853, Legacy2018, Method, Reference, Stepped
 from tamias2d.run import Run
+from tamias2d.scene.rules import shown
 from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import MEASURE, apart, radii, scale
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
+from tamias2d.suggestions import suggests
 
 _EPSILON = 2.0**-52
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
@@ -56,6 +59,7 @@ class _NoBoundError(Exception):
     """Why there is none."""
 
 
+@suggests
 def certify(run: Run) -> Run:
     """Return the run with a certificate.
 
@@ -64,6 +68,8 @@ def certify(run: Run) -> Run:
     order), by an adaptive one at a tighter tolerance, through contacts by steps of a half and of a
     quarter (six times the run's cost); and once more for the twin.
     """
+    if not isinstance(run, Run):
+        raise InputError(f"run: found {shown(run)}: must be a Run (R5). Give one of `simulate`.")
     grown = growth(run)
     lost_at = horizon(run, grown)
     try:

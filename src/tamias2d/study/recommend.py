@@ -26,7 +26,9 @@ from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.rules import number
+from tamias2d.scene.scene import checked_scene
 from tamias2d.study.pilot import Estimate, Pilot
+from tamias2d.suggestions import suggests
 
 TIGHTEST, LOOSEST = 1e-15, 0.1
 
@@ -56,6 +58,7 @@ class Plan:
         return self.estimates[0]
 
 
+@suggests
 def recommend(scene: Scene, *, duration: float, tolerance: float) -> Plan:
     """Return how to simulate a scene for a duration in s within a tolerance.
 
@@ -67,6 +70,7 @@ def recommend(scene: Scene, *, duration: float, tolerance: float) -> Plan:
         ToleranceError: nothing meets it.
         SimulationError: the scene has no unique answer.
     """
+    checked_scene(scene)
     duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
     tolerance = checked_tolerance(tolerance)
     if reason := steps_because(scene, duration):

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from tamias2d.errors import InputError, TamiasError
+from tamias2d.suggestions import suggests
 from tamias2d.verify import (
     certified,
     conserves,
@@ -44,16 +45,21 @@ COMPARISONS: dict[str, Comparison] = {
 }
 
 
-def verify(ids: str | Iterable[str] | None = None) -> list[Outcome]:
+@suggests
+def verify(
+    ids: str | Iterable[str] | None = None,
+    *,
+    follow: Callable[[list[Case]], Iterable[Case]] = iter,
+) -> list[Outcome]:
     """Run cases, judge them, keep the verdicts for `trace`, and return them.
 
     The id of another item names the cases that name it, or else all that rest on it. Without ids
-    all cases are run.
+    all cases are run. `follow` gives them on one by one, and may show which is at work.
 
     Raises:
         InputError: an id is unknown, or no case rests on it.
     """
-    outcomes = [outcome for case in cases(ids) for outcome in judge(case)]
+    outcomes = [outcome for case in follow(cases(ids)) for outcome in judge(case)]
     results.add(outcomes)
     return outcomes
 

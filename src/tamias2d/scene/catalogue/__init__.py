@@ -6,7 +6,6 @@ One YAML file a scene; a file is found by its name. Scenes of many bodies that s
 made by functions: a file of five thousand boxes is not for reading.
 """
 
-import difflib
 from collections.abc import Callable
 from functools import partial
 from importlib.resources import files
@@ -15,8 +14,10 @@ from typing import Literal
 from tamias2d.errors import SceneError
 from tamias2d.scene.catalogue import crowds, stacks
 from tamias2d.scene.reading import read_scene
+from tamias2d.scene.rules import shown
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.writing import scene_text
+from tamias2d.suggestions import nearest, suggests
 
 _SUFFIX = ".yaml"
 _MADE: dict[str, Callable[[str], Scene]] = {
@@ -45,6 +46,7 @@ def names(way: Literal["located", "stepped"] | None = None) -> list[str]:
     return sorted(of_ways[way])
 
 
+@suggests
 def load(name: str) -> Scene:
     """Return a scene of the catalogue.
 
@@ -72,6 +74,6 @@ def text(name: str) -> str:
 def _refuse_unknown(name: str) -> None:
     known = names()
     if name not in known:
-        close = difflib.get_close_matches(name, known, n=1)
-        hint = f"Did you mean '{close[0]}'?" if close else f"Take one of {', '.join(known)}."
-        raise SceneError(f"scene '{name}': not in the catalogue (R2). {hint}")
+        near = nearest(str(name), known)
+        hint = f"Did you mean '{near}'?" if near else f"Take one of {', '.join(known)}."
+        raise SceneError(f"scene {shown(name)}: not in the catalogue (R2). {hint}")

@@ -1,0 +1,130 @@
+"""A call with wrong arguments says what was meant; names of other engines lead to ours."""
+
+import copy
+import pickle
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tamias2d.suggestions import nearest, suggests
+
+DISC = t2.Disc(radius=0.5)
+BODY = {"mass": 1.0, "position": (0.0, 0.0)}
+
+
+def scene() -> t2.Scene:
+    return t2.Scene(gravity=(0, 0))
+
+
+WRONG: list[tuple[Callable[[], object], str]] = [
+    (
+        lambda: scene().add_body(DISC, **BODY, resitution=0.5),
+        "add_body(): unknown argument 'resitution'; did you mean 'restitution'?",
+    ),
+    (
+        lambda: scene().add_body(DISC, 1, (0, 0)),
+        "add_body(Disc(radius=0.5), 1, (0, 0)): arguments have names; write "
+        "add_body(Disc(radius=0.5), mass=1, position=(0, 0)).",
+    ),
+    (
+        lambda: scene().add_body(DISC, mass=1),
+        "add_body(): argument 'position' is missing; add position=...",
+    ),
+    (
+        lambda: scene().add_body(DISC, **BODY, elasticity=1),
+        "add_body(): unknown argument 'elasticity'; did you mean 'restitution'?",
+    ),
+    (
+        lambda: scene().add_static(DISC, shape=DISC),
+        "add_static(): multiple values for argument 'shape'.",
+    ),
+    (
+        lambda: scene().set_restitution("a", "b", restitution=1),
+        "set_restitution(): unknown argument 'restitution'; it takes first, second, value.",
+    ),
+    (lambda: t2.Disc(0.5), "Disc(0.5): arguments have names; write Disc(radius=0.5)."),
+    (lambda: t2.Disc(raduis=1), "Disc(): unknown argument 'raduis'; did you mean 'radius'?"),
+    (lambda: t2.Disc(), "Disc(): argument 'radius' is missing; add radius=..."),
+    (lambda: t2.Box(1, 2), "Box(1, 2): arguments have names; write Box(width=1, height=2)."),
+    (lambda: t2.Box(1, width=2), "Box(1, ...): arguments have names; write Box(height=1, ...)."),
+    (
+        lambda: t2.Box(1, 2, 3),
+        "Box(): found 3 arguments without a name; it takes width, height.",
+    ),
+    (
+        lambda: t2.Polygon([(0, 0), (1, 0), (0, 1)]),
+        "Polygon([(0, 0), (1, 0), (0, 1)]): arguments have names; write "
+        "Polygon(vertices=[(0, 0), (1, 0), (0, 1)]).",
+    ),
+    (lambda: t2.Part(DISC), "Part(Disc(radius=0.5)): arguments have names; write Part(shape="),
+    (lambda: t2.Compound([]), "Compound([]): arguments have names; write Compound(parts=[])."),
+    (lambda: t2.Scene((0, 0)), "Scene((0, 0)): arguments have names; write Scene(gravity=(0, 0))."),
+    (lambda: t2.simulate(scene(), 4), "simulate(..., 4): arguments have names; write simulate(..."),
+    (lambda: t2.simulate(scene(), dt=1), "simulate(): unknown argument 'dt'; did you mean 'time_s"),
+    (lambda: t2.Simulator(scene(), dt=1), "Simulator(): unknown argument 'dt'; did you mean 'time"),
+    (
+        lambda: t2.Simulator(scene()).add(DISC, mass=1, pos=(0, 0)),
+        "add(): unknown argument 'pos'; did you mean 'position'?",
+    ),
+    (
+        lambda: t2.Stepped(substep=8),
+        "Stepped(): unknown argument 'substep'; did you mean 'substeps",
+    ),
+    (
+        lambda: t2.ExplicitEuler(0.1),
+        "ExplicitEuler(): found 1 arguments without a name; it takes no",
+    ),
+    (lambda: t2.Body(mass=1, moment=2), "Body(): a scene makes it; write Scene.add_body("),
+    (lambda: t2.catalogue.load(), "load(): argument 'name' is missing; add name=..."),
+]
+
+
+@pytest.mark.parametrize(("call", "says"), WRONG, ids=[says[:30] for _, says in WRONG])
+def test_a_wrong_call_says_what_was_meant(call: Callable[[], object], says: str) -> None:
+    with pytest.raises(t2.ArgumentError) as refusal:
+        call()
+    assert str(refusal.value).startswith(says)
+    assert isinstance(refusal.value, t2.InputError)
+    assert isinstance(refusal.value, TypeError)  # as Python raises it
+
+
+def test_an_error_from_inside_stays_what_it_is() -> None:
+    @suggests
+    def broken(value: int) -> None:
+        raise TypeError(f"inside: {value}")
+
+    with pytest.raises(TypeError, match="inside: 3") as error:
+        broken(3)
+    assert not isinstance(error.value, t2.ArgumentError)
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [("circle", "disc"), ("Rect", "box"), ("hexagon", None), ("half_plane", "half-plane")],
+)
+def test_shapes_of_a_file_are_found_by_other_names(word: str, meant: str | None) -> None:
+    assert nearest(word, ["disc", "box", "half-plane"]) == meant
+
+
+def test_what_suggests_is_copied_and_pickled_as_before() -> None:
+    for value in (DISC, t2.Compound(parts=[t2.Part(shape=DISC)]), t2.Stepped(substeps=8)):
+        assert copy.deepcopy(value) == value == pickle.loads(pickle.dumps(value))
+    assert pickle.loads(pickle.dumps(t2.simulate)) is t2.simulate
+
+
+def test_the_frame_loop_is_left_alone() -> None:
+    """What is called sixty times a second and more has no wrapper."""
+    assert not hasattr(t2.Simulator.step, "__wrapped__")
+    assert hasattr(t2.Simulator.add, "__wrapped__")
+
+
+def test_a_masked_value_is_refused_by_the_simulator() -> None:
+    sim = t2.Simulator(scene())
+    masked = np.ma.array([1.0, 2.0], mask=[True, False])
+    with pytest.raises(t2.InputError, match=r"mass of .*: found a masked value"):
+        sim.add(DISC, mass=masked, position=[(0, 0), (3, 0)], restitution=0.5)
+    sim.add(DISC, mass=masked.filled(1.0), position=[(0, 0), (3, 0)], restitution=0.5)
+    with pytest.raises(t2.InputError, match=r"orientation of .*: found a masked value"):
+        sim.orientation = masked
