@@ -108,6 +108,35 @@ def simulate(
         return _run(plan.by_steps(reason), progress)
 
 
+def sampler(run: Run) -> Callable[[Array], History]:
+    """Return what tells the states of a run at sorted times (k,), s: it is simulated once more.
+
+    Where it is stepped, the states change linearly between the ends of steps.
+    """
+    plan = planned(run.scene, run.duration, run.method, run.time_step, None)
+    if isinstance(run.method, Stepped | Legacy2018):
+        steps = _run(plan, progress=False)
+        return lambda times: _interpolated(steps, times)
+    motion = plan.method.motion(run.scene, run.duration, run.time_step or run.duration)
+    located = Located(run.scene, motion)
+    with np.errstate(all="ignore"):
+        located.go(run.duration)
+    return lambda times: sample(located.tracks, times)
+
+
+def _interpolated(run: Run, times: Array) -> History:
+    """Return states that change linearly between the samples of a run."""
+    after = np.clip(np.searchsorted(run.times, times, side="right"), 1, len(run.times) - 1)
+    before = after - 1
+    share = (times - run.times[before]) / (run.times[after] - run.times[before])
+    known = (run.position, run.orientation, run.velocity, run.angular_velocity)
+    rows = (
+        part[before] + share.reshape(-1, *[1] * (part.ndim - 1)) * (part[after] - part[before])
+        for part in known
+    )
+    return History(*rows)
+
+
 @contextmanager
 def _within_range(duration: float) -> Iterator[None]:
     """Turn what float64 cannot hold into a refusal, without warnings before it."""

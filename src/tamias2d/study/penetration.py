@@ -1,0 +1,238 @@
+"""Whether bodies of a run overlap or pass through each other, looked for along the whole run.
+
+Serves: certificates. Hides: how the look is made sure between samples.
+
+It shares nothing with the search for impacts. Over an interval of time one direction must separate
+two pieces at both ends and in the middle, by more than what the motion between these can bend;
+otherwise the interval is halved. The directions that separate what does not pass follow from one
+another without a jump: the opposite one, as below a line instead of above, is reached only around
+its end.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.motion import Stepped
+from tamias2d.run import Run
+from tamias2d.scene.filters import may_touch
+from tamias2d.simulate import sampler
+from tamias2d.state import Array, History
+from tamias2d.study.separation import Flags, Piece, View, divided, joined, pieces, view
+
+_EPSILON = 2.0**-52
+_TOUCH = 1e-9  # of the smaller size: overlaps less deep are touches
+_PRESSED = 0.1  # the same where contacts are stepped, which press bodies into each other
+_UNSEEN = 1e-6  # of the smaller size: by how much bodies may overlap between samples
+_INTERVALS = 240  # of the run, at least, from which halving starts
+_HALVINGS = 44
+_TURN = 0.5  # cosine: by how much a direction may turn in half an interval
+
+
+class Penetration(NamedTuple):
+    """Two bodies that are where solid ones cannot be."""
+
+    bodies: tuple[int, int]
+    time: float
+    """When it is first seen, s."""
+    depth: float
+    """How deep they overlap then, m; 0 where one passes through the other unseen."""
+
+
+class _Leaf(NamedTuple):
+    """Intervals that need not be halved any more."""
+
+    start: Array
+    """(k,), s"""
+    end: Array
+    seen: View
+    """At the starts."""
+    separating: Flags
+    """(k, c): which directions separate at the start"""
+    common: Flags
+    """(k, c): which do so all along"""
+
+
+def penetrations(run: Run) -> Iterator[Penetration]:
+    """Go through the pairs of pieces that overlap or pass through each other."""
+    pairs = list(_pairs(run))
+    if not pairs:
+        return
+    sample, nodes = sampler(run), _nodes(run)
+    history = sample(nodes)
+    share = _PRESSED if isinstance(run.method, Stepped) else _TOUCH
+    for a, b in pairs:
+        near = _near(a, b, nodes, history)
+        if near.any():
+            touch, unseen = _tolerances(a, b, share, nodes, history)
+            found = _Search(a, b, sample, touch, unseen).first(nodes[:-1][near], nodes[1:][near])
+            if found:
+                yield found
+
+
+def _pairs(run: Run) -> Iterator[tuple[Piece, Piece]]:
+    """Go through all pairs of pieces that must not overlap; a half-plane is first."""
+    bodies = run.scene.bodies
+    solid = [k for k, body in enumerate(bodies) if body.shape is not None and not body.sensor]
+    of = {k: pieces(k, bodies[k]) for k in solid}
+    for i, j in combinations(solid, 2):
+        if (bodies[i].dynamic or bodies[j].dynamic) and may_touch(bodies[i], bodies[j]):
+            for a in of[i]:
+                yield from ((b, a) if b.offset is not None else (a, b) for b in of[j])
+
+
+def _nodes(run: Run) -> Array:
+    """Return the times from which the search starts: samples, impacts, and enough between them."""
+    end = float(run.times[-1])
+    known = (run.times, run.impacts.time, np.linspace(0.0, end, _INTERVALS + 1))
+    nodes = np.unique(np.concatenate(known))
+    return nodes[nodes <= end]
+
+
+def _near(a: Piece, b: Piece, nodes: Array, history: History) -> Flags:
+    """Return (k - 1,): in which intervals a pair may come near, by circles around both."""
+    between = history.position[:, b.body] - history.position[:, a.body]
+    if a.offset is None:
+        away = np.hypot(*between.T) - a.reach - a.radius - b.reach - b.radius
+    else:
+        away = between @ a.normals[0] - a.offset - b.reach - b.radius
+    speed = np.linalg.norm(history.velocity[:, [a.body, b.body]], axis=-1).sum(axis=1)
+    way = np.hypot(*np.diff(between, axis=0).T) + np.diff(nodes) * np.maximum(speed[1:], speed[:-1])
+    near: Flags = np.minimum(away[1:], away[:-1]) <= 2 * way
+    return near
+
+
+def _tolerances(
+    a: Piece, b: Piece, share: float, nodes: Array, history: History
+) -> tuple[float, float]:
+    """Return the overlap that counts as a touch, and the one that may go unseen, m."""
+    size = min(a.size, b.size)
+    both = [a.body, b.body]
+    far = float(np.abs(history.position[:, both]).max())
+    wide = b.reach + b.radius + (a.reach + a.radius if a.offset is None else abs(a.offset))
+    fast = float(np.abs(history.velocity[:, both]).max())
+    blur = _EPSILON * (64 * (far + wide) + 16 * fast * float(nodes[-1]))
+    return share * size + blur, max(share, _UNSEEN) * size + blur
+
+
+class _Search:
+    """Two pieces along a run."""
+
+    def __init__(
+        self,
+        a: Piece,
+        b: Piece,
+        sample: Callable[[Array], History],
+        touch: float,
+        unseen: float,
+    ) -> None:
+        self._a, self._b = a, b
+        self._sample = sample
+        self._touch, self._unseen = touch, unseen
+
+    def first(self, start: Array, end: Array) -> Penetration | None:
+        """Return what is wrong within the intervals from `start` to `end` (k,), s, or None."""
+        leaves = []
+        for level in range(_HALVINGS):
+            middle = start + (end - start) / 2
+            times = np.concatenate((start, middle, end))
+            seen = view(self._a, self._b, _in_order(self._sample, times))
+            if (found := self._overlap(times, seen)) is not None:
+                return found
+            common, clear = self._common(seen, len(start))
+            done = clear | (middle <= start) | (middle >= end) | (level == _HALVINGS - 1)
+            first = seen.rows(slice(len(start))).rows(done)
+            leaves.append(
+                _Leaf(start[done], end[done], first, self._separating(first), common[done])
+            )
+            if done.all():
+                break
+            left = ~done
+            start, end = (
+                np.concatenate((start[left], middle[left])),
+                np.concatenate((middle[left], end[left])),
+            )
+        return self._jump(leaves)
+
+    def _separating(self, seen: View) -> Flags:
+        found: Flags = seen.separation >= -self._touch
+        return found
+
+    def _named(self, time: float, depth: float) -> Penetration:
+        return Penetration(tuple(sorted((self._a.body, self._b.body))), time, depth)  # type: ignore[arg-type]
+
+    def _overlap(self, times: Array, seen: View) -> Penetration | None:
+        """Return the earliest overlap at one of the times."""
+        depth = -seen.separation.max(axis=1)
+        deep = np.flatnonzero(depth > self._touch)
+        if not len(deep):
+            return None
+        k = deep[np.argmin(times[deep])]
+        return self._named(float(times[k]), float(depth[k]))
+
+    def _common(self, seen: View, count: int) -> tuple[Flags, Flags]:
+        """Return which directions separate at both ends and between (k, c), and if surely so (k,).
+        """
+        one, two, three = (seen.rows(slice(k * count, (k + 1) * count)) for k in range(3))
+        common = np.ones(one.separation.shape, dtype=bool)
+        for each in (one, two, three):
+            common &= self._separating(each)
+        for first, second in ((one, two), (two, three)):
+            common &= (first.directions * second.directions).sum(axis=-1) > _TURN
+        least = np.minimum(np.minimum(one.separation, two.separation), three.separation)
+        clear = common & (least - self._bend(one, two, three) >= -self._unseen)
+        return common, clear.any(axis=1)
+
+    def _bend(self, one: View, two: View, three: View) -> Array:
+        """Return (k, c), m: how far separations may lie below those at the ends and between."""
+        sag = np.hypot(*(two.between - (one.between + three.between) / 2).T)
+        way = np.hypot(*(three.between - one.between).T)
+        turn_a, turn_b = np.abs(three.angles - one.angles).T
+        reach_a = self._a.reach if self._a.offset is None else 0.0
+        corners = reach_a * turn_a**2 + self._b.reach * turn_b**2
+        turn = np.maximum(turn_a, turn_b)
+        far = np.hypot(*two.between.T) + self._b.reach + reach_a
+        normals = (turn**2 * far + 2 * turn * (way + sag)) / 8
+        moved = way + reach_a * turn_a + self._b.reach * turn_b
+        least = np.minimum(np.minimum(one.distance, two.distance), three.distance)
+        lines = np.minimum(moved**2 / 8, math.inf)[:, None] / np.maximum(least, 1e-300)
+        own = np.where(np.isinf(least), normals[:, None], lines)
+        return (sag[:, None] + corners[:, None] / 8 + own) / 2
+
+    def _jump(self, leaves: list[_Leaf]) -> Penetration | None:
+        """Return the first interval that no direction separates from what was reached before."""
+        start = np.concatenate([leaf.start for leaf in leaves])
+        order = np.argsort(start)
+        end = np.concatenate([leaf.end for leaf in leaves])[order]
+        start = start[order]
+        seen = View(*(np.concatenate(parts)[order] for parts in zip(*(x.seen for x in leaves))))
+        separating = np.concatenate([leaf.separating for leaf in leaves])[order]
+        common = np.concatenate([leaf.common for leaf in leaves])[order]
+        lost = ~common.any(axis=1)
+        if divided(separating, seen).any():
+            lost = self._lost(start, end, seen, separating, common)
+        return self._named(float(end[np.argmax(lost)]), 0.0) if lost.any() else None
+
+    def _lost(
+        self, start: Array, end: Array, seen: View, separating: Flags, common: Flags
+    ) -> Flags:
+        """Return (k,): after which intervals nothing that was reached separates."""
+        lost = np.zeros(len(start), dtype=bool)
+        reached = separating[0]
+        for k in range(len(start)):
+            if k and end[k - 1] != start[k]:
+                reached = separating[k]
+            reached = joined(reached, separating[k], seen.directions[k]) & common[k]
+            if not reached.any():
+                lost[k] = True
+                break
+        return lost
+
+
+def _in_order(sample: Callable[[Array], History], times: Array) -> History:
+    """Return the states at times (k,) of any order, s."""
+    known, back = np.unique(times, return_inverse=True)
+    return History(*(part[back] for part in sample(known)))
