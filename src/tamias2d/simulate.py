@@ -5,7 +5,7 @@ are put together.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import Protocol
 
@@ -108,23 +108,23 @@ def simulate(
         return _run(plan.by_steps(reason), progress)
 
 
-def sampler(run: Run) -> Callable[[Array], History]:
-    """Return what tells the states of a run at sorted times (k,), s: it is simulated once more.
+def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
+    """Return what tells the states of some bodies at sorted times (k,), s.
 
-    Where it is stepped, the states change linearly between the ends of steps.
+    The run is simulated once more. Where it is stepped, the states change linearly between the ends of steps.
     """
     plan = planned(run.scene, run.duration, run.method, run.time_step, None)
     if isinstance(run.method, Stepped | Legacy2018):
         steps = _run(plan, progress=False)
-        return lambda times: _interpolated(steps, times)
+        return lambda times, bodies: _interpolated(steps, times, bodies)
     motion = plan.method.motion(run.scene, run.duration, run.time_step or run.duration)
     located = Located(run.scene, motion)
-    with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"), suppress(Refusal, NoStepError):  # as far as the run went
         located.go(run.duration)
-    return lambda times: sample(located.tracks, times)
+    return lambda times, bodies: sample([located.tracks[k] for k in bodies], times)
 
 
-def _interpolated(run: Run, times: Array) -> History:
+def _interpolated(run: Run, times: Array, bodies: Sequence[int]) -> History:
     """Return states that change linearly between the samples of a run."""
     after = np.clip(np.searchsorted(run.times, times, side="right"), 1, len(run.times) - 1)
     before = after - 1
@@ -132,7 +132,7 @@ def _interpolated(run: Run, times: Array) -> History:
     known = (run.position, run.orientation, run.velocity, run.angular_velocity)
     rows = (
         part[before] + share.reshape(-1, *[1] * (part.ndim - 1)) * (part[after] - part[before])
-        for part in known
+        for part in (whole[:, list(bodies)] for whole in known)
     )
     return History(*rows)
 

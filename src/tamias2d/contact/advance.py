@@ -13,20 +13,32 @@ import math
 from collections.abc import Sequence
 
 from tamias2d.contact.core import Core, Placed, place, rounded
-from tamias2d.contact.gap import Axis, Gap, axes, gaps, resolution
+from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, resolution
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.path import Bounds, Piece
+from tamias2d.state import Vector
 
 
 class Pair:
     """Two bodies on their paths."""
 
     def __init__(
-        self, a: Core, b: Core, path_a: Piece, path_b: Piece, kept: Sequence[Contact] = ()
+        self,
+        a: Core,
+        b: Core,
+        path_a: Piece,
+        path_b: Piece,
+        kept: Sequence[Contact] = (),
+        ahead: Vector | None = None,
     ) -> None:
-        """Take two bodies, and the lasting contacts that do not count as a meeting."""
+        """Take two bodies, and the lasting contacts that do not count as a meeting.
+
+        `ahead` is the direction from A to B in which they were last apart, if they touch.
+        """
         self.cores = (a, b)
+        self.ahead = ahead
+        """The direction in which they were apart when last looked at."""
         self._kept = kept
         self._paths = (path_a, path_b)
 
@@ -58,12 +70,12 @@ class Pair:
         end = min(path.end for path in self._paths)
         while (time := start + step) < end:
             a, b = self.placed(time)
+            tolerance = resolution(a, b, time)
             if self._kept:
                 _, near = self._beside(a, b)
             else:
-                near = gaps(a, b, max(axes(a, b), key=lambda each: each.gap))
+                near = gaps(a, b, max(self._axes(a, b, tolerance), key=_gap_of))
             nearest = min(near, key=lambda gap: gap.value)
-            tolerance = resolution(a, b, time)
             if nearest.value > tolerance and nearest.rate > 0:
                 return time
             if nearest.value < -4 * tolerance:
@@ -86,7 +98,7 @@ class Pair:
         if self._kept:
             return self._step_beside(a, b, time, end)
         step = max(step, self._round_step(a, b, time, end))
-        found = axes(a, b)
+        found = self._axes(a, b, tolerance)
         largest = max(axis.gap for axis in found)
         steps = []
         for axis in found:
@@ -97,23 +109,46 @@ class Pair:
                 steps.append(self._step_along(axis, near, a, b, time, end))
         return max(max(steps), step) if steps else None
 
+    def _axes(self, a: Placed, b: Placed, tolerance: float) -> list[Axis]:
+        """Return the axes, where they touch only those of the side on which they were."""
+        found = axes(a, b)
+        best = max(found, key=_gap_of)
+        if best.gap <= tolerance:
+            return from_side(a, b, found, self.ahead)
+        self.ahead = best.ahead
+        return found
+
     def _step_beside(self, a: Placed, b: Placed, time: float, end: float) -> float | None:
         """Return the safe step for all other corners along the axis of a lasting contact."""
         if self._kept[0].axis.side is None:  # around a corner there is only one
             return math.inf
         axis, near = self._beside(a, b)
+        same = axis[:2] == self._kept[0].axis[:2]
+        if same:
+            near = [self._from_kept(gap, axis, a, b) for gap in near]
         if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
             return None
-        return self._step_along(axis, near, a, b, time, end) if near else math.inf
+        return self._step_along(axis, near, a, b, time, end, relative=same) if near else math.inf
+
+    def _from_kept(self, gap: Gap, axis: Axis, a: Placed, b: Placed) -> Gap:
+        """Return the gap to a corner from that which is kept at none: only turning changes it."""
+        p, q = (b, a) if axis.swapped else (a, b)
+        ux, uy = axis.direction
+        kx, ky = q.corners[self._kept[0].gap.which[1]]
+        x, y = gap.corner[0] - kx, gap.corner[1] - ky
+        spin = q.state.angular_velocity - p.state.angular_velocity
+        rate = spin * (uy * x - ux * y)
+        return gap._replace(value=ux * x + uy * y, rate=rate, reach=(0.0, math.hypot(x, y)))
 
     def _beside(self, a: Placed, b: Placed) -> tuple[Axis, list[Gap]]:
         """Return the axis of a lasting contact, and the gaps along it to all other corners."""
         owner = self._kept[0].axis
         found = axes(a, b)
         same = [each for each in found if each[:2] == owner[:2]]
-        axis = same[0] if same else max(found, key=lambda each: each.gap)
-        indices = {contact.gap.which for contact in self._kept}
-        return axis, [gap for gap in gaps(a, b, axis) if gap.which not in indices]
+        axis = same[0] if same else max(from_side(a, b, found, self.ahead), key=_gap_of)
+        corners = {contact.gap.which[1] for contact in self._kept if contact.axis[:2] == axis[:2]}
+        corners |= {c.found[1] for c in self._kept if c.found[0] == axis.swapped}
+        return axis, [gap for gap in gaps(a, b, axis) if gap.which[1] not in corners]
 
     def _far_step(self, a: Placed, b: Placed, time: float, end: float) -> tuple[bool, float]:
         """Return whether circles around the bodies are well apart, and how long they stay so."""
@@ -141,29 +176,38 @@ class Pair:
         if not any(often):
             return 0.0
         a, b = (rounded(x) if turns else x for x, turns in zip((a, b), often, strict=True))
-        axis = max(axes(a, b), key=lambda each: each.gap)
+        axis = max(axes(a, b), key=_gap_of)
         if axis.gap <= 0:
             return 0.0
         return self._step_along(axis, gaps(a, b, axis), a, b, time, end)
 
     def _step_along(
-        self, axis: Axis, near: list[Gap], a: Placed, b: Placed, time: float, end: float
+        self,
+        axis: Axis,
+        near: list[Gap],
+        a: Placed,
+        b: Placed,
+        time: float,
+        end: float,
+        *,
+        relative: bool = False,
     ) -> float:
-        """Return the safe step along one axis, from bounds over a window that suits it."""
+        """Return the safe step along one axis, from bounds over a window that suits it.
+
+        Where gaps are `relative` to another corner, only turning changes them.
+        """
+
+        def smallest_root(window: float) -> float:
+            bounds = self._bounds(time, time + window)
+            bend_of = _Bend(axis, a, b, *bounds, window, relative=relative)
+            return min(_root(gap.value, gap.rate, bend_of(gap)) for gap in near)
+
         window = end - time
-        step = self._smallest_root(axis, near, a, b, time, window)
+        step = smallest_root(window)
         if step < window / 4:
             window = 2 * step
-            refined = self._smallest_root(axis, near, a, b, time, window)
-            step = max(step, min(refined, window))
+            step = max(step, min(smallest_root(window), window))
         return step
-
-    def _smallest_root(
-        self, axis: Axis, near: list[Gap], a: Placed, b: Placed, time: float, window: float
-    ) -> float:
-        bounds = self._bounds(time, time + window)
-        bend_of = _Bend(axis, a, b, *bounds, window)
-        return min(_root(gap.value, gap.rate, bend_of(gap)) for gap in near)
 
     def _bounds(self, first: float, last: float) -> tuple[Bounds, Bounds]:
         path_a, path_b = self._paths
@@ -177,23 +221,33 @@ class _Bend:
     """
 
     def __init__(
-        self, axis: Axis, a: Placed, b: Placed, bounds_a: Bounds, bounds_b: Bounds, window: float
+        self,
+        axis: Axis,
+        a: Placed,
+        b: Placed,
+        bounds_a: Bounds,
+        bounds_b: Bounds,
+        window: float,
+        *,
+        relative: bool,
     ) -> None:
         p, q = (b, a) if axis.swapped else (a, b)
         on_p, on_q = (bounds_b, bounds_a) if axis.swapped else (bounds_a, bounds_b)
         middle, deviation = _relative(on_p, on_q)
         ux, uy = axis.direction
         turning = axis.side is not None and (on_p.angular_speed or on_p.angular_acceleration)
-        if turning:
+        if relative:
+            self._common = 0.0
+        elif turning:
             self._common = -_turning(p, q, on_p, math.hypot(*middle) + deviation, window)
         else:
             self._common = ux * middle[0] + uy * middle[1] - deviation
         self._p = on_p.angular_speed**2 + on_p.angular_acceleration
         self._q = on_q.angular_speed**2 + on_q.angular_acceleration
         if turning:
-            relative = abs(q.state.angular_velocity - p.state.angular_velocity)
+            spin = abs(q.state.angular_velocity - p.state.angular_velocity)
             slip = on_p.angular_acceleration + on_q.angular_acceleration
-            self._q = (relative + slip * window) ** 2 + slip
+            self._q = (spin + slip * window) ** 2 + slip
 
     def __call__(self, gap: Gap) -> float:
         reach_p, reach_q = gap.reach
@@ -208,6 +262,10 @@ def _turning(p: Placed, q: Placed, on_p: Bounds, acceleration: float, window: fl
     distance = math.hypot(qx - px, qy - py) + speed * window
     spin = on_p.angular_speed
     return (spin**2 + on_p.angular_acceleration) * distance + 2 * spin * speed + acceleration
+
+
+def _gap_of(axis: Axis) -> float:
+    return axis.gap
 
 
 def _relative(on_p: Bounds, on_q: Bounds) -> tuple[tuple[float, float], float]:

@@ -21,6 +21,7 @@ from tamias2d.contact.core import Placed, Side
 from tamias2d.state import Vector
 
 EPSILON = 2.0**-52
+_BEHIND = -0.5  # cosine between directions that separate a pair from either side
 _IN_LINE = 1e-12  # of the sizes: by how much rounding may make cores in one line seem to cross
 
 
@@ -34,6 +35,12 @@ class Axis(NamedTuple):
     """u at this instant, from P to Q."""
     gap: float
     """The smallest gap at this instant, m."""
+
+    @property
+    def ahead(self) -> Vector:
+        """The direction from the first body of the pair to the second."""
+        x, y = self.direction
+        return (-x, -y) if self.swapped else (x, y)
 
 
 class Gap(NamedTuple):
@@ -72,6 +79,31 @@ def axes(a: Placed, b: Placed) -> list[Axis]:
     if a.core.radius or b.core.radius or min(len(a.core.corners), len(b.core.corners)) == 2:
         return _with_nearest(found, a, b)
     return found
+
+
+def from_side(a: Placed, b: Placed, found: list[Axis], ahead: Vector | None) -> list[Axis]:
+    """Return the axes that do not point against `ahead`, in which the pair was last apart.
+
+    Where thin bodies touch, the axes of both their sides have no gap: to go on along the other one
+    would be to pass through. Corners that rounding has let past each other overlap.
+    """
+    if ahead is None:
+        return found
+    ux, uy = ahead
+    same = [axis for axis in found if ux * axis.ahead[0] + uy * axis.ahead[1] > _BEHIND]
+    if same or found[0].side is not None:
+        return same or found
+    (x, y), base = found[0].direction, a.core.radius + b.core.radius
+    return [found[0]._replace(direction=(-x, -y), gap=-found[0].gap - 2 * base)]
+
+
+def either_side(found: list[Axis], tolerance: float) -> Vector | None:
+    """Return the direction of an axis of which the opposite one has no gap either, or None."""
+    touching = [axis.ahead for axis in found if abs(axis.gap) <= tolerance]
+    for ux, uy in touching:
+        if any(ux * x + uy * y < _BEHIND for x, y in touching):
+            return ux, uy
+    return None
 
 
 def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.gap import EPSILON, axes, resolution, slight_opening
+from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
 from tamias2d.contact.hold import opening
 from tamias2d.contact.manifold import Contact, approach, cornered, manifold, speeds, tangent_of
 from tamias2d.contact.refusal import SimultaneousImpactsError, UndecidedContactError, named
@@ -21,7 +21,7 @@ from tamias2d.contact.rest import Island
 from tamias2d.contact.rough import HELD_NOISE, Roughness, island_of
 from tamias2d.contact.rub import rubs, struck
 from tamias2d.generated import rest
-from tamias2d.state import Acceleration, Hold, State
+from tamias2d.state import Acceleration, Hold, State, Vector
 
 PairOf = tuple[int, int]
 
@@ -42,6 +42,8 @@ class Surroundings(NamedTuple):
     """The contacts that have lasted until now."""
     stuck: Collection[PairOf]
     """The pairs of these that have not slid."""
+    ahead: Mapping[PairOf, Vector]
+    """The directions in which pairs were last apart."""
     restitution: Callable[[int, int], float]
     friction: Callable[[int, int], float]
     until: float
@@ -127,10 +129,26 @@ class Instant:
         kept = self._world.held.get(pair, ())
         if not kept and (_far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance):
             return None
-        contacts = manifold(a, b, tolerance, self.time, kept)
+        ahead = self._world.ahead.get(pair) or self._pressed(a, b, tolerance)
+        contacts = manifold(a, b, tolerance, self.time, kept, ahead)
         speed = max(speeds(contact, a.state, b.state) for contact in contacts)
         noise = speed * (HELD_NOISE if kept else 64 * EPSILON)
         return Touch(pair, contacts, tolerance, speed, noise)
+
+    def _pressed(self, a: Placed, b: Placed, tolerance: float) -> Vector | None:
+        """Return the direction from A to B in which a thin pair lies of which no gap tells it.
+
+        It is the one against which they move or, if they do not, are pushed: bodies are solid.
+        """
+        if (thin := either_side(axes(a, b), tolerance)) is None:
+            return None
+        (ux, uy), rate, push = thin, 0.0, 0.0
+        for sign, body in ((-1, a), (1, b)):
+            rate += sign * (ux * body.state.velocity[0] + uy * body.state.velocity[1])
+            if body.core.dynamic:
+                x, y, _ = self._world.free(body.core.index, self._world.state)
+                push += sign * (ux * x + uy * y)
+        return (-ux, -uy) if (rate or push) > 0 else (ux, uy)
 
     def _slide_noise(self, contact: Contact) -> float:
         pair = contact.a, contact.b

@@ -6,7 +6,7 @@ Serves: `simulate`. Hides: how bodies change paths, and when they rest.
 import heapq
 import math
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 from tamias2d.contact.advance import Pair
 from tamias2d.contact.core import cores_of, place
@@ -21,7 +21,7 @@ from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.watch import Watch
 from tamias2d.path import Paths, Piece
 from tamias2d.scene import Scene
-from tamias2d.state import Hold, State
+from tamias2d.state import Hold, State, Vector
 
 _TRIES = 32  # new paths for a body within a few units of the last place of time
 
@@ -45,6 +45,7 @@ class Located:
         self._holds: list[Hold | None] = [None for _ in self._cores]
         self._held: dict[PairOf, list[Contact]] = {}
         self._senses: dict[PairOf, int] = {}
+        self._ahead: dict[PairOf, Vector] = {}
         self._resume: dict[PairOf, float] = {}
         self._version = [0 for _ in self._cores]
         self._events: list[tuple[float, int, int, int, int]] = []
@@ -128,14 +129,21 @@ class Located:
     def _predict_pair(self, pair: PairOf) -> None:
         i, j = pair
         kept = self._held.get(pair, ())
-        if len(kept) > 1 or (kept and not self._bends(pair)):
+        if kept and not self._bends(pair):
             return
-        path_i, path_j = self.tracks[i][-1], self.tracks[j][-1]
         start = max(self._resume.get(pair, 0.0), self.time)
-        end = min(path_i.end, path_j.end)
-        time = Pair(self._cores[i], self._cores[j], path_i, path_j, kept).meets(start, end)
+        end = min(self.tracks[k][-1].end for k in pair)
+        meeting = self._pair(pair, kept)
+        time = meeting.meets(start, end)
+        if meeting.ahead:
+            self._ahead[pair] = meeting.ahead
         if time is not None:
             self._put(time, i, j)
+
+    def _pair(self, pair: PairOf, kept: Sequence[Contact]) -> Pair:
+        (i, j), ahead = pair, self._ahead.get(pair)
+        paths = self.tracks[i][-1], self.tracks[j][-1]
+        return Pair(self._cores[i], self._cores[j], *paths, kept, ahead)
 
     def _bends(self, pair: PairOf) -> bool:
         return any((hold := self._holds[i]) and hold.bends for i in pair)
@@ -190,6 +198,7 @@ class Located:
             lambda body, state: self._motion.free(body, time, state),
             self._held,
             [pair for pair, sense in self._senses.items() if not sense],
+            self._ahead,
             self._scene.restitution,
             self._scene.friction,
             self._until,
@@ -215,6 +224,7 @@ class Located:
     def _keep(self, instant: Instant) -> None:
         """Take over which contacts last, and note those that are new."""
         for pair, touch in instant.touches.items():
+            self._ahead[pair] = touch.contacts[0].normal
             if touch.staying and pair not in self._held:
                 names = named(*(self._cores[i].name for i in pair))
                 since = self._forecasts.rest_of(pair, instant.time)
@@ -254,10 +264,7 @@ class Located:
     def _depart(self, instant: Instant) -> None:
         """Find out from when on pairs that part without normal velocity are seen to be apart."""
         for pair, bend in instant.opening.items():
-            i, j = pair
-            paths = self.tracks[i][-1], self.tracks[j][-1]
-            kept = instant.touches[pair].staying
-            meeting = Pair(self._cores[i], self._cores[j], *paths, kept)
+            meeting = self._pair(pair, instant.touches[pair].staying)
             longest = 2.0**-20 * (self._until - instant.time)
             step = min(math.sqrt(8 * instant.touches[pair].tolerance / bend), longest)
             self._resume[pair] = meeting.seen_apart(instant.time, step)

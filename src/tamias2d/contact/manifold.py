@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from tamias2d.contact.core import Core, Placed
-from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, gaps
+from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, from_side, gaps
 from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.generated import definitions, friction, impact, rest
 from tamias2d.state import Acceleration, State, Vector
@@ -36,13 +36,19 @@ class Contact(NamedTuple):
 
 
 def manifold(
-    a: Placed, b: Placed, tolerance: float, time: float, kept: Sequence[Contact] = ()
+    a: Placed,
+    b: Placed,
+    tolerance: float,
+    time: float,
+    kept: Sequence[Contact] = (),
+    ahead: Vector | None = None,
 ) -> list[Contact]:
     """Return the contacts of a pair that touches within a tolerance in m.
 
-    What rounding has done to the `kept` ones of a lasting contact does not count.
+    What rounding has done to the `kept` ones of a lasting contact does not count. `ahead` is the
+    direction from A to B in which they were last apart.
     """
-    found = axes(a, b)
+    found = from_side(a, b, axes(a, b), kept[0].normal if kept else ahead)
     axis = max(found, key=lambda each: each.gap)
     if directions := _several(found, axis, tolerance):
         return [_corner_on_corner(a, b, axis, directions, time)]
@@ -63,7 +69,7 @@ def manifold(
     along = [_along(a, b, axis, gap) for gap in near]
     first, last = along.index(min(along)), along.index(max(along))
     low, high = axis.side.ends
-    if max(along[first], low) >= min(along[last], high):  # the ends of both sides meet: one point
+    if min(along[last], high) - max(along[first], low) <= tolerance:  # only ends meet: one point
         return [_contact(a, b, axis, near[first])]
     return [
         _at_end(a, b, axis, near[first], 0)

@@ -110,7 +110,8 @@ def _together(
     slide = sliding(contacts[0], a, b) + closest * sum(
         c * push for c, push in zip(matrix[-1], pushes, strict=False)
     )
-    *changes, sticking = np.linalg.solve(matrix, (0.0, 0.0, -slide)).tolist()
+    wanted = np.array((0.0, 0.0, -slide))
+    *changes, sticking = np.linalg.lstsq(np.array(matrix), wanted)[0].tolist()
     share = float(friction.share(roughness, sum(pushes), sticking, sum(changes)))
     for push, change in zip(pushes, changes, strict=True):
         if push + share * change < 0:  # it is no longer pushed from here on

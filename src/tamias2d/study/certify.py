@@ -19,6 +19,7 @@ from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import MEASURE, apart, radii, scale
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
+from tamias2d.study.penetration import Penetration, penetrations
 from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
 from tamias2d.suggestions import suggests
 
@@ -61,15 +62,18 @@ class _NoBoundError(Exception):
 
 @suggests
 def certify(run: Run) -> Run:
-    """Return the run with a certificate.
+    """Return the run with a certificate; without a bound where bodies pass through each other.
 
     The scene is simulated some times more: in closed form twice, by a stepped scheme on two coarser
     grids (together three quarters of the run's cost, and a finer one if they disagree about the
     order), by an adaptive one at a tighter tolerance, through contacts by steps of a half and of a
-    quarter (six times the run's cost); and once more for the twin.
+    quarter (six times the run's cost); once more for the twin, and once to look for bodies that
+    overlap or pass through each other.
     """
     if not isinstance(run, Run):
         raise InputError(f"run: found {shown(run)}: must be a Run (R5). Give one of `simulate`.")
+    if (fault := next(penetrations(run), None)) is not None:
+        return replace(run, certificate=_of_penetration(run, fault))
     grown = growth(run)
     lost_at = horizon(run, grown)
     try:
@@ -111,6 +115,23 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
         claims=(f"how far it is from {_LIMIT if stepped else _SOLUTION}, {until}",),
         does_not_claim=(*not_claimed(None), *((_LEFT_OPEN,) if stepped else ())),
         observed_order=found.order,
+        predictability_horizon=None,
+        hashes=hashes(run.scene),
+    )
+
+
+def _of_penetration(run: Run, fault: Penetration) -> Certificate:
+    """Return the certificate of a run that is wrong, whatever else is known of it."""
+    first, second = (run.scene.bodies[k].name for k in fault.bodies)
+    what = f"overlap by {fault.depth:.3g} m" if fault.depth else "pass through each other"
+    return Certificate(
+        kind="none",
+        measure=MEASURE,
+        bound=None,
+        how=f"'{first}' and '{second}' {what} at {fault.time:.6g} s",
+        claims=(),
+        does_not_claim=(*not_claimed(None), "where single bodies are, since solid ones do not"),
+        observed_order=None,
         predictability_horizon=None,
         hashes=hashes(run.scene),
     )

@@ -10,7 +10,7 @@ its end.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
@@ -25,7 +25,7 @@ from tamias2d.study.separation import Flags, Piece, View, divided, joined, piece
 
 _EPSILON = 2.0**-52
 _TOUCH = 1e-9  # of the smaller size: overlaps less deep are touches
-_PRESSED = 0.1  # the same where contacts are stepped, which press bodies into each other
+_PRESSED = 0.5  # the same where contacts are stepped, which press bodies into each other
 _UNSEEN = 1e-6  # of the smaller size: by how much bodies may overlap between samples
 _INTERVALS = 240  # of the run, at least, from which halving starts
 _HALVINGS = 44
@@ -62,7 +62,7 @@ def penetrations(run: Run) -> Iterator[Penetration]:
     if not pairs:
         return
     sample, nodes = sampler(run), _nodes(run)
-    history = sample(nodes)
+    history = sample(nodes, range(len(run.scene)))
     share = _PRESSED if isinstance(run.method, Stepped) else _TOUCH
     for a, b in pairs:
         near = _near(a, b, nodes, history)
@@ -125,7 +125,7 @@ class _Search:
         self,
         a: Piece,
         b: Piece,
-        sample: Callable[[Array], History],
+        sample: Callable[[Array, Sequence[int]], History],
         touch: float,
         unseen: float,
     ) -> None:
@@ -139,7 +139,7 @@ class _Search:
         for level in range(_HALVINGS):
             middle = start + (end - start) / 2
             times = np.concatenate((start, middle, end))
-            seen = view(self._a, self._b, _in_order(self._sample, times))
+            seen = view(self._a, self._b, self._states(times))
             if (found := self._overlap(times, seen)) is not None:
                 return found
             common, clear = self._common(seen, len(start))
@@ -156,6 +156,12 @@ class _Search:
                 np.concatenate((middle[left], end[left])),
             )
         return self._jump(leaves)
+
+    def _states(self, times: Array) -> History:
+        """Return the states of both bodies at times (k,) of any order, s."""
+        known, back = np.unique(times, return_inverse=True)
+        history = self._sample(known, (self._a.body, self._b.body))
+        return History(*(part[back] for part in history))
 
     def _separating(self, seen: View) -> Flags:
         found: Flags = seen.separation >= -self._touch
@@ -188,19 +194,20 @@ class _Search:
 
     def _bend(self, one: View, two: View, three: View) -> Array:
         """Return (k, c), m: how far separations may lie below those at the ends and between."""
-        sag = np.hypot(*(two.between - (one.between + three.between) / 2).T)
-        way = np.hypot(*(three.between - one.between).T)
-        turn_a, turn_b = np.abs(three.angles - one.angles).T
-        reach_a = self._a.reach if self._a.offset is None else 0.0
-        corners = reach_a * turn_a**2 + self._b.reach * turn_b**2
-        turn = np.maximum(turn_a, turn_b)
-        far = np.hypot(*two.between.T) + self._b.reach + reach_a
-        normals = (turn**2 * far + 2 * turn * (way + sag)) / 8
-        moved = way + reach_a * turn_a + self._b.reach * turn_b
+        reach = np.array([self._a.reach if self._a.offset is None else 0.0, self._b.reach])
+        sag = np.hypot(*(two.between - (one.between + three.between) / 2).T)[:, None]
+        way = np.hypot(*(three.between - one.between).T)[:, None]
+        turns = np.abs(three.angles - one.angles)
+        arcs = (turns * reach).sum(axis=1)[:, None]
+        far = np.hypot(*two.between.T)[:, None] + reach.sum()
+        owners = [0] * len(self._a.normals) + [1] * len(self._b.normals)
+        turn = turns[:, owners[: one.distance.shape[1]]]
+        normals = turn**2 * far + 2 * turn * (way + sag + arcs)
         least = np.minimum(np.minimum(one.distance, two.distance), three.distance)
-        lines = np.minimum(moved**2 / 8, math.inf)[:, None] / np.maximum(least, 1e-300)
-        own = np.where(np.isinf(least), normals[:, None], lines)
-        return (sag[:, None] + corners[:, None] / 8 + own) / 2
+        lines = (way + arcs) ** 2 / np.maximum(least[:, turn.shape[1] :], 1e-300)
+        own = np.concatenate((normals, lines), axis=1)
+        corners = (reach * turns**2).sum(axis=1)[:, None]
+        return (sag + corners / 8 + own / 8) / 2
 
     def _jump(self, leaves: list[_Leaf]) -> Penetration | None:
         """Return the first interval that no direction separates from what was reached before."""
@@ -230,9 +237,3 @@ class _Search:
                 lost[k] = True
                 break
         return lost
-
-
-def _in_order(sample: Callable[[Array], History], times: Array) -> History:
-    """Return the states at times (k,) of any order, s."""
-    known, back = np.unique(times, return_inverse=True)
-    return History(*(part[back] for part in sample(known)))

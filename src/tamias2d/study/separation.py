@@ -76,9 +76,9 @@ def pieces(index: int, body: Body) -> list[Piece]:
 
 
 def view(a: Piece, b: Piece, history: History) -> View:
-    """Return how the directions of two pieces separate them along a history of all bodies."""
-    between = history.position[:, b.body] - history.position[:, a.body]
-    angles = history.orientation[:, [a.body, b.body]]
+    """Return how the directions of two pieces separate them along the history of their bodies."""
+    between = history.position[:, 1] - history.position[:, 0]
+    angles = history.orientation
     corners_a, corners_b = _turned(a.corners, angles[:, 0]), _turned(b.corners, angles[:, 1])
     directions = [_turned(a.normals, angles[:, 0])]
     if a.offset is None:
