@@ -48,10 +48,8 @@ from tamias2d.engine.tables import (
     STEPS_LEFT,
     STEPS_SINCE,
     UPDATES_LEFT,
-    Contacts,
     World,
 )
-from tamias2d.kernels.assembled import inlined
 
 
 def step(world: World) -> int:
@@ -78,86 +76,83 @@ def step(world: World) -> int:
     return CLEAR if alone else DONE
 
 
-@inlined
 def take_step(world: World) -> int:
-    """Take one step, or return which array is too short; called again, it continues."""
-    counts = world.control.counts
+    """Take one step, or return which array is too short; called again, it continues.
+
+    The stages stand in one function, because each level of calls is compiled once more.
+    """
+    control, bodies, shapes, tree = world.control, world.bodies, world.shapes, world.tree
+    broad_phase, buffers, touching = world.broad_phase, world.buffers, world.touching
+    islands = world.islands
+    counts = control.counts
     if counts[STAGE] == AT_START:
-        counts[STAGE] = PAIRS_KNOWN if refresh_pairs(world) else PAIRS_STALE
+        left = find_moved(world)
+        holds = update_pairs(left, control, bodies, shapes, tree, broad_phase, buffers, touching)
+        counts[STAGE] = PAIRS_KNOWN if holds else PAIRS_STALE
     if counts[STAGE] == PAIRS_STALE:
-        status = rebuild_pairs(
-            world.control, world.bodies, world.shapes, world.tree, world.broad_phase,
-            world.buffers, world.touching,
-        )  # fmt: skip
+        status = rebuild_pairs(control, bodies, shapes, tree, broad_phase, buffers, touching)
         if status != DONE:
             return status
         counts[STAGE] = PAIRS_KNOWN
+    contacts = current_contacts(broad_phase, buffers)
     if counts[STAGE] == PAIRS_KNOWN:
-        contacts = current_contacts(world.broad_phase, world.buffers)
-        find_contacts(world, contacts)
+        again = False
+        while not again or (
+            islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands)
+        ):
+            find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
+            again = True
         counts[STAGE] = MANIFOLDS_KNOWN
     if counts[STAGE] == MANIFOLDS_KNOWN:
-        contacts = current_contacts(world.broad_phase, world.buffers)
-        status = arrange(
-            world.control, world.bodies, contacts, world.touching, world.constraints, world.direct
-        )
+        status = arrange(control, bodies, contacts, touching, world.constraints, world.direct)
         if status != DONE:
             return status
-        counts[STAGE] = solve_and_integrate(world, contacts)
+        solve_contacts(
+            control, bodies, shapes, contacts, touching, world.constraints, islands, world.direct
+        )
+        counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:
         if counts[STAGE] == OUT_OF_BOUNDS:
-            status = find_pairs_in_flight(world)
-            if status != DONE:
-                return status
-        counts[STAGE] = OUT_OF_BOUNDS if fly(world) else ARRIVING
-    if world.islands.counts[SLEEP_STEPS] > 0:
-        fall_asleep(world.control, world.bodies, world.islands)
-    world.broad_phase.counts[STEPS_SINCE] += 1
+            left = find_leaving(world)
+            if not update_pairs(
+                left, control, bodies, shapes, tree, broad_phase, buffers, touching
+            ):
+                status = rebuild_pairs(
+                    control, bodies, shapes, tree, broad_phase, buffers, touching
+                )
+                if status != DONE:
+                    return status
+            control.progress[UPDATES_LEFT] -= 1.0
+        near = current_contacts(broad_phase, buffers)
+        updates, flown = int(control.progress[UPDATES_LEFT]), control.progress[FLOWN]
+        flown = solve_continuous(
+            control, bodies, shapes, broad_phase, near, world.events, updates, flown
+        )
+        control.progress[FLOWN] = flown
+        counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
+    if islands.counts[SLEEP_STEPS] > 0:
+        fall_asleep(control, bodies, islands)
+    broad_phase.counts[STEPS_SINCE] += 1
     counts[STAGE] = AT_START
     return DONE
 
 
-@inlined
-def refresh_pairs(world: World) -> bool:
-    """Wake what was changed, and look for pairs of bodies that left their bounds.
-
-    Returns whether the list of pairs holds.
-    """
-    bodies, broad_phase = world.bodies, world.broad_phase
-    if world.islands.counts[SLEEP_STEPS] > 0:
-        contacts = current_contacts(broad_phase, world.buffers)
-        update_sleep(world.control, bodies, broad_phase, contacts, world.islands)
+def find_moved(world: World) -> int:
+    """Wake what was changed, and turn vertices; return how many bodies left their bounds."""
+    bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
+    contacts = current_contacts(broad_phase, world.buffers)
+    if islands.counts[SLEEP_STEPS] > 0:
+        update_sleep(world.control, bodies, broad_phase, contacts, islands)
     left = mark_out_of_bounds(bodies, broad_phase)
     everything = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
     turn_vertices(bodies, world.shapes, STATIC if everything else KINEMATIC)
-    return update_pairs(
-        left, world.control, bodies, world.shapes, world.tree, broad_phase, world.buffers,
-        world.touching,
-    )  # fmt: skip
+    return left
 
 
-@inlined
-def find_contacts(world: World, contacts: Contacts) -> None:
-    """Find the contacts that touch; once more where they wake something."""
-    again = False
-    while not again or (
-        world.islands.counts[SLEEPING] > 0 and wake_touched(contacts, world.touching, world.islands)
-    ):
-        find_touching(
-            again, world.control, world.bodies, world.shapes, world.broad_phase, contacts,
-            world.touching, world.islands,
-        )  # fmt: skip
-        again = True
-
-
-@inlined
-def solve_and_integrate(world: World, contacts: Contacts) -> int:
-    """Solve the contacts, and move all bodies; return the next stage."""
+def integrate(world: World) -> int:
+    """Find how far bodies go; return the next stage."""
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
-    solve_contacts(
-        world.control, bodies, world.shapes, contacts, world.touching, world.constraints, islands,
-        world.direct,
-    )  # fmt: skip
+    contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
         note_support_kinds(bodies, contacts, world.touching, islands)
     if islands.counts[SLEEPING] > 0:
@@ -165,40 +160,16 @@ def solve_and_integrate(world: World, contacts: Contacts) -> int:
         keep_touching_flags(broad_phase, contacts, islands)
     far = integrate_free(world.control, bodies)
     move_frame(broad_phase)
-    world.control.progress[FLOWN], world.control.progress[UPDATES_LEFT] = 0.0, MOST_UPDATES
+    progress = world.control.progress
+    progress[FLOWN], progress[UPDATES_LEFT] = 0.0, MOST_UPDATES
     if not far:
         return ARRIVING
     leaving = mark_leaving_bounds(bodies, broad_phase)
     return OUT_OF_BOUNDS if leaving > 0 or left_by_frame(bodies, broad_phase) else IN_FLIGHT
 
 
-@inlined
-def find_pairs_in_flight(world: World) -> int:
-    """Look for pairs of bodies that leave their bounds on their way; return how that ended."""
-    control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
-    if control.progress[FLOWN] > 0.0:  # vertices were turned along the flight
-        turn_vertices(bodies, world.shapes, STATIC)
-    leaving = mark_leaving_bounds(bodies, broad_phase)
-    status = DONE
-    if not update_pairs(
-        leaving, control, bodies, world.shapes, world.tree, broad_phase, world.buffers,
-        world.touching,
-    ):  # fmt: skip
-        status = rebuild_pairs(
-            control, bodies, world.shapes, world.tree, broad_phase, world.buffers, world.touching
-        )
-    if status == DONE:
-        control.progress[UPDATES_LEFT] -= 1.0
-    return status
-
-
-@inlined
-def fly(world: World) -> bool:
-    """Let bodies that move far meet others; return whether one leaves its bounds before that."""
-    progress = world.control.progress
-    contacts = current_contacts(world.broad_phase, world.buffers)
-    progress[FLOWN] = solve_continuous(
-        world.control, world.bodies, world.shapes, world.broad_phase, contacts, world.events,
-        int(progress[UPDATES_LEFT]), progress[FLOWN],
-    )  # fmt: skip
-    return bool(progress[FLOWN] <= 1.0)
+def find_leaving(world: World) -> int:
+    """Return how many bodies leave their bounds on their way."""
+    if world.control.progress[FLOWN] > 0.0:  # vertices were turned along the flight
+        turn_vertices(world.bodies, world.shapes, STATIC)
+    return mark_leaving_bounds(world.bodies, world.broad_phase)

@@ -30,21 +30,6 @@ Masks: TypeAlias = Annotated[NDArray[np.uint64], "uint64[::1]"]
 _SCALARS = {float: "float64", int: "int64", bool: "boolean"}
 
 
-def entered_by(function: Callable[..., Any]) -> tuple[type | None, str]:
-    """Return the group that a function takes first, or None, and its other arguments as text."""
-    hints = _hints(function)
-    first = next(iter(hints.values()), None)
-    if first is not None and is_group(first):
-        return first, ", ".join(list(hints)[1:])
-    return None, ", ".join(hints)
-
-
-def name_of_entry(function: Callable[..., Any]) -> str:
-    """Return the name by which a source that was assembled is entered."""
-    group, _ = entered_by(function)
-    return f"{function.__name__}_at" if group else function.__name__
-
-
 def signature(function: Callable[..., Any]) -> str:
     """Return what the compiler calls the types of a function's arguments, in brackets.
 

@@ -12,10 +12,10 @@ from collections.abc import Callable, Hashable
 from types import FunctionType, ModuleType
 from typing import Any, TypeVar
 
-from tamias2d.kernels.arrays import entered_by, signature
+from tamias2d.kernels.arrays import signature
 from tamias2d.kernels.copied import Function, copied, references, text_of
 from tamias2d.kernels.flattened import Flat, flattened
-from tamias2d.kernels.groups import is_group, text_of_classes, text_of_entry, text_of_views
+from tamias2d.kernels.groups import is_group, text_of_classes, text_of_views
 from tamias2d.spec import functions as elementary
 
 F = TypeVar("F", bound=Function)
@@ -99,21 +99,15 @@ class _Parts:
             names[ast.unparse(node)] = self._use(function, node)
             if isinstance(value := _value(function, node), Hashable) and value in self.flat:
                 called[ast.unparse(node)] = (value, self.flat[value])
-        flat, edits = flattened(function, text_of(function), called)
+        is_entry = function in self.entries
+        flat, edits = flattened(function, text_of(function), called, entry=is_entry)
         self.flat[function] = flat
+        self.entered += flat.groups.values() if is_entry else ()
         text = copied(function, names, edits, flat.groups)
         text = text.replace(f"def {function.__name__}(", f"def {name}(", 1)
-        is_entry = function in self.entries
         helper = _INLINED if function in _inlined else _HELPER
-        entry = _ENTRY.format(signature=signature(function)) if is_entry else ""
-        self.texts.append(f"{helper if flat.groups or not is_entry else entry}\n{text}")
-        if is_entry and flat.groups:
-            ((parameter, group),) = flat.groups.items()
-            self.entered.append(group)
-            others = entered_by(function)[1]
-            self.texts.append(
-                f"{entry}\n{text_of_entry(name, group, flat.used[parameter], others)}"
-            )
+        entry = _ENTRY.format(signature=signature(function)) if is_entry else helper
+        self.texts.append(f"{entry}\n{text}")
         return name
 
     def _use_group(self, group: type) -> None:

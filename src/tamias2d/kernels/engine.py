@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cache
 from types import SimpleNamespace
 
-from tamias2d.kernels.arrays import name_of_entry
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
 from tamias2d.kernels.copied import Function
@@ -46,5 +45,5 @@ def _compiled(engine: Engine) -> SimpleNamespace:
     with progress(engine.name, text):
         module = loaded(text)
     return SimpleNamespace(
-        **{entry.__name__: getattr(module, name_of_entry(entry)) for entry in engine.entries}
+        **{entry.__name__: getattr(module, entry.__name__) for entry in engine.entries}
     )

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tamias2d.kernels.copied import Edit, Function, Text, function_of
-from tamias2d.kernels.groups import fields_of, is_group, paths_of
+from tamias2d.kernels.groups import fields_of, is_group, lines_of_entry, paths_of
 
 Path = tuple[str, ...]  # from a parameter to a field, such as ('world', 'bodies', 'pose')
 
@@ -32,11 +32,16 @@ class Flat:
 
 
 def flattened(
-    function: Function, text: Text, called: Mapping[str, tuple[Function, Flat]]
+    function: Function,
+    text: Text,
+    called: Mapping[str, tuple[Function, Flat]],
+    *,
+    entry: bool = False,
 ) -> tuple[Flat, list[Edit]]:
     """Return what a function uses of its groups, and the edits that take them apart.
 
-    `called` holds the functions that it calls, by the names by which it does.
+    `called` holds the functions that it calls, by the names by which it does. An entry finds the
+    fields of its group by their addresses, which is its first argument.
 
     Raises:
         TypeError: a group is used in a way that leaves it whole; says where.
@@ -44,7 +49,7 @@ def flattened(
     work = _Work(function, text, called)
     for statement in function_of(function).body:
         work.visit(statement)
-    work.finish()
+    work.finish(entry=entry)
     return work.flat, work.edits
 
 
@@ -164,14 +169,14 @@ class _Work(ast.NodeVisitor):
             else:
                 raise self.refusal(argument)
 
-    def finish(self) -> None:
+    def finish(self, *, entry: bool) -> None:
         """Order what was found, and write the parameters."""
         for name, group in self.flat.groups.items():
             paths = [(name, *path) for path in paths_of(group)]
             self.flat.used[name] = [path for path in paths if path in self.found]
         arguments = self.tree.args.args
         lists = [
-            ", ".join(self.flat.names(a.arg)) if a.arg in self.flat.groups else None
+            None if a.arg not in self.flat.groups else self._parameters(a.arg, entry=entry)
             for a in arguments
         ]
         self.edits += _spread(arguments, lists, self.text)
@@ -179,6 +184,15 @@ class _Work(ast.NodeVisitor):
         for path in self.found:
             if "_".join(path) in own:
                 raise self.refusal(self.tree, f"'{'_'.join(path)}' is also a variable")
+
+    def _parameters(self, name: str, *, entry: bool) -> str:
+        """Return what stands for a group among the parameters; an entry begins by finding it."""
+        if not entry:
+            return ", ".join(self.flat.names(name))
+        found = lines_of_entry(self.flat.groups[name], self.flat.used[name])
+        place = self.text.end(self.tree.body[0])  # after the docstring
+        self.edits.append((place, place, "".join(f"\n    {line}" for line in found)))
+        return "addresses"
 
     def refusal(self, node: ast.AST, why: str = "a group must be taken apart") -> TypeError:
         line = getattr(node, "lineno", 1) + self.function.__code__.co_firstlineno - 1

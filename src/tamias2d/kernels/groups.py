@@ -66,17 +66,15 @@ def text_of_classes(group: type) -> Iterator[tuple[type, str]]:
     yield group, f'{group.__name__} = namedtuple("{group.__name__}", "{names}")'
 
 
-def text_of_entry(name: str, group: type, used: Sequence[tuple[str, ...]], others: str) -> str:
-    """Return the function by which compiled code is entered, which calls `name`.
+def lines_of_entry(group: type, used: Sequence[tuple[str, ...]]) -> Iterator[str]:
+    """Yield the lines by which an entry finds the fields that it uses of a group.
 
-    Its own name is that with `_at`. It finds the fields that are used of a group by their
-    addresses; a path to one begins with a parameter's name. `others` are further arguments.
+    The paths begin with the name of a parameter.
     """
     rows = {path: k for k, path in enumerate(paths_of(group))}
-    made = [f"{_view_of(_type_at(group, path[1:]))}(addresses, {rows[path[1:]]})" for path in used]
-    more = [others] if others else []
-    head = ", ".join(["addresses", *more])
-    return f"def {name}_at({head}):\n    return {name}({', '.join([*made, *more])})"
+    for path in used:
+        view = _view_of(_type_at(group, path[1:]))
+        yield f"{'_'.join(path)} = {view}(addresses, {rows[path[1:]]})"
 
 
 def paths_of(group: type) -> Iterator[tuple[str, ...]]:
