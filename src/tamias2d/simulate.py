@@ -143,14 +143,14 @@ def _within_range(duration: float) -> Iterator[None]:
     with np.errstate(all="ignore"):
         try:
             yield
-        except OverflowError:
+        except (OverflowError, ZeroDivisionError):
             raise RangeError(_beyond(f"run of {duration!r} s: a number"), time=0.0) from None
 
 
 def _beyond(what: str) -> str:
     return (
-        f"{what} is beyond what float64 holds, about 1e308 (R4). Give smaller values, or a "
-        "shorter duration."
+        f"{what} is beyond what float64 holds, about 1e-308 to 1e308 (R4). Give values nearer to "
+        "1, or a shorter duration."
     )
 
 

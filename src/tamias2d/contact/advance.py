@@ -20,6 +20,10 @@ from tamias2d.path import Bounds, Piece
 from tamias2d.state import Vector
 
 
+_STEPS = 100_000  # of one search; a hundred are many
+_CRAWL, _CRAWLED = 2.0**-48, 1000  # so many steps of so small a part of the time lead nowhere
+
+
 class Pair:
     """Two bodies on their paths."""
 
@@ -48,16 +52,30 @@ class Pair:
         return place(a, path_a.at(time)), place(b, path_b.at(time))
 
     def meets(self, start: float, end: float) -> float | None:
-        """Return the first time in s from `start` to `end` at which they touch and do not part."""
-        time = start
-        while time < end:
+        """Return the first time in s from `start` to `end` at which they touch and do not part.
+
+        Raises:
+            UndecidedContactError: float64 cannot tell it in a bounded number of steps.
+        """
+        time, crawled, crawl = start, 0, _CRAWL * max(abs(end), end - start)
+        for _ in range(_STEPS):
+            if not time < end:
+                return None
             step = self._safe_step(time, end)
-            if step is None:
+            if step is None or time + step == time:
                 return time
-            if time + step == time:
-                return time
+            crawled += step < crawl
+            if crawled > _CRAWLED:
+                break
             time += step
-        return None
+        raise self._undecided(time)
+
+    def _undecided(self, time: float) -> UndecidedContactError:
+        return UndecidedContactError(
+            f"{named(*(core.name for core in self.cores))} at {time!r} s: float64 cannot tell "
+            "whether they part or press (R7). End the run before, or change the scene a little.",
+            time=time,
+        )
 
     def seen_apart(self, start: float, step: float) -> float:
         """Return a time in s soon after `start` at which a parting pair is apart and opens.
@@ -79,12 +97,7 @@ class Pair:
             if nearest.value > tolerance and nearest.rate > 0:
                 return time
             if nearest.value < -4 * tolerance:
-                raise UndecidedContactError(
-                    f"{named(a.core.name, b.core.name)} at {start!r} s: float64 cannot tell "
-                    "whether they part or press (R7). End the run before, or change the "
-                    "scene a little.",
-                    time=start,
-                )
+                raise self._undecided(start)
             step *= 2
         return end
 

@@ -7,10 +7,15 @@ import math
 from copy import copy
 from typing import NamedTuple
 
+from tamias2d.errors import SceneError
 from tamias2d.scene import Body, Compound, Disc, HalfPlane, Scene
 from tamias2d.scene.acting import groups, timed_loads, varying_loads
 from tamias2d.scene.filters import Filtered
 from tamias2d.state import State, Vector
+
+
+_SHORTEST = 2.0**-1022
+"""m; below it float64 loses digits, and directions with them."""
 
 
 class Side(NamedTuple):
@@ -65,7 +70,7 @@ class Core:
             self.sides = (Side(shape.normal, shape.offset, (-math.inf, math.inf)),)
         elif shape is not None and not isinstance(shape, Compound):
             self.corners, self.radius = shape.core, shape.rounding
-            self.sides = _sides(shape.core, shape.rounding)
+            self.sides = _sides(shape.core, shape.rounding, body.name)
         self.reaches = tuple(math.hypot(x, y) for x, y in self.corners)
         """Distance of each corner from the centre of mass, m."""
         self.bounding_radius = max(self.reaches) + self.radius if self.corners else math.inf
@@ -119,10 +124,15 @@ def rounded(body: Placed) -> Placed:
     return Placed(core, body.state, 1.0, 0.0, core.corners)
 
 
-def _sides(vertices: tuple[Vector, ...], radius: float) -> tuple[Side, ...]:
+def _sides(vertices: tuple[Vector, ...], radius: float, name: str) -> tuple[Side, ...]:
     sides = []
     for (ax, ay), (bx, by) in zip(vertices, vertices[1:] + vertices[:1], strict=True):
         length = math.hypot(bx - ax, by - ay)
+        if length < _SHORTEST:
+            raise SceneError(
+                f"shape of body '{name}': a side of {length:g} m is too short for float64 (R4). "
+                "Choose units in which it is nearer to 1."
+            )
         nx, ny = (by - ay) / length, (ax - bx) / length
         along_a, along_b = ay * nx - ax * ny, by * nx - bx * ny
         sides.append(Side((nx, ny), nx * ax + ny * ay + radius, (along_a, along_b)))

@@ -21,6 +21,7 @@ from tamias2d.contact.core import Placed, Side
 from tamias2d.state import Vector
 
 EPSILON = 2.0**-52
+_LEAST = 5e-324
 _BEHIND = -0.5  # cosine between directions that separate a pair from either side
 _IN_LINE = 1e-12  # of the sizes: by how much rounding may make cores in one line seem to cross
 
@@ -149,7 +150,8 @@ def resolution(a: Placed, b: Placed, time: float) -> float:
 
 def slight_opening(a: Placed, b: Placed, time: float, until: float) -> float:
     """Return the acceleration in m/s^2 by which a pair opens too little to be seen `until` then."""
-    return 2 * resolution(a, b, time) / (until - time) ** 2
+    left = max(until - time, _LEAST)  # its square may be beyond float64
+    return 2 * resolution(a, b, time) / left / left
 
 
 def _of_sides(p: Placed, q: Placed, *, swapped: bool) -> list[Axis]:

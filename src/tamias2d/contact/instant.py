@@ -15,7 +15,12 @@ from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
 from tamias2d.contact.hold import opening
 from tamias2d.contact.manifold import Contact, approach, cornered, manifold, speeds, tangent_of
-from tamias2d.contact.refusal import SimultaneousImpactsError, UndecidedContactError, named
+from tamias2d.contact.refusal import (
+    RangeError,
+    SimultaneousImpactsError,
+    UndecidedContactError,
+    named,
+)
 from tamias2d.contact.response import coupling, impulses, pushed
 from tamias2d.contact.rest import Island
 from tamias2d.contact.rough import HELD_NOISE, Roughness, island_of
@@ -25,6 +30,7 @@ from tamias2d.state import Acceleration, Hold, State, Vector
 
 PairOf = tuple[int, int]
 
+_BLURRED = 0.01  # of the smaller size: the largest gap that may count as none
 _TRIES = 10_000  # impulses of one pair at one instant; their speeds fall as a geometric series
 
 
@@ -129,11 +135,23 @@ class Instant:
         kept = self._world.held.get(pair, ())
         if not kept and (_far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance):
             return None
+        self._refuse_far(a, b, tolerance)
         ahead = self._world.ahead.get(pair) or self._pressed(a, b, tolerance)
         contacts = manifold(a, b, tolerance, self.time, kept, ahead)
         speed = max(speeds(contact, a.state, b.state) for contact in contacts)
         noise = speed * (HELD_NOISE if kept else 64 * EPSILON)
         return Touch(pair, contacts, tolerance, speed, noise)
+
+    def _refuse_far(self, a: Placed, b: Placed, tolerance: float) -> None:
+        """Refuse a touch where float64 can hardly tell one size of a body from the next place."""
+        size = min(a.core.bounding_radius, b.core.bounding_radius)
+        if tolerance > _BLURRED * size:
+            raise RangeError(
+                f"{named(a.core.name, b.core.name)} at {self.time!r} s: where they are, float64 "
+                f"tells places no nearer than {tolerance:.3g} m, and the smaller one is {size:.3g} "
+                "m large (R4). Place the scene nearer to the origin.",
+                time=self.time,
+            )
 
     def _pressed(self, a: Placed, b: Placed, tolerance: float) -> Vector | None:
         """Return the direction from A to B in which a thin pair lies of which no gap tells it.
@@ -337,7 +355,7 @@ class Instant:
 
     def _forecast(self, touch: Touch, rate: float, bend: float) -> None:
         restitution = self._world.restitution(*touch.pair)
-        if restitution < 1:
+        if bend * (1 - restitution) < 0:  # it may vanish by rounding
             rest_at = self.time + float(rest.time_to_rest(rate, bend, restitution))
             if rest_at > touch.rest_at:
                 touch.rest_at = rest_at

@@ -58,6 +58,11 @@ class ScipyDop853:
             return np.concatenate((y[size:], field(time, q, v).ravel()))
 
         y = np.concatenate((position.ravel(), velocity.ravel()))
+        if not np.isfinite(y).all():
+            raise NoStepError(
+                f"run at {start!r} s: its state is beyond what float64 holds, about 1e308 (R4). "
+                "Give smaller loads, or a shorter duration."
+            )
         hint = self._proposed.get(size)
         solver = DOP853(
             rate,
