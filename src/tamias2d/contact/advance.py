@@ -21,7 +21,7 @@ from tamias2d.state import Vector
 
 
 _STEPS = 100_000  # of one search; a hundred are many
-_CRAWL, _CRAWLED = 2.0**-48, 1000  # so many steps of so small a part of the time lead nowhere
+_CRAWL, _CRAWLED = 2.0**-48, 1000  # so many steps of so small a part of the time, or at no gap
 
 
 class Pair:
@@ -44,6 +44,7 @@ class Pair:
         self.ahead = ahead
         """The direction in which they were apart when last looked at."""
         self._kept = kept
+        self._touching = False
         self._paths = (path_a, path_b)
 
     def placed(self, time: float) -> tuple[Placed, Placed]:
@@ -64,7 +65,7 @@ class Pair:
             step = self._safe_step(time, end)
             if step is None or time + step == time:
                 return time
-            crawled += step < crawl
+            crawled += self._touching or step < crawl
             if crawled > _CRAWLED:
                 break
             time += step
@@ -126,7 +127,8 @@ class Pair:
         """Return the axes, where they touch only those of the side on which they were."""
         found = axes(a, b)
         best = max(found, key=_gap_of)
-        if best.gap <= tolerance:
+        self._touching = best.gap <= tolerance
+        if self._touching:
             return from_side(a, b, found, self.ahead)
         self.ahead = best.ahead
         return found
@@ -139,6 +141,8 @@ class Pair:
         same = axis[:2] == self._kept[0].axis[:2]
         if same:
             near = [self._from_kept(gap, axis, a, b) for gap in near]
+            one = resolution(a, b, time)  # corners that near to each other are one
+            near = [gap for gap in near if gap.reach[1] > one]
         if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
             return None
         return self._step_along(axis, near, a, b, time, end, relative=same) if near else math.inf

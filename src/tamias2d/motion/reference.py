@@ -54,6 +54,8 @@ class ScipyDop853:
         size = position.size
 
         def rate(time: float, y: Array) -> Array:
+            if not np.isfinite(y).all():
+                return np.full_like(y, np.nan)  # the step is too long: it is taken again, shorter
             q, v = y[:size].reshape(shape), y[size:].reshape(shape)
             return np.concatenate((y[size:], field(time, q, v).ravel()))
 
