@@ -111,7 +111,8 @@ def simulate(
 def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
     """Return what tells the states of some bodies at sorted times (k,), s.
 
-    The run is simulated once more. Where it is stepped, the states change linearly between the ends of steps.
+    The run is simulated once more. Where it is stepped, the states change linearly between the
+    ends of steps.
     """
     plan = planned(run.scene, run.duration, run.method, run.time_step, None)
     if isinstance(run.method, Stepped | Legacy2018):
@@ -164,10 +165,10 @@ def _run(plan: Plan, progress: bool) -> Run:
         return _stepped(plan, plan.method, progress)
     motion = plan.method.motion(scene, plan.duration, plan.time_step or plan.duration)
     located = Located(scene, motion)
-    if not located.can_meet:
-        history = _unhindered(plan, motion)
-        return _finished(plan, history, _impacts([]), motion.notes, motion.tally)
     try:
+        if not located.can_meet:
+            history = _unhindered(plan, motion)
+            return _finished(plan, history, _impacts([]), motion.notes, motion.tally)
         _go(located, plan, progress)
     except (Refusal, NoStepError) as refusal:
         refusal.run = _collected(plan, motion, located)

@@ -19,7 +19,6 @@ from tamias2d.contact.refusal import UndecidedContactError, named
 from tamias2d.path import Bounds, Piece
 from tamias2d.state import Vector
 
-
 _STEPS = 100_000  # of one search; a hundred are many
 _CRAWL, _CRAWLED = 2.0**-48, 1000  # so many steps of so small a part of the time, or at no gap
 

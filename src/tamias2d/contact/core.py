@@ -13,7 +13,6 @@ from tamias2d.scene.acting import groups, timed_loads, varying_loads
 from tamias2d.scene.filters import Filtered
 from tamias2d.state import State, Vector
 
-
 _SHORTEST = 2.0**-1022
 """m; below it float64 loses digits, and directions with them."""
 

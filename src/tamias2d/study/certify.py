@@ -19,7 +19,7 @@ from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import MEASURE, apart, radii, scale
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
-from tamias2d.study.penetration import Penetration, penetrations
+from tamias2d.study.penetration import Penetration, crowded, penetrations
 from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
 from tamias2d.suggestions import suggests
 
@@ -41,6 +41,7 @@ _LEFT_OPEN = (
     "that rigid bodies do so where several contacts act at once, as those of a side that lands "
     "flat: steps solve them one after the other"
 )
+_UNSEEN = "that no body passes through another: of so many it is not looked for"
 _BALANCE = "balance of energy, with what impacts take, relative to the largest kinetic energy"
 _KEPT = "the balance of energy"
 _RISE = "rise of the energy above what it was before"
@@ -113,7 +114,11 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
         bound=found.value / length,
         how=found.how,
         claims=(f"how far it is from {_LIMIT if stepped else _SOLUTION}, {until}",),
-        does_not_claim=(*not_claimed(None), *((_LEFT_OPEN,) if stepped else ())),
+        does_not_claim=(
+            *not_claimed(None),
+            *((_LEFT_OPEN,) if stepped else ()),
+            *((_UNSEEN,) if crowded(run) else ()),
+        ),
         observed_order=found.order,
         predictability_horizon=None,
         hashes=hashes(run.scene),

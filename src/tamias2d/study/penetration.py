@@ -9,7 +9,6 @@ another without a jump: the opposite one, as below a line instead of above, is r
 its end.
 """
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
@@ -29,6 +28,8 @@ _PRESSED = 0.5  # the same where contacts are stepped, which press bodies into e
 _UNSEEN = 1e-6  # of the smaller size: by how much bodies may overlap between samples
 _INTERVALS = 240  # of the run, at least, from which halving starts
 _HALVINGS = 44
+_MOST = 2**16  # intervals of one pair that are still halved
+_BODIES = 100  # in a run by steps of more than these bodies nothing is looked for
 _TURN = 0.5  # cosine: by how much a direction may turn in half an interval
 
 
@@ -58,7 +59,7 @@ class _Leaf(NamedTuple):
 
 def penetrations(run: Run) -> Iterator[Penetration]:
     """Go through the pairs of pieces that overlap or pass through each other."""
-    pairs = list(_pairs(run))
+    pairs = [] if crowded(run) else list(_pairs(run))
     if not pairs:
         return
     sample, nodes = sampler(run), _nodes(run)
@@ -71,6 +72,12 @@ def penetrations(run: Run) -> Iterator[Penetration]:
             found = _Search(a, b, sample, touch, unseen).first(nodes[:-1][near], nodes[1:][near])
             if found:
                 yield found
+
+
+def crowded(run: Run) -> bool:
+    """Whether a run has so many bodies that nothing is looked for."""
+    solid = sum(body.shape is not None for body in run.scene.bodies)
+    return isinstance(run.method, Stepped) and solid > _BODIES
 
 
 def _pairs(run: Run) -> Iterator[tuple[Piece, Piece]]:
@@ -143,8 +150,9 @@ class _Search:
             if (found := self._overlap(times, seen)) is not None:
                 return found
             common, clear = self._common(seen, len(start))
-            done = clear | (middle <= start) | (middle >= end) | (level == _HALVINGS - 1)
-            first = seen.rows(slice(len(start))).rows(done)
+            last = level == _HALVINGS - 1 or len(start) > _MOST
+            done = clear | (middle <= start) | (middle >= end) | last
+            first = seen.rows(slice(len(start))).rows(np.flatnonzero(done))
             leaves.append(
                 _Leaf(start[done], end[done], first, self._separating(first), common[done])
             )
@@ -180,8 +188,7 @@ class _Search:
         return self._named(float(times[k]), float(depth[k]))
 
     def _common(self, seen: View, count: int) -> tuple[Flags, Flags]:
-        """Return which directions separate at both ends and between (k, c), and if surely so (k,).
-        """
+        """Return which directions separate all along (k, c), and if some surely does (k,)."""
         one, two, three = (seen.rows(slice(k * count, (k + 1) * count)) for k in range(3))
         common = np.ones(one.separation.shape, dtype=bool)
         for each in (one, two, three):
@@ -190,7 +197,8 @@ class _Search:
             common &= (first.directions * second.directions).sum(axis=-1) > _TURN
         least = np.minimum(np.minimum(one.separation, two.separation), three.separation)
         clear = common & (least - self._bend(one, two, three) >= -self._unseen)
-        return common, clear.any(axis=1)
+        surely: Flags = clear.any(axis=1)
+        return common, surely
 
     def _bend(self, one: View, two: View, three: View) -> Array:
         """Return (k, c), m: how far separations may lie below those at the ends and between."""
@@ -207,7 +215,8 @@ class _Search:
         lines = (way + arcs) ** 2 / np.maximum(least[:, turn.shape[1] :], 1e-300)
         own = np.concatenate((normals, lines), axis=1)
         corners = (reach * turns**2).sum(axis=1)[:, None]
-        return (sag + corners / 8 + own / 8) / 2
+        bend: Array = (sag + corners / 8 + own / 8) / 2
+        return bend
 
     def _jump(self, leaves: list[_Leaf]) -> Penetration | None:
         """Return the first interval that no direction separates from what was reached before."""
@@ -215,7 +224,8 @@ class _Search:
         order = np.argsort(start)
         end = np.concatenate([leaf.end for leaf in leaves])[order]
         start = start[order]
-        seen = View(*(np.concatenate(parts)[order] for parts in zip(*(x.seen for x in leaves))))
+        columns = zip(*(leaf.seen for leaf in leaves), strict=True)
+        seen = View(*(np.concatenate(column)[order] for column in columns))
         separating = np.concatenate([leaf.separating for leaf in leaves])[order]
         common = np.concatenate([leaf.common for leaf in leaves])[order]
         lost = ~common.any(axis=1)

@@ -55,7 +55,7 @@ class View(NamedTuple):
     angles: Array
     """(k, 2), rad: of both bodies"""
 
-    def rows(self, chosen: slice | Array) -> "View":
+    def rows(self, chosen: slice | NDArray[np.int64]) -> "View":
         """Return the view at some of the times."""
         return View(*(part[chosen] for part in self))
 
