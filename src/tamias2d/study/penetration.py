@@ -151,7 +151,7 @@ class _Search:
                 return found
             common, clear = self._common(seen, len(start))
             last = level == _HALVINGS - 1 or len(start) > _MOST
-            done = clear | (middle <= start) | (middle >= end) | last
+            done = np.asarray(clear | (middle <= start) | (middle >= end) | last)
             first = seen.rows(slice(len(start))).rows(np.flatnonzero(done))
             leaves.append(
                 _Leaf(start[done], end[done], first, self._separating(first), common[done])
@@ -197,8 +197,7 @@ class _Search:
             common &= (first.directions * second.directions).sum(axis=-1) > _TURN
         least = np.minimum(np.minimum(one.separation, two.separation), three.separation)
         clear = common & (least - self._bend(one, two, three) >= -self._unseen)
-        surely: Flags = clear.any(axis=1)
-        return common, surely
+        return common, np.any(clear, axis=1)
 
     def _bend(self, one: View, two: View, three: View) -> Array:
         """Return (k, c), m: how far separations may lie below those at the ends and between."""
