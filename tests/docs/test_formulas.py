@@ -66,3 +66,51 @@ def test_a_runge_kutta_scheme_is_a_tableau() -> None:
     assert r"0 &  & " in text
     assert r"\tfrac{1}{2} & \tfrac{1}{2} & " in text
     assert r"\hline  & 0 & 1" in text
+
+
+LONG = " + ".join(["123456789*mass*length"] * 8)
+
+
+def fits(formula: str) -> bool:
+    lines = formula.split(r"\\")
+    return len(lines) > 1 and all(formulas._length(line) <= 1.5 * formulas.WIDTH for line in lines)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"length*({LONG})",
+        f"({LONG})/mass",
+        f"({LONG})*(1 + mass)",
+        f"-({LONG})",
+        f"dot({LONG}, ({LONG}))",
+        f"vector({LONG}, {LONG})",
+        f"1 - ({LONG})",
+        f"1 + length*(2 - mass*({LONG}))",
+    ],
+)
+def test_a_wide_bracket_is_broken_inside(woven: object, text: str) -> None:
+    formula = formulas.equation(woven, "mass", text)
+    assert fits(formula), formula
+    assert formula.count(r"\Bigl(") == formula.count(r"\Bigr)") > 0
+    assert formula.count("123456789") == text.count("123456789")
+
+
+def test_a_decimal_of_many_digits_is_no_fraction(woven: object) -> None:
+    """17 digits are more than a float keeps apart from its neighbours."""
+    assert formulas.equation(woven, "mass", "1.1781436183311983*length") == (
+        r"m & = 1.1781436183311983 \, l"
+    )
+
+
+def test_a_tableau_of_long_numbers_is_a_list() -> None:
+    third = "0.333333333333333333"
+    data = {
+        "family": "runge_kutta", "order": "2", "says": "x", "source": ["x"],
+        "a": [[], [third], ["0", third]], "b": ["1/4", "0", "3/4"], "c": ["0", third, third],
+    }  # fmt: skip
+    text = "\n".join(schemes.parts(item_of("scheme", "heun_3", data)))
+    assert r"c_{3} &= 0.333333333 & \quad a_{3,2} &= 0.333333333" in text
+    assert r"b_{1} &= \tfrac{1}{4} & \quad b_{3} &= \tfrac{3}{4}" in text
+    assert "a_{3,1}" not in text
+    assert "Rounded to nine digits" in text

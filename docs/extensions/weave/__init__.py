@@ -14,7 +14,13 @@ from tamias2d.errors import SpecError
 from weave import fronts, gallery
 from weave.chapter import IndicesDirective, ItemDirective, SymbolsDirective, item_kinds
 from weave.checks import on_build_finished
-from weave.guide import CodesDirective, GuideDirective, InterfaceDirective, RefusalsDirective
+from weave.guide import (
+    CodesDirective,
+    GuideDirective,
+    InterfaceDirective,
+    InternalsDirective,
+    RefusalsDirective,
+)
 from weave.links import ItemRole, ModuleRole, SymbolRole
 from weave.matrices import MatrixDirective, PlanTableDirective, RequirementsDirective
 from weave.mirror import on_builder_inited
@@ -35,6 +41,7 @@ _TABLES = {
     "cheapest": fronts.CheapestDirective,
     "module-guide": GuideDirective,
     "interface": InterfaceDirective,
+    "internals": InternalsDirective,
     "refusals": RefusalsDirective,
     "error-codes": CodesDirective,
 }

@@ -6,16 +6,17 @@ formula that is too wide for the page is broken.
 
 import re
 from collections.abc import Iterable, Iterator
-from fractions import Fraction
 
 from tamias2d.spec.chapter import Item
-from tamias2d.spec.expression import Binary, Both, Node, Number, Relation, names, parse
+from tamias2d.spec.expression import Binary, Both, Call, Negative, Node, Relation, names, parse
 from tamias2d.spec.messages import SpecFault
-from tamias2d.spec.tex import tex
+from tamias2d.spec.symbols import SymbolTable
+from tamias2d.spec.tex import factor, tex
 from weave.woven import Woven
 
-WIDTH = 60  # letters that fit beside each other, about
-_MARKUP = re.compile(r"\\(?:left|right|mathrm|boldsymbol|tfrac|[,;])|[{}\\^_ ]")
+WIDTH = 56  # letters that fit beside each other, about
+_PRODUCTS = {"dot": "cdot", "cross": "times"}
+_MARKUP = re.compile(r"\\(?:left|right|mathrm|boldsymbol|tfrac|[Bb]ig[lr]|[,;])|[{}\\^_ ]")
 _FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
 
 
@@ -62,22 +63,68 @@ def _aligned(left: str, sign: str, right: Node, woven: Woven) -> str:
 
 def _lines(node: Node, woven: Woven) -> Iterator[str]:
     line = ""
-    for term in _terms(node, woven):
-        if line and _length(line + term) > WIDTH:
+    for chunk in _chunks(node, woven.spec.table):
+        if line and _length(line + chunk) > WIDTH:
             yield line
             line = ""
-        line += f" {term}"
+        line += f" {chunk}"
     yield line
 
 
-def _terms(node: Node, woven: Woven) -> Iterator[str]:
-    if isinstance(node, Binary) and node.operator in "+-":
-        yield from _terms(node.left, woven)
-        # Printed as the right side of a sum, so that the printer sets the brackets.
-        both = tex(Binary(node.operator, Number(Fraction(0)), node.right), woven.spec.table)
-        yield both.removeprefix("0").strip()
-    else:
-        yield tex(node, woven.spec.table)
+def _chunks(node: Node, table: SymbolTable) -> list[str]:
+    """The TeX of a node in pieces between which a line may end: one piece if it is short."""
+    whole = tex(node, table)
+    match node:
+        case Binary(operator="+" | "-" as sign, left=left, right=right):
+            return [*_chunks(left, table), *_ahead(f"{sign} ", _term(node, right, table))]
+        case _ if _length(whole) <= WIDTH:
+            return [whole]
+        case Negative(operand=operand):
+            return _ahead("-", _factors(operand, table))
+        case Binary(operator="*", left=left, right=right):
+            return _joined(_factors(left, table), r" \, ", _factors(right, table))
+        case Binary(operator="/", left=left, right=right):
+            inverse = rf"\frac{{1}}{{{tex(right, table)}}} \, "
+            return _ahead(inverse, _in_brackets(_chunks(left, table)))
+        case Call(function="dot" | "cross" as product, arguments=(left, right)):
+            sign = rf" \{_PRODUCTS[product]} "
+            return _joined(_factors(left, table), sign, _factors(right, table))
+        case Call(function="vector", arguments=(x, y)):
+            return _in_brackets(_joined(_chunks(x, table), ",", _chunks(y, table), apart=True))
+    return [whole]
+
+
+def _term(whole: Binary, right: Node, table: SymbolTable) -> list[str]:
+    """The right side of a sum or a difference, in brackets if it is a sum that is taken away."""
+    subtracted = whole.operator == "-" and isinstance(right, Binary) and right.operator in "+-"
+    return _factors(right, table) if subtracted else _chunks(right, table)
+
+
+def _factors(node: Node, table: SymbolTable) -> list[str]:
+    """The pieces of a factor, in brackets if it needs them."""
+    whole = factor(node, table)
+    if _length(whole) <= WIDTH:
+        return [whole]
+    pieces = _chunks(node, table)
+    return _in_brackets(pieces) if whole != tex(node, table) else pieces
+
+
+def _in_brackets(pieces: list[str]) -> list[str]:
+    *most, last = _ahead(r"\Bigl(", pieces)
+    return [*most, rf"{last}\Bigr)"]
+
+
+def _ahead(text: str, pieces: list[str]) -> list[str]:
+    first, *others = pieces
+    return [f"{text}{first}", *others]
+
+
+def _joined(left: list[str], sign: str, right: list[str], *, apart: bool = False) -> list[str]:
+    """Both sides with a sign between them, after which a line may end if they stand `apart`."""
+    *most, last = left
+    first, *others = right
+    middle = [f"{last}{sign}", first] if apart else [f"{last}{sign}{first}"]
+    return [*most, *middle, *others]
 
 
 def _length(text: str) -> int:

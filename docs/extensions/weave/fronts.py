@@ -108,7 +108,7 @@ class FrontDirective(WovenDirective):
             return []
         box = nodes.container(classes=["srs-wide"])
         alt = f"error against cost of all methods on the scene {name}"
-        image = fence("image", f"/../build/fronts/{file}", "", alt=alt, class_="front")
+        image = fence("image", f"/../build/fronts/{file}", "", alt=alt, class_="front plot")
         self.parse(image.replace(":class-:", ":class:"), box)
         return [box]
 

@@ -11,12 +11,15 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.application import Sphinx
 
+from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
 from weave.chapter import WovenDirective
 from weave.markdown import fence
 
 PICTURES = "_static/scenes"
+_CARD = (4.2, 2.7)  # inches of 96 pixels: about what a card shows
+_SHARP = 192  # pixels in an inch of the file
 _CROWD = 500  # bodies, of which a picture shows little and takes long
 
 
@@ -25,13 +28,13 @@ def on_builder_inited(app: Sphinx) -> None:
     folder = Path(app.srcdir) / PICTURES
     folder.mkdir(parents=True, exist_ok=True)
     names = [name for name in catalogue.names() if len(catalogue.load(name)) < _CROWD]
-    wanted = {folder / _file(name) for name in names}
+    wanted = {folder / file for name in names for file in (_file(name), _small(name))}
     for old in set(folder.glob("*.png")) - wanted:
         old.unlink()
     todo = [name for name in names if not (folder / _file(name)).is_file()]
     if todo and find_spec("matplotlib"):
         with ProcessPoolExecutor() as pool:
-            list(pool.map(_draw, todo, [folder / _file(name) for name in todo]))
+            list(pool.map(_draw, todo, [folder] * len(todo)))
 
 
 def _file(name: str) -> str:
@@ -39,16 +42,36 @@ def _file(name: str) -> str:
     import tamias2d
 
     package = Path(tamias2d.__file__).parent
-    sources = [path.read_bytes() for path in sorted(package.glob("record/*.py"))]
+    files = [Path(__file__), *sorted(package.glob("record/*.py"))]
+    sources = [path.read_bytes() for path in files]
     content = b"".join([catalogue.text(name).encode(), *sources])
     return f"{name}-{hashlib.sha256(content).hexdigest()[:8]}.png"
 
 
-def _draw(name: str, picture: Path) -> None:
+def _small(name: str) -> str:
+    return _file(name).replace(".png", "-small.png")
+
+
+def _draw(name: str, folder: Path) -> None:
     from tamias2d.record.plot import plot
 
     scene = catalogue.load(name)
-    plot(simulate(scene, duration=scene.duration or 1.0), picture)
+    run = simulate(scene, duration=scene.duration or 1.0)
+    plot(run, folder / _file(name))
+    _draw_small(run, folder / _small(name))
+
+
+def _draw_small(run: Run, picture: Path) -> None:
+    """Draw the bodies and their paths alone, with letters that can be read on a card."""
+    from matplotlib.figure import Figure
+
+    from tamias2d.record.plot import draw_world
+
+    figure = Figure(figsize=_CARD, layout="constrained")
+    axes = figure.add_subplot()
+    draw_world(axes, run)
+    axes.set(title="")
+    figure.savefig(picture, dpi=_SHARP)
 
 
 class GalleryDirective(WovenDirective):
@@ -66,7 +89,12 @@ class GalleryDirective(WovenDirective):
 def _card(name: str, docs: Path) -> str:
     scene = catalogue.load(name)
     file = f"{PICTURES}/{_file(name)}"
-    shown = {"img-top": f"/{file}", "img-alt": f"the scene {name}", "link": file}
+    shown = {
+        "img-top": f"/{PICTURES}/{_small(name)}",
+        "img-alt": f"the scene {name}: bodies and their paths",
+        "class-img-top": "plot",
+        "link": file,
+    }
     picture = shown if (docs / file).is_file() else {}
     footer = fence("card-footer", "", f"`tamias2d run {name}`: {_contents(scene)}")
     text = f"{_says(scene)}\n\n{footer}"

@@ -1,7 +1,7 @@
-"""The pages about the program: module guide, interface reference, error codes.
+"""The pages about the program: module guide, interface reference, internals, error codes.
 
-Serves: `{module-guide}`, `{interface}`, `{refusals}`, `{error-codes}`. Hides: which files they
-list.
+Serves: `{module-guide}`, `{interface}`, `{internals}`, `{refusals}`, `{error-codes}`.
+Hides: which files they list.
 """
 
 import ast
@@ -11,7 +11,7 @@ from docutils import nodes
 
 from tamias2d.spec.messages import Code
 from weave.chapter import WovenDirective
-from weave.interface import described, exported, public, reference
+from weave.interface import described, exported, public, public_name, reference
 from weave.links import module_anchor
 from weave.markdown import bullets, table
 from weave.modules import Module, guide, modules
@@ -27,6 +27,20 @@ class GuideDirective(WovenDirective):
 
 
 class InterfaceDirective(WovenDirective):
+    """The public names that the fence lists, as a user writes them: `t2.Scene`."""
+
+    def run(self) -> list[nodes.Node]:
+        every = list(modules(self.woven.root / "src/tamias2d"))
+        return [self._section(name, every) for name in " ".join(self.content).split()]
+
+    def _section(self, name: str, every: list[Module]) -> nodes.section:
+        section = nodes.section(ids=[f"t2-{name}"], classes=["srs-module"])
+        section += nodes.title("", "", nodes.literal("", f"t2.{name}"))
+        self.parse("\n".join(public_name(name, every)), section)
+        return section
+
+
+class InternalsDirective(WovenDirective):
     """Every module with its public names; generated ones show their code with their items."""
 
     def run(self) -> list[nodes.Node]:

@@ -1,13 +1,16 @@
-"""The public names of a module with signature and docstring, read from the syntax tree.
+"""Public names with signature and docstring, read from the syntax tree.
 
-Serves: `{interface}`. Hides: how declarations are laid out and docstrings become Markdown.
+Serves: `{interface}`, `{internals}`. Hides: how declarations are laid out and docstrings
+become Markdown.
 """
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
+from tamias2d import _HOME_OF
 from weave.markdown import as_markdown, bullets, code
+from weave.modules import Module
 
 WIDTH = 84  # letters of code beside each other
 Named = ast.FunctionDef | ast.ClassDef
@@ -20,6 +23,29 @@ def reference(tree: ast.Module) -> Iterator[str]:
         yield described(node) + "\n"
         if isinstance(node, ast.ClassDef):
             yield bullets(_members(node))
+
+
+def public_name(name: str, every: Iterable[Module]) -> Iterator[str]:
+    """Declaration, docstring and members of a name of `tamias2d`, those of its bases too."""
+    home = f"tamias2d.{_HOME_OF[name]}"
+    inside = [module for module in every if f"{module.name}.".startswith(f"{home}.")]
+    for module in inside:
+        if module.name == f"{home}.{name}":  # a module is the name itself
+            yield f"{module.summary}\n"
+            yield from reference(module.tree)
+            return
+    known = {node.name: node for module in inside for node in _declared(module.tree)}
+    node = known[name]
+    yield code("python", signature(node))
+    yield described(node) + "\n"
+    if isinstance(node, ast.ClassDef):
+        bases = [known.get(ast.unparse(base)) for base in node.bases]
+        classes = [node, *(base for base in bases if isinstance(base, ast.ClassDef))]
+        yield bullets(dict.fromkeys(line for each in classes for line in _members(each)))
+
+
+def _declared(tree: ast.Module) -> Iterator[Named]:
+    return (node for node in tree.body if isinstance(node, Named))
 
 
 def public(tree: ast.Module | ast.ClassDef) -> Iterator[Named]:

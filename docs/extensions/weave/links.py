@@ -98,15 +98,15 @@ class SymbolRole(SphinxRole):
 
 
 class ModuleRole(SphinxRole):
-    """`` {module}`tamias2d.run` `` links to the module in the interface reference."""
+    """`` {module}`tamias2d.run` `` links to the module among the internals."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        uri = self.env.app.builder.get_relative_uri(self.env.docname, "interface")
+        uri = self.env.app.builder.get_relative_uri(self.env.docname, "internals")
         target = f"{uri}#{module_anchor(self.text)}"
         name = nodes.literal("", self.text)
         return [nodes.reference("", "", name, refuri=target, internal=True)], []
 
 
 def module_anchor(name: str) -> str:
-    """The anchor of a module in the interface reference."""
+    """The anchor of a module among the internals."""
     return f"module-{name.replace('.', '-')}"

@@ -1,7 +1,7 @@
 """The modules of the package, read from their source without importing it.
 
-Serves: the module guide and the interface reference. Hides: the form of a docstring that says
-what its module serves and hides.
+Serves: the module guide, the interface reference and the internals. Hides: the form of a
+docstring that says what its module serves and hides.
 """
 
 import ast
@@ -24,6 +24,9 @@ PARTS = (
     "motion",
     "contact",
     "kernels",
+    "stepped",
+    "engine",
+    "simulator",
     "study",
     "record",
     "verify",

@@ -4,6 +4,7 @@ Serves: the page of a scheme. Hides: the families of schemes.
 """
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from tamias2d.spec.chapter import Item
 from weave.markdown import display
@@ -22,6 +23,8 @@ def parts(item: Item) -> Iterator[str]:
         else f"**Inconsistent** (order 0), {proof}.\n"
     )
     yield display(_TABLEAUS[data["family"]](data))
+    if _is_long(data):
+        yield f"Rounded to nine digits and without zeros; `{item.file}` has all of them.\n"
     if constant := data.get("error_constant"):
         yield f"*Error constant:* {' '.join(constant.split())}.\n"
     if stable := data.get("stability"):
@@ -36,7 +39,13 @@ def parts(item: Item) -> Iterator[str]:
         )
 
 
+_LONG = 12  # letters of a coefficient: with longer ones a tableau is wider than a page
+_PER_LINE = 2
+
+
 def _butcher(data: dict) -> str:
+    if _is_long(data):
+        return _listed(data)
     rows = [
         " & ".join([c, *row, *[""] * (len(data["b"]) - len(row))])
         for c, row in zip(
@@ -48,6 +57,29 @@ def _butcher(data: dict) -> str:
     last = " & ".join(["", *map(_fraction, data["b"])])
     columns = "c|" + "c" * len(data["b"])
     return rf"\begin{{array}}{{{columns}}} {_stack(rows)} \\ \hline {last} \end{{array}}"
+
+
+def _is_long(data: dict) -> bool:
+    return any(len(x) > _LONG for row in data.get("a", []) for x in row)
+
+
+def _listed(data: dict) -> str:
+    """The coefficients that are not 0, rounded, some on a line; for many long ones."""
+    lines = []
+    for k, row in enumerate([*data["a"], data["b"]]):
+        name = f"a_{{{k + 1}," if k < len(data["a"]) else "b_{"
+        entries = [rf"{name}{j + 1}}} &= {_rounded(x)}" for j, x in enumerate(row) if Fraction(x)]
+        start = rf"c_{{{k + 1}}} &= {_rounded(data['c'][k])}" if k < len(data["a"]) else " & "
+        for part in range(0, max(len(entries), 1), _PER_LINE):
+            lines.append(" & \\quad ".join([start, *entries[part : part + _PER_LINE]]))
+            start = " & "
+    return rf"\begin{{aligned}} {_stack(lines)} \end{{aligned}}"
+
+
+def _rounded(text: str) -> str:
+    if "/" in text or len(text) < _LONG:
+        return _fraction(text)
+    return f"{float(text):.9f}"
 
 
 _KICK = r"\boldsymbol{{v}} &\leftarrow \boldsymbol{{v}} + {step}\, \boldsymbol{{a}}"

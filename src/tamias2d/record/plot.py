@@ -38,7 +38,7 @@ def plot(run: Run, path: str | Path) -> None:
     path = Path(path)
     figure = _checked_figure(path)
     grid = figure.add_gridspec(2, 2, width_ratios=[3, 2])
-    _world(figure.add_subplot(grid[:, 0]), run)
+    draw_world(figure.add_subplot(grid[:, 0]), run)
     _heights(figure.add_subplot(grid[0, 1]), run)
     _energy(figure.add_subplot(grid[1, 1]), run)
     with aside(path) as draft:
@@ -78,7 +78,8 @@ def _figure(path: Path) -> Any:
     return figure
 
 
-def _world(axes: Any, run: Run) -> None:
+def draw_world(axes: Any, run: Run) -> None:
+    """Draw paths, the bodies at a few instants, and where they met."""
     view = drawing.view_of(run)
     (x, y), (width, height) = view.center, view.half
     instants = np.unique(np.linspace(0, len(run.times) - 1, INSTANTS).round().astype(int))

@@ -4,6 +4,7 @@ Serves: docs and diagnostics. Hides: brackets by precedence and the symbols' let
 """
 
 import re
+from decimal import Decimal
 from fractions import Fraction
 
 from tamias2d.spec.expression import (
@@ -102,12 +103,20 @@ def _after(node: Node) -> str:
 def _number(value: Fraction) -> str:
     if value.denominator == 1:
         return str(value.numerator)
-    return repr(float(value)) if Fraction(str(float(value))) == value else f"({value})"
+    if Fraction(text := str(float(value))) == value:
+        return text
+    decimal = str(Decimal(value.numerator) / value.denominator)
+    return decimal if Fraction(decimal) == value else f"({value})"
 
 
 def tex(node: Node, table: SymbolTable) -> str:
     """The expression as TeX, with the letters that the symbols declare."""
     return _Printer(table).print(node)
+
+
+def factor(node: Node, table: SymbolTable) -> str:
+    """The expression as TeX, in brackets if it needs them as a factor of a product."""
+    return _Printer(table).factor(node)
 
 
 class _Printer:
