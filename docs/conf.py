@@ -1,14 +1,15 @@
 """Sphinx configuration: the chapters of srs/ become pages, all offline."""
 
 import sys
+from importlib import metadata
 from pathlib import Path
 
 DOCS = Path(__file__).parent
 sys.path.insert(0, str(DOCS / "extensions"))
 
 project = "Tamias2D"
-author = "the authors of Tamias2D"
-version = release = "0.1.0"
+author = "The Tamias2D authors"
+version = release = metadata.version("tamias2d")
 
 extensions = ["myst_parser", "sphinx_design", "sphinxcontrib.bibtex", "weave"]
 exclude_patterns = ["_static", "extensions"]
@@ -26,6 +27,7 @@ html_theme = "furo"
 html_title = "Tamias2D"
 html_static_path = ["_static"]
 html_css_files = ["tamias2d.css"]
+html_js_files = ["fit.js"]
 html_copy_source = False
 html_show_sourcelink = False
 html_show_sphinx = False

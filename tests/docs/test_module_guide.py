@@ -1,18 +1,22 @@
 """The module guide has a service and a secret for each module."""
 
 import ast
+import re
 from pathlib import Path
 
 import pytest
+
+import tamias2d
 
 weave = pytest.importorskip("weave.modules", reason="needs Sphinx")
 
 interface = pytest.importorskip("weave.interface")
 PACKAGE = Path(__file__).parents[2] / "src/tamias2d"
+EVERY = list(weave.modules(PACKAGE))
 
 
 def written_by_hand() -> list[object]:
-    return [m for m in weave.modules(PACKAGE) if ".generated" not in m.name]
+    return [m for m in EVERY if ".generated" not in m.name]
 
 
 @pytest.mark.parametrize("module", written_by_hand(), ids=lambda module: module.name)
@@ -36,3 +40,22 @@ def test_a_long_signature_is_broken_at_its_arguments() -> None:
     assert lines[0] == "f("
     assert lines[1] == "    a: dict[str, tuple[int, int]],"
     assert lines[-1] == ") -> None"
+
+
+def test_the_interface_page_has_every_public_name_once() -> None:
+    page = (PACKAGE.parents[1] / "docs/interface.md").read_text(encoding="utf-8")
+    listed = " ".join(re.findall(r"```\{interface\}\n(.*?)```", page, re.S)).split()
+    assert sorted(listed) == sorted(tamias2d._HOME_OF)
+
+
+@pytest.mark.parametrize("name", sorted(tamias2d._HOME_OF))
+def test_a_public_name_is_declared_and_described(name: str) -> None:
+    text = "\n".join(interface.public_name(name, EVERY))
+    assert name in text or name == "catalogue"
+    assert len(text.splitlines()) > 3
+
+
+def test_members_of_a_base_are_shown_with_the_class() -> None:
+    text = "\n".join(interface.public_name("Simulator", EVERY))
+    assert "`step(" in text  # its own
+    assert "property velocity" in text  # of `Views`
