@@ -59,7 +59,8 @@ def test_a_reader_that_has_enough_is_no_fault(tmp_path: Path) -> None:
 
 
 def test_letters_that_the_output_lacks_are_escaped(tmp_path: Path) -> None:
-    scene = "gravity: [0 m/s^2, 0 m/s^2]\nbodies:\n  ü: {shape: none, mass: 1 kg, position: [0 m, 0 m]}\n"
+    body = "ü: {shape: none, mass: 1 kg, position: [0 m, 0 m]}"
+    scene = f"gravity: [0 m/s^2, 0 m/s^2]\nbodies:\n  {body}\n"
     (tmp_path / "scene.yaml").write_text(scene, encoding="utf-8")
     done = shell("PYTHONIOENCODING=ascii tamias2d run scene.yaml --duration 1", tmp_path)
     assert done.returncode == 0, done.stderr

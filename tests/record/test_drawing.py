@@ -39,18 +39,27 @@ def test_each_piece_of_a_body_has_its_outline() -> None:
     assert rim.mean(axis=0) == pytest.approx((0.0, 0.0), abs=0.05)  # the segment weighs nothing
     assert np.ptp(rim, axis=0) == pytest.approx((1.0, 3.0), rel=2e-3)
     assert line == pytest.approx(np.array([(-0.5, -4.0), (0.5, -4.0), (-0.5, -4.0)]))
-    assert len(drawing.fillings(body)) == 1
-    assert drawing.fillings(sensor) == []
-    _, spoke = drawing.strokes(sensor, drawing.View(center=(0.0, 0.0), half=(1.0, 1.0)))
+    view = drawing.View(center=(0.0, 0.0), half=(1.0, 1.0))
+    look = drawing.look(body, view, crowd=True)
+    ((ends, half),) = look.bands
+    assert half == 0.5
+    assert np.ptp(ends, axis=0) == pytest.approx((0.0, 2.0))
+    assert [radius for _, radius in look.discs] == [0.5, 0.5]
+    assert np.array([center for center, _ in look.discs]) == pytest.approx(ends)
+    empty = drawing.look(sensor, view)
+    assert [empty.discs, empty.bands, empty.areas] == [[], [], []]
+    _, spoke = empty.lines
     assert spoke[1] == pytest.approx((1.5, 0.0), abs=2e-3)
 
 
 def test_the_filling_covers_its_shape(run: t2.Run) -> None:
+    view = drawing.view_of(run)
     for body, whole in zip(run.scene.bodies[2:4], (0.5, 0.5), strict=True):
-        ((lines, half),) = drawing.fillings(body)
-        lengths = np.hypot(*(lines[:, 1] - lines[:, 0]).T)
-        assert (lengths * 2 * half).sum() == pytest.approx(whole, rel=0.05)
-        assert lengths.min() > 0
+        for crowd in (True, False):
+            ((lines, half),) = drawing.look(body, view, crowd=crowd).areas
+            lengths = np.hypot(*(lines[:, 1] - lines[:, 0]).T)
+            assert (lengths * 2 * half).sum() == pytest.approx(whole, rel=0.05)
+            assert lengths.min() > 0
 
 
 def test_the_spoke_of_a_disc_points_along_its_x_axis(run: t2.Run) -> None:

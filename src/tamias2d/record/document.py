@@ -27,7 +27,7 @@ def about(run: Run) -> str:
         "\n".join(f"- {note}" for note in run.notes),
         _certificate(run),
         _bodies(run),
-        "The exact float64 state of each body is in its component `tamias2d.State`. "
+        "The exact float64 states are in the component `tamias2d.State` of `/recording`. "
         "`tamias2d replay --check` computes this recording again.",
         ", ".join(f"{name} {version}" for name, version in headers.versions().items()),
     ]

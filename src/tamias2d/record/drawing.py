@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tamias2d.scene import Capsule, Disc, HalfPlane, pieces_of
+from tamias2d.scene import Box, Capsule, Disc, HalfPlane, pieces_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,7 +34,7 @@ STATIC_COLOUR: Colour = (130, 135, 140)
 KINEMATIC_COLOUR: Colour = (125, 145, 180)
 CIRCLE_SIDES = 72
 HATCHES = 48
-FILL_LINES = 24
+FILL_LINES, COARSE_LINES = 24, 8
 
 
 @dataclass(frozen=True)
@@ -66,9 +66,7 @@ def strokes(body: Body, view: View) -> list[Points]:
         return [np.array([(-arm, 0.0), (arm, 0.0)]), np.array([(0.0, -arm), (0.0, arm)])]
     if isinstance(body.shape, HalfPlane):
         return _ground(body, body.shape, view)
-    rims = outlines(body)
-    spoke = np.array([(0.0, 0.0), (rims[0][1] + rims[0][2]) / 2])
-    return rims if body.static else [*rims, spoke]
+    return outlines(body) if body.static else [*outlines(body), _spoke(body)]
 
 
 def outlines(body: Body) -> list[Points]:
@@ -93,20 +91,59 @@ def _outline(piece: Part) -> Points:
     return placed(rim, np.array(piece.position), piece.orientation)
 
 
-def fillings(body: Body) -> list[tuple[Points, float]]:
-    """Parallel lines (l, 2, 2) that fill each piece of a body, and their half-widths, in metres.
+@dataclass(frozen=True)
+class Look:
+    """A body in its own frame as a viewer can draw it: its 2D areas cannot be filled otherwise."""
 
-    A viewer's 2D lines can be wide, but its 2D areas cannot be filled. A sensor is left empty.
+    discs: list[tuple[Points, float]]
+    """Centre (2,) and radius of each, filled, in metres."""
+    bands: list[tuple[Points, float]]
+    """Ends (2, 2) and half-width of lines as wide as a capsule, in metres."""
+    areas: list[tuple[Points, float]]
+    """Parallel lines (l, 2, 2) that fill a piece, and their half-width, in metres."""
+    lines: list[Points]
+    """(v, 2) each: outlines, a spoke that shows how it is turned, the edge of the ground."""
+
+
+def look(body: Body, view: View, *, crowd: bool = False) -> Look:
+    """Take a body apart; a sensor is left empty.
+
+    In a crowd a disc is one point, which a viewer shades like a ball, and areas are coarse.
     """
-    return [] if body.sensor else [_filling(rim) for rim in outlines(body) if np.ptp(rim[:, 1])]
+    if body.shape is None or isinstance(body.shape, HalfPlane) or body.sensor:
+        return Look([], [], [], strokes(body, view))
+    found = Look([], [], [], [] if body.static else [_spoke(body)])
+    for piece in pieces_of(body.shape):
+        if crowd and isinstance(piece.shape, Disc | Capsule):
+            ends = np.array(piece.core)
+            found.discs.extend((end, piece.shape.radius) for end in ends)
+            if len(ends) > 1:
+                found.bands.append((ends, piece.shape.radius))
+        else:
+            rim = _outline(piece)
+            found.lines.append(rim)
+            if np.ptp(rim[:, 1]):
+                found.areas.append(_filling(rim, _lines_of(piece, crowd=crowd)))
+    return found
 
 
-def _filling(rim: Points) -> tuple[Points, float]:
+def _lines_of(piece: Part, *, crowd: bool) -> int:
+    if isinstance(piece.shape, Box) and not piece.orientation:
+        return 1
+    return COARSE_LINES if crowd else FILL_LINES
+
+
+def _spoke(body: Body) -> Points:
+    rim = outlines(body)[0]
+    return np.array([(0.0, 0.0), (rim[1] + rim[2]) / 2])
+
+
+def _filling(rim: Points, lines: int) -> tuple[Points, float]:
     middle = rim[:-1].mean(axis=0)
     rim = middle + 0.98 * (rim - middle)  # the ends of a line are square: keep them behind
     low, high = rim[:, 1].min(), rim[:, 1].max()
-    half = (high - low) / FILL_LINES / 2
-    heights = low + half + 2 * half * np.arange(FILL_LINES)
+    half = (high - low) / lines / 2
+    heights = low + half + 2 * half * np.arange(lines)
     (x0, y0), (x1, y1) = rim[:-1].T, rim[1:].T
     with np.errstate(divide="ignore", invalid="ignore"):
         part = (heights[:, None] - y0) / (y1 - y0)

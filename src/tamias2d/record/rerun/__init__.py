@@ -3,7 +3,7 @@
 Serves: recordings that one looks at. Hides: rerun.
 
 Only this package knows rerun, which is an extra, large and slow to import. What the viewer draws is
-float32, so the float64 state of each body goes beside it, as the component group `tamias2d.State`.
+float32, so the float64 states go beside it, as the component group `tamias2d.State`.
 """
 
 from tamias2d.record.rerun.program import view

@@ -16,10 +16,12 @@ if TYPE_CHECKING:
 
 RECORDING = "/recording"
 WORLD = "/world"
+BODIES = "/world/bodies"
 IMPACTS = "/world/impacts"
 IMPACT_LOG = "/impacts"
 ABOUT, MODELS, SCENE = "/about", "/models", "/scene"
 ENERGY, MOMENTUM, SPIN = "/plots/energy", "/plots/momentum", "/plots/angular_momentum"
+SPEED = "/plots/speed"
 
 SERIES = {
     ENERGY: ["energy", "kinetic", "potential"],
@@ -28,27 +30,23 @@ SERIES = {
 }
 """The lines of each plot."""
 HEADER, SAMPLE = "tamias2d.Recording", "tamias2d.Sample"
-STATE, IMPACT = "tamias2d.State", "tamias2d.Impact"
-"""Groups of components that hold the exact history, float64."""
+STATE, STILL, IMPACT = "tamias2d.State", "tamias2d.Still", "tamias2d.Impact"
+"""Groups of components that hold the exact history, float64: `State` of what can move, at each
+sample, and `Still` of what cannot, once."""
 
 TIME, STEP = "sim_time", "step"
 
 
-def body_path(name: str) -> str:
-    """The entity of a body; a name may hold spaces and slashes."""
-    return str(rr.new_entity_path(["world", "bodies", name]))
-
-
 def speed_path(name: str) -> str:
-    """The plot of a body's speed."""
-    return str(rr.new_entity_path(["plots", "speed", name]))
+    """The plot of a body's speed; a name may hold spaces and slashes."""
+    return str(rr.new_entity_path([*SPEED.split("/")[1:], name]))
 
 
 def blueprint(run: Run, view: View, *, timeline: str) -> rrb.Blueprint:
     """Return what the viewer shows at once: the world at the left, plots and text at the right."""
     plots = rrb.Vertical(
         _plot("Energy, J", ENERGY),
-        _plot("Speed, m/s", "/plots/speed"),
+        _plot("Speed, m/s", SPEED),
         rrb.Tabs(
             _plot("Momentum, kg m/s", MOMENTUM),
             _plot("Angular momentum, kg m²/s", SPIN),
@@ -77,7 +75,7 @@ def blueprint(run: Run, view: View, *, timeline: str) -> rrb.Blueprint:
 def _world(run: Run, view: View) -> rrb.Spatial2DView:
     """The world; its bounds are those of the picture, in which y points down."""
     (x, y), (width, height) = view.center, view.half
-    memory = rrb.TimeRangeBoundary.cursor_relative(seconds=-run.duration / 20)
+    memory = rrb.TimeRangeBoundary.cursor_relative(seconds=-_memory(run))
     now = rrb.TimeRangeBoundary.cursor_relative()
     return rrb.Spatial2DView(
         origin="/",  # the flip of /world has no effect in a view whose origin it is
@@ -89,6 +87,12 @@ def _world(run: Run, view: View) -> rrb.Spatial2DView:
         ),
         overrides={IMPACTS: rrb.VisibleTimeRanges(timeline=TIME, start=memory, end=now)},
     )
+
+
+def _memory(run: Run) -> float:
+    """For how long an impact is shown, s: of many, on average one for each body at a time."""
+    moving = sum(body.dynamic for body in run.scene.bodies)
+    return run.duration * min(1 / 20, moving / max(len(run.impacts), 1))
 
 
 def _plot(name: str, origin: str) -> rrb.TimeSeriesView:

@@ -16,7 +16,7 @@ from rerun.chunk import RrdReader
 
 from tamias2d.errors import RecordingError
 from tamias2d.record import header as headers, history
-from tamias2d.record.rerun import layout
+from tamias2d.record.rerun import exact, layout
 from tamias2d.record.rerun.reading import REFUSED
 
 if TYPE_CHECKING:
@@ -52,6 +52,11 @@ def unpack(path: Path) -> tuple[Header, Arrays]:
             "Give one that `run.save` has written."
         )
     header = headers.loads(text, where=str(path))
+    if header.format == headers.UNCOVERED:
+        raise RecordingError(
+            f"{path}: format {header.format}: this version reads .rrd of format {headers.FORMAT}. "
+            f"Open it with tamias2d {header.versions.get('tamias2d')}, or record the run again."
+        )
     found = _totals(columns) | _impacts(columns)
     history.check_length("times", found["times"], header.samples, where=str(path))
     return header, found | _bodies(header, columns, where=str(path))
@@ -66,25 +71,15 @@ def _columns(path: Path) -> tuple[str | None, Columns]:
             if name.startswith(f"{layout.HEADER}:"):
                 header = batch.column(name)[0][0].as_py()
             elif name.startswith("tamias2d."):
-                steps = None if chunk.is_static else np.asarray(batch.column(layout.STEP))
-                values = _values(batch.column(name))
-                part = (np.zeros(len(values), np.int64) if steps is None else steps, values)
+                steps = np.zeros(1, np.int64) if chunk.is_static else batch.column(layout.STEP)
+                part = (np.asarray(steps), exact.values(batch.column(name)))
                 columns[chunk.entity_path, name].append(part)
     return header, columns
 
 
-def _values(column: Any) -> NDArray[Any]:
-    """Rows as numbers (r,) or as vectors (r, 2)."""
-    rows = column.flatten()
-    is_vector = hasattr(rows.type, "list_size")
-    flat = np.asarray(rows.flatten() if is_vector else rows)
-    return flat.reshape(-1, rows.type.list_size) if is_vector else flat
-
-
 def _totals(columns: Columns) -> Arrays:
     return {
-        name: _joined(columns, layout.RECORDING, f"{layout.SAMPLE}:{name}")
-        for name in ("times", *history.TOTALS)
+        name: _joined(columns, f"{layout.SAMPLE}:{name}") for name in ("times", *history.TOTALS)
     }
 
 
@@ -92,7 +87,7 @@ def _impacts(columns: Columns) -> Arrays:
     """All that there are; a run without impacts has no such columns, and gives arrays of none."""
     arrays = {}
     for name, width in history.OF_IMPACTS.items():
-        rows = _joined(columns, layout.IMPACTS, f"{layout.IMPACT}:{name}")
+        rows = _joined(columns, f"{layout.IMPACT}:{name}", layout.IMPACTS)
         empty = np.empty((0, width)[:width], np.int64 if name == "bodies" else np.float64)
         arrays[f"impacts.{name}"] = rows if len(rows) else empty
     return arrays
@@ -101,25 +96,34 @@ def _impacts(columns: Columns) -> Arrays:
 def _bodies(header: Header, columns: Columns, *, where: str) -> Arrays:
     """Arrays (k, n) and (k, n, 2); what does not move has one row for all samples."""
     arrays = {}
+    still = _rows(columns, f"{layout.STILL}:bodies").ravel().astype(np.int64)
+    moving = np.delete(np.arange(len(header.bodies)), still)
     for name in history.OF_BODIES:
         arrays[name] = np.empty(history.shapes_of(header)[name])
-        for index, body in enumerate(header.bodies):
-            rows = _joined(columns, layout.body_path(body), f"{layout.STATE}:{name}")
-            if len(rows) != 1:
-                of = f"{name} of body {body!r}"
-                history.check_length(of, rows, header.samples, where=where)
-            arrays[name][:, index] = rows
+        if len(still):
+            arrays[name][:, still] = _rows(columns, f"{layout.STILL}:{name}")
+        if len(moving):
+            rows = _rows(columns, f"{layout.STATE}:{name}")
+            history.check_length(f"{name} of bodies", rows, header.samples, where=where)
+            arrays[name][:, moving] = rows
     return arrays
 
 
-def _joined(columns: Columns, entity: str, component: str) -> NDArray[Any]:
-    """All rows of a component, in the order of their steps."""
+def _joined(columns: Columns, component: str, entity: str = layout.RECORDING) -> NDArray[Any]:
+    """Values of a component that has one for each step."""
+    rows = _rows(columns, component, entity)
+    return rows[:, 0] if len(rows) else rows
+
+
+def _rows(columns: Columns, component: str, entity: str = layout.RECORDING) -> NDArray[Any]:
+    """Values (steps, so many for each) or (..., 2) of a component, in the order of the steps."""
     parts = columns.get((entity, component))
     if not parts:
         return np.empty(0)
     steps = np.concatenate([steps for steps, _ in parts])
     values = np.concatenate([values for _, values in parts])
-    return values[np.argsort(steps, kind="stable")]
+    rows = values.reshape(len(steps), len(values) // len(steps), *values.shape[1:])
+    return rows[np.argsort(steps, kind="stable")]
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""Writing a run as `.rrd`: static things once, then each body's history in blocks of samples.
+"""Writing a run as `.rrd`: words first, then what is drawn, then the exact history.
 
-Serves: `Run.save`. Hides: which archetypes draw what, and the size of a block.
+Serves: `Run.save`. Hides: which archetypes draw what.
 """
 
 from __future__ import annotations
@@ -8,30 +8,26 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pyarrow as pa
 import rerun as rr
 
 from tamias2d.errors import RecordingError
 from tamias2d.record import document, drawing, header as headers, history
 from tamias2d.record.aside import aside, refuse_place
 from tamias2d.record.kinetic import kinetic_energy
-from tamias2d.record.rerun import layout
+from tamias2d.record.rerun import bodies, exact, impacts, layout
 from tamias2d.scene import scene_text
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     from numpy.typing import NDArray
 
     from tamias2d.record.drawing import Colour, View
     from tamias2d.run import Run
-    from tamias2d.scene import Body
 
-BLOCK = 4096
-"""Samples of a body that are sent, and later loaded, at once."""
-IMPACT_COLOUR: Colour = (235, 200, 60)
-LONGEST_ARROW = 0.25
-"""Of the largest impulse, as a part of the view's reach."""
+NAMED = 12
+"""So many bodies have lines of their own in the plot of speeds; of more, two lines tell."""
 
 
 def write(run: Run, path: Path) -> None:
@@ -44,18 +40,30 @@ def write(run: Run, path: Path) -> None:
     timeline = layout.TIME if np.all(np.diff(clock) > 0) else layout.STEP
     rr.set_strict_mode(True)  # else a bad shape is only a warning, and the data are gone
     view = drawing.view_of(run)
-    stream = rr.RecordingStream("tamias2d", recording_id=run.digest()[:32])
+    header = headers.header_of(run)
+    # The viewer keeps one layout for an application, and takes recordings of one id for one.
+    name = run.scene.name or "tamias2d"
+    stream = rr.RecordingStream(f"{name} {header.digest[:8]}", recording_id=header.digest[:32])
     if rr.get_application_id(stream) is None:
         raise RecordingError(f"{path}: rerun records nothing: the environment says RERUN=off.")
     encoded = rr.binary_stream(stream)
     stream.send_blueprint(layout.blueprint(run, view, timeline=timeline), make_active=False)
-    stream.send_recording_name(run.scene.name or "tamias2d")
-    _texts(stream, run)
+    stream.send_recording_name(name)
+    _texts(stream, run, header)
     stream.flush()  # the header is first in the file: of a cut one it is left
-    _world(stream, run, view)
-    for start in range(0, len(run.times), BLOCK):
-        _block(stream, run, clock, slice(start, start + BLOCK))
-    _impacts(stream, run, view)
+
+    def times(part: slice) -> list[rr.TimeColumn]:
+        return _times(clock[part], np.arange(len(clock))[part])
+
+    stream.log(layout.WORLD, rr.Transform3D(scale=[1, -1, 1]), static=True)  # y is down there
+    bodies.draw(stream, run, view, times)
+    _scale_bar(stream, view)
+    _plots(stream, run, times(slice(None)))
+    _history(stream, run, times)
+    if len(run.impacts):
+        instants = np.rint(run.impacts.time * 1e9).astype(np.int64)
+        samples = np.searchsorted(run.times, run.impacts.time)
+        impacts.draw(stream, run, view, _times(instants, samples))
     # Written by us: rerun's own writer can wait for ever for a disk that is full.
     with aside(path) as draft:
         draft.write_bytes(encoded.read() or b"")
@@ -71,11 +79,9 @@ def _nanoseconds(times: NDArray[np.float64], path: Path) -> NDArray[np.int64]:
     return np.rint(times * 1e9).astype(np.int64)
 
 
-def _texts(stream: rr.RecordingStream, run: Run) -> None:
-    header = rr.DynamicArchetype(
-        layout.HEADER, components={"header": headers.header_of(run).dumps()}
-    )
-    stream.log(layout.RECORDING, header, static=True)
+def _texts(stream: rr.RecordingStream, run: Run, header: headers.Header) -> None:
+    line = rr.DynamicArchetype(layout.HEADER, components={"header": header.dumps()})
+    stream.log(layout.RECORDING, line, static=True)
     scene = f"```yaml\n{scene_text(run.scene)}```"
     texts = {
         layout.ABOUT: document.about(run),
@@ -84,46 +90,6 @@ def _texts(stream: rr.RecordingStream, run: Run) -> None:
     }
     for path, text in texts.items():
         stream.log(path, rr.TextDocument(text, media_type=rr.MediaType.MARKDOWN), static=True)
-
-
-def _world(stream: rr.RecordingStream, run: Run, view: View) -> None:
-    """Shapes in their own frames, colours of plots, and the flip: in the viewer's 2D y is down."""
-    stream.log(layout.WORLD, rr.Transform3D(scale=[1, -1, 1]), static=True)
-    colours = drawing.colours(run)
-    for index, (body, colour) in enumerate(zip(run.scene.bodies, colours, strict=True)):
-        path = layout.body_path(body.name)
-        stream.log(path, _lines(body, view, colour), static=True)
-        if body.dynamic:
-            name = rr.SeriesLines(colors=[colour], names=[body.name], widths=[1.5])
-            stream.log(layout.speed_path(body.name), name, static=True)
-        if body.static:
-            here = slice(0, 1)
-            columns = [*_pose(run, index, here), *_state(run, index, here)]
-            stream.send_columns(path, [], columns)
-    _scale_bar(stream, view)
-    for path, names in layout.SERIES.items():
-        series = rr.SeriesLines(
-            names=names, colors=drawing.PALETTE[: len(names)], widths=[1.5] * len(names)
-        )
-        stream.log(path, series, static=True)
-
-
-def _lines(body: Body, view: View, colour: Colour) -> rr.LineStrips2D:
-    """A body in its own frame: its outline, a spoke that shows how it is turned, and its area."""
-    lines = drawing.strokes(body, view)
-    filled = drawing.fillings(body)
-    area = [line for lines_, _ in filled for line in lines_]
-    shade = tuple(channel // 2 for channel in colour)
-    edge = rr.Radius.ui_points(1.0 if body.static else 1.5)
-    radii: list[Any] = [half for lines_, half in filled for _ in lines_] + [edge] * len(lines)
-    return rr.LineStrips2D(
-        [*area, *lines],
-        colors=[shade] * len(area) + [colour] * len(lines),
-        radii=radii,
-        labels=[body.name],
-        show_labels=False,
-        draw_order=20.0 if body.dynamic else 10.0,
-    )
 
 
 def _scale_bar(stream: rr.RecordingStream, view: View) -> None:
@@ -141,27 +107,6 @@ def _scale_bar(stream: rr.RecordingStream, view: View) -> None:
     stream.log(f"{layout.WORLD}/scale", bar, static=True)
 
 
-def _block(stream: rr.RecordingStream, run: Run, clock: NDArray[np.int64], part: slice) -> None:
-    """Send one block of samples: the bodies' poses and states, and the plots."""
-    steps = np.arange(len(clock))[part]
-    times = _times(clock[part], steps)
-    for index, body in enumerate(run.scene.bodies):
-        if not body.static:
-            columns = [*_pose(run, index, part), *_state(run, index, part)]
-            stream.send_columns(layout.body_path(body.name), times, columns)
-        if body.dynamic:
-            speed = np.hypot(*run.velocity[part, index].T)
-            _plot(stream, layout.speed_path(body.name), times, speed)
-    kinetic = kinetic_energy(run, part)
-    energies = np.column_stack([run.energy[part], kinetic, run.energy[part] - kinetic])
-    _plot(stream, layout.ENERGY, times, energies)
-    _plot(stream, layout.MOMENTUM, times, run.momentum[part])
-    _plot(stream, layout.SPIN, times, run.angular_momentum[part])
-    exact = {name: _column(getattr(run, name)[part]) for name in ("times", *history.TOTALS)}
-    numbers = rr.DynamicArchetype.columns(layout.SAMPLE, components=exact)
-    stream.send_columns(layout.RECORDING, times, numbers)
-
-
 def _times(clock: NDArray[np.int64], steps: NDArray[np.int64]) -> list[rr.TimeColumn]:
     return [
         rr.TimeColumn(layout.TIME, duration=clock.astype("timedelta64[ns]")),
@@ -169,55 +114,63 @@ def _times(clock: NDArray[np.int64], steps: NDArray[np.int64]) -> list[rr.TimeCo
     ]
 
 
+def _plots(stream: rr.RecordingStream, run: Run, times: list[rr.TimeColumn]) -> None:
+    kinetic = kinetic_energy(run, slice(None))
+    energies = np.column_stack([run.energy, kinetic, run.energy - kinetic])
+    values = {layout.ENERGY: energies, layout.MOMENTUM: run.momentum}
+    values[layout.SPIN] = run.angular_momentum
+    for path, names in layout.SERIES.items():
+        _plot(stream, path, names, drawing.PALETTE[: len(names)], times, values[path])
+    moving = [k for k, body in enumerate(run.scene.bodies) if body.dynamic]
+    speeds = np.hypot(*np.moveaxis(run.velocity[:, moving], -1, 0))
+    if 0 < len(moving) <= NAMED:
+        colours = drawing.colours(run)
+        for k, speed in zip(moving, speeds.T, strict=True):
+            name = run.scene.bodies[k].name
+            _plot(stream, layout.speed_path(name), [name], [colours[k]], times, speed)
+    elif moving:
+        extremes = np.column_stack([speeds.max(axis=1), speeds.mean(axis=1)])
+        _plot(stream, layout.SPEED, ["fastest", "mean"], drawing.PALETTE[:2], times, extremes)
+
+
 def _plot(
-    stream: rr.RecordingStream, path: str, times: list[rr.TimeColumn], values: NDArray[np.float64]
+    stream: rr.RecordingStream,
+    path: str,
+    names: list[str],
+    colours: Sequence[Colour],
+    times: list[rr.TimeColumn],
+    values: NDArray[np.float64],
 ) -> None:
+    look = rr.SeriesLines(names=names, colors=colours, widths=[1.5] * len(names))
+    stream.log(path, look, static=True)
     stream.send_columns(path, times, rr.Scalars.columns(scalars=values))
 
 
-def _pose(run: Run, index: int, part: slice) -> Any:
-    """What the viewer draws: float32."""
-    position, half = run.position[part, index], run.orientation[part, index] / 2
-    none = np.zeros(len(half))
-    return rr.Transform3D.columns(
-        translation=np.column_stack([position, none]),
-        quaternion=np.column_stack([none, none, np.sin(half), np.cos(half)]),
-    )
-
-
-def _state(run: Run, index: int, part: slice) -> Any:
+def _history(stream: rr.RecordingStream, run: Run, times: bodies.Times) -> None:
     """What a recomputation is compared with: float64."""
-    values = {name: _column(getattr(run, name)[part, index]) for name in history.OF_BODIES}
-    return rr.DynamicArchetype.columns(layout.STATE, components=values)
+    totals = {name: exact.column(getattr(run, name)) for name in ("times", *history.TOTALS)}
+    columns = rr.DynamicArchetype.columns(layout.SAMPLE, components=totals)
+    stream.send_columns(layout.RECORDING, times(slice(None)), columns)
+    static = np.array([body.static for body in run.scene.bodies])
+    still = {name: getattr(run, name)[:1, static] for name in history.OF_BODIES}
+    moving = {name: getattr(run, name)[:, ~static] for name in history.OF_BODIES}
+    _send(stream, layout.STILL, still | {"bodies": np.flatnonzero(static)[None]})
+    for part in exact.blocks(len(run.times), 3 * moving["position"][:1].nbytes):
+        _send(stream, layout.STATE, {k: v[part] for k, v in moving.items()}, times(part))
 
 
-def _column(values: NDArray[Any]) -> Any:
-    """A row for each value; rerun takes vectors only as lists of fixed length."""
-    if values.ndim == 1:
-        return values
-    return pa.FixedSizeListArray.from_arrays(pa.array(values.ravel()), values.shape[1])
-
-
-def _impacts(stream: rr.RecordingStream, run: Run, view: View) -> None:
-    """An arrow for each impact, from where the bodies meet along the impulse.
-
-    It is the impulse on body B or, where that is static, its opposite on body A.
-    """
-    impacts = run.impacts
-    if not len(impacts.time):
-        return
-    clock = np.rint(impacts.time * 1e9).astype(np.int64)
-    times = _times(clock, np.searchsorted(run.times, impacts.time))
-    longest = float(impacts.impulse.max()) or 1.0
-    moved = np.array([body.dynamic for body in run.scene.bodies])[impacts.bodies[:, 1]]
-    length = np.where(moved, 1, -1) * LONGEST_ARROW * view.reach * impacts.impulse / longest
-    texts = [document.impact_line(run, k) for k in range(len(impacts.time))]
-    stream.send_columns(layout.IMPACT_LOG, times, rr.TextLog.columns(text=texts))
-    look = rr.Arrows2D.from_fields(
-        radii=rr.Radius.ui_points(2.0), colors=[IMPACT_COLOUR], draw_order=40.0, show_labels=False
-    )
-    stream.log(layout.IMPACTS, look, static=True)
-    exact = {name: _column(getattr(impacts, name)) for name in history.OF_IMPACTS}
-    arrows = rr.Arrows2D.columns(origins=impacts.point, vectors=impacts.normal * length[:, None])
-    numbers = rr.DynamicArchetype.columns(layout.IMPACT, components=exact)
-    stream.send_columns(layout.IMPACTS, times, [*arrows, *numbers])
+def _send(
+    stream: rr.RecordingStream,
+    group: str,
+    values: dict[str, NDArray[Any]],
+    times: Sequence[rr.TimeColumn] = (),
+) -> None:
+    """Send values (rows, bodies) or (rows, bodies, 2)."""
+    rows, count = values["orientation"].shape
+    flat = {name: v.reshape(rows * count, *v.shape[2:]) for name, v in values.items()}
+    components = {name: exact.column(v) for name, v in flat.items()}
+    if count:
+        columns = rr.DynamicArchetype.columns(group, components=components).partition(
+            [count] * rows
+        )
+        stream.send_columns(layout.RECORDING, times, columns)

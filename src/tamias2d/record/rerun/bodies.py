@@ -1,0 +1,117 @@
+"""Bodies as the viewer draws them: parts of one kind of all bodies are one entity.
+
+Serves: writing. Hides: how a body is taken apart, and the world coordinates of its parts.
+
+An entity appears with all that it holds. A body for itself would be shown as soon as its shape is
+loaded, wherever that is, and of a thousand bodies the viewer shows the last after a minute.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import rerun as rr
+
+from tamias2d.record import drawing
+from tamias2d.record.rerun import exact, layout
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from numpy.typing import NDArray
+
+    from tamias2d.record.drawing import Colour, View
+    from tamias2d.run import Run
+
+    Times = Callable[[slice], list[rr.TimeColumn]]
+
+CROWD = 100
+"""More bodies than this are drawn in a way that loads quickly."""
+_CORE = 0.94  # of a disc is filled, the rest is its rim
+_ORDER = {"rims": 20.0, "areas": 21.0, "lines": 22.0}  # what is later covers what is before
+
+
+@dataclass
+class _Batch:
+    """Parts with v points each, in the frames of their bodies; v is 1 for discs."""
+
+    points: list[Any] = field(default_factory=list)
+    bodies: list[int] = field(default_factory=list)
+    radii: list[float] = field(default_factory=list)
+    """m; below 0 in points of the screen"""
+    colours: list[Colour] = field(default_factory=list)
+
+    def add(self, points: Any, body: int, radius: float, colour: Colour) -> None:
+        self.points.append(points)
+        self.bodies.append(body)
+        self.radii.append(radius)
+        self.colours.append(colour)
+
+
+Key = tuple[bool, str, int]  # whether it stands still, its layer, and its number of points
+
+
+def draw(stream: rr.RecordingStream, run: Run, view: View, times: Times) -> None:
+    """Send all bodies: those that stand still once, the others at each sample."""
+    for key, batch in sorted(_batches(run, view).items()):
+        still, layer, size = key
+        kind: Any = rr.Points2D if size == 1 else rr.LineStrips2D
+        entity = f"{layout.BODIES}/{'static' if still else 'moving'}/{layer}{size}"
+        stream.log(entity, _look(kind, run, batch, layer=layer, still=still), static=True)
+        points = np.array(batch.points, dtype=np.float64)
+        for part in [slice(1)] if still else exact.blocks(len(run.times), 8 * points.size):
+            seen = _placed(run, batch, points, part).astype(np.float32)
+            rows = seen.reshape(-1, 2) if size == 1 else seen.reshape(-1, size, 2)
+            columns = kind.columns(**{"positions" if size == 1 else "strips": rows})
+            lengths = [len(points)] * len(seen)
+            stream.send_columns(entity, [] if still else times(part), columns.partition(lengths))
+
+
+def _look(kind: Any, run: Run, batch: _Batch, *, layer: str, still: bool) -> Any:
+    return kind.from_fields(
+        radii=batch.radii,
+        colors=batch.colours,
+        labels=[run.scene.bodies[k].name for k in batch.bodies],
+        show_labels=False,
+        draw_order=_ORDER[layer] - 10.0 * still,
+    )
+
+
+def _placed(run: Run, batch: _Batch, points: NDArray[Any], part: slice) -> NDArray[Any]:
+    """World coordinates (samples, parts, v, 2) of a batch, in m."""
+    angle = run.orientation[part, batch.bodies][..., None]
+    x, y = points[..., 0], points[..., 1]
+    turned = np.stack(
+        [np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y], axis=-1
+    )
+    return np.asarray(turned + run.position[part, batch.bodies][:, :, None, :])
+
+
+def _batches(run: Run, view: View) -> dict[Key, _Batch]:
+    found: dict[Key, _Batch] = defaultdict(_Batch)
+    crowd = sum(not body.static for body in run.scene.bodies) > CROWD
+    for k, (body, colour) in enumerate(zip(run.scene.bodies, drawing.colours(run), strict=True)):
+        shade = tuple(channel // 2 for channel in colour)
+        width = -1.0 if body.static else -0.5 if crowd else -1.5
+        for layer, points, radius in _parts(drawing.look(body, view, crowd=crowd), width):
+            key = (body.static, layer, len(points))
+            found[key].add(points, k, radius, shade if layer == "areas" else colour)  # type: ignore[arg-type]
+    return dict(found)
+
+
+def _parts(look: drawing.Look, width: float) -> Iterator[tuple[str, Any, float]]:
+    """Layer, points (v, 2) and half-width of each part of a body; lines have the width given."""
+    for center, radius in look.discs:
+        yield "rims", [center], radius
+        yield "areas", [center], _CORE * radius
+    for line, half in look.bands:
+        yield "rims", line, half
+        yield "areas", line, _CORE * half
+    for lines, half in look.areas:
+        for line in lines:
+            yield "areas", line, half
+    for line in look.lines:
+        yield "lines", line, width
