@@ -110,7 +110,8 @@ def _changes_here(node: Node) -> Iterator[Node]:
 
 def killed_by_reader(mutant: Mutant, specification: Specification) -> bool:
     """Whether the reader's checks refuse the changed item."""
-    return bool(check_item(_mutated(mutant, specification), specification.table))
+    changed = _mutated(mutant, specification)
+    return bool(check_item(changed, specification.items, specification.table))
 
 
 def _mutated(mutant: Mutant, specification: Specification) -> Item:

@@ -26,6 +26,16 @@ def test_oe4_bound_where_the_answer_is_exact() -> None:
     passes("OE4")
 
 
+def test_og9_advances_and_their_bounds() -> None:
+    """OG9, srs/verification/continuous_collision.md:8; verifies R7, R12."""
+    passes("OG9")
+
+
+def test_og10_quiet_bodies() -> None:
+    """OG10, srs/verification/continuous_collision.md:119; verifies R12."""
+    passes("OG10")
+
+
 def test_oa5c_fall_in_drag_in_a_few_long_steps() -> None:
     """OA5c, srs/verification/exponential.md:7; verifies R5, R9, R10."""
     passes("OA5c")
@@ -182,37 +192,47 @@ def test_of4_oblique_impact_of_two_spinning_rough_bodies() -> None:
 
 
 def test_of5a_disc_that_rolls_down_20_degrees() -> None:
-    """OF5a, srs/verification/friction.md:375; verifies R3, R8, R11."""
+    """OF5a, srs/verification/friction.md:373; verifies R3, R8, R11."""
     passes("OF5a")
 
 
 def test_of5b_hoop_that_rolls_down_20_degrees() -> None:
-    """OF5b, srs/verification/friction.md:408; verifies R3, R8, R11."""
+    """OF5b, srs/verification/friction.md:406; verifies R3, R8, R11."""
     passes("OF5b")
 
 
 def test_of5c_disc_that_slips_while_it_turns() -> None:
-    """OF5c, srs/verification/friction.md:442; verifies R3, R8, R11."""
+    """OF5c, srs/verification/friction.md:440; verifies R3, R8, R11."""
     passes("OF5c")
 
 
+def test_of5d_disc_that_rolls_down_20_degrees_listed_last() -> None:
+    """OF5d, srs/verification/friction.md:477; verifies R3, R8, R11."""
+    passes("OF5d")
+
+
+def test_of10_rod_that_turns_about_its_tip() -> None:
+    """OF10, srs/verification/friction.md:514; verifies R3, R8, R11."""
+    passes("OF10")
+
+
 def test_of6_ball_that_is_thrown_and_begins_to_roll() -> None:
-    """OF6, srs/verification/friction.md:480; verifies R3, R8, R11."""
+    """OF6, srs/verification/friction.md:557; verifies R3, R8, R11."""
     passes("OF6")
 
 
 def test_of7_rod_of_painlev() -> None:
-    """OF7, srs/verification/friction.md:534; verifies R8, R11."""
+    """OF7, srs/verification/friction.md:611; verifies R8, R11."""
     passes("OF7")
 
 
 def test_of8_coefficients_of_friction_that_cannot_be_meant() -> None:
-    """OF8, srs/verification/friction.md:563; verifies R4, R11."""
+    """OF8, srs/verification/friction.md:640; verifies R4, R11."""
     passes("OF8")
 
 
 def test_of9_spin_against_angular_drag() -> None:
-    """OF9, srs/verification/friction.md:600; verifies R2, R6, R9."""
+    """OF9, srs/verification/friction.md:677; verifies R2, R6, R9."""
     passes("OF9")
 
 
@@ -296,23 +316,28 @@ def test_ob12_bodies_at_rest_on_a_floor() -> None:
     passes("OB12")
 
 
+def test_ob16_rod_that_a_torque_presses_down_on_a_smooth_floor() -> None:
+    """OB16, srs/verification/oracles_impact.md:692; verifies R3, R7, R8."""
+    passes("OB16")
+
+
 def test_ob8a_3_impacts_for_a_mass_ratio_of_1() -> None:
-    """OB8a, srs/verification/oracles_impact.md:693; verifies R3, R7, R8."""
+    """OB8a, srs/verification/oracles_impact.md:732; verifies R3, R7, R8."""
     passes("OB8a")
 
 
 def test_ob8b_31_impacts_for_a_mass_ratio_of_100() -> None:
-    """OB8b, srs/verification/oracles_impact.md:738; verifies R3, R7, R8."""
+    """OB8b, srs/verification/oracles_impact.md:777; verifies R3, R7, R8."""
     passes("OB8b")
 
 
 def test_ob8c_314_impacts_for_a_mass_ratio_of_10000() -> None:
-    """OB8c, srs/verification/oracles_impact.md:768; verifies R3, R7, R8."""
+    """OB8c, srs/verification/oracles_impact.md:807; verifies R3, R7, R8."""
     passes("OB8c")
 
 
 def test_ob8d_3141_impacts_for_a_mass_ratio_of_1000000() -> None:
-    """OB8d, srs/verification/oracles_impact.md:815; verifies R3, R7, R8."""
+    """OB8d, srs/verification/oracles_impact.md:854; verifies R3, R7, R8."""
     passes("OB8d")
 
 

@@ -6,6 +6,7 @@ Generated from srs/ by `python -m tools.generate`. Edit the chapter, not this fi
 from hypothesis import given
 
 from tamias2d.generated import (
+    continuous_collision,
     definitions,
     detection,
     drag,
@@ -16,6 +17,7 @@ from tamias2d.generated import (
     island_energy,
     rest,
     rotation,
+    sleeping,
     soft_contact,
     spring,
     translation,
@@ -232,6 +234,246 @@ def test_potential_energy_is_dd16(**given: Value) -> None:
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 
+@given(position=values("position"), shift=values("shift"), fraction=values("fraction"))
+def test_position_later_is_gd14(**given: Value) -> None:
+    """GD14, srs/models/continuous_collision.md:23."""
+    agrees(continuous_collision.position_later, "position + fraction*shift", given)
+
+
+@given(
+    position_a=values("position_a"),
+    shift_a=values("shift_a"),
+    position_b=values("position_b"),
+    shift_b=values("shift_b"),
+    fraction=values("fraction"),
+)
+def test_span_is_gd14(**given: Value) -> None:
+    """GD14, srs/models/continuous_collision.md:23."""
+    agrees(
+        continuous_collision.span, "position_b - position_a + fraction*(shift_b - shift_a)", given
+    )
+
+
+@given(
+    position=values("position"), shift_change=values("shift_change"), fraction=values("fraction")
+)
+def test_position_redirected_is_gd14(**given: Value) -> None:
+    """GD14, srs/models/continuous_collision.md:23."""
+    agrees(continuous_collision.position_redirected, "position - fraction*shift_change", given)
+
+
+@given(
+    orientation=values("orientation"),
+    turn_change=values("turn_change"),
+    fraction=values("fraction"),
+)
+def test_orientation_redirected_is_gd14(**given: Value) -> None:
+    """GD14, srs/models/continuous_collision.md:23."""
+    agrees(continuous_collision.orientation_redirected, "orientation - fraction*turn_change", given)
+
+
+@given(shift=values("shift"), shift_change=values("shift_change"))
+def test_shift_redirected_is_gd14(**given: Value) -> None:
+    """GD14, srs/models/continuous_collision.md:23."""
+    agrees(continuous_collision.shift_redirected, "shift + shift_change", given)
+
+
+@given(turn=values("turn"), turn_change=values("turn_change"))
+def test_turn_redirected_is_gd14(**given: Value) -> None:
+    """GD14, srs/models/continuous_collision.md:23."""
+    agrees(continuous_collision.turn_redirected, "turn + turn_change", given)
+
+
+@given(shift=values("shift"), turn=values("turn"), extent=values("extent"))
+def test_motion_bound_is_dd44(**given: Value) -> None:
+    """DD44, srs/models/continuous_collision.md:65."""
+    agrees(
+        continuous_collision.motion_bound, "abs(x(shift)) + abs(y(shift)) + abs(turn)*extent", given
+    )
+
+
+@given(
+    distance=values("distance"),
+    extent=values("extent"),
+    fraction=values("fraction"),
+    motion_bound=values("motion_bound"),
+)
+def test_distance_bound_is_dd44(**given: Value) -> None:
+    """DD44, srs/models/continuous_collision.md:65."""
+    agrees(continuous_collision.distance_bound, "distance + extent + fraction*motion_bound", given)
+
+
+@given(span=values("span"), shift=values("shift"))
+def test_miss_distance_is_dd45(**given: Value) -> None:
+    """DD45, srs/models/continuous_collision.md:87."""
+    agrees(continuous_collision.miss_distance, "cross(span, shift)/norm(shift)", given)
+
+
+@given(span=values("span"), shift=values("shift"))
+def test_fraction_closest_is_dd45(**given: Value) -> None:
+    """DD45, srs/models/continuous_collision.md:87."""
+    agrees(continuous_collision.fraction_closest, "-dot(span, shift)/dot(shift, shift)", given)
+
+
+@given(extent=values("extent"), miss_distance=values("miss_distance"), shift=values("shift"))
+def test_half_interval_is_dd45(**given: Value) -> None:
+    """DD45, srs/models/continuous_collision.md:87."""
+    agrees(
+        continuous_collision.half_interval, "sqrt(extent**2 - miss_distance**2)/norm(shift)", given
+    )
+
+
+@given(
+    separation=values("separation"),
+    separation_rate=values("separation_rate"),
+    gap_acceleration_least=values("gap_acceleration_least"),
+)
+def test_discriminant_is_dd46(**given: Value) -> None:
+    """DD46, srs/models/continuous_collision.md:125."""
+    agrees(
+        continuous_collision.discriminant,
+        "separation_rate**2 - 2*gap_acceleration_least*separation",
+        given,
+    )
+
+
+@given(
+    separation_rate=values("separation_rate"),
+    gap_acceleration_least=values("gap_acceleration_least"),
+    discriminant=values("discriminant"),
+)
+def test_advance_opening_is_dd46(**given: Value) -> None:
+    """DD46, srs/models/continuous_collision.md:125."""
+    agrees(
+        continuous_collision.advance_opening,
+        "(separation_rate + sqrt(discriminant))/(-gap_acceleration_least)",
+        given,
+    )
+
+
+@given(
+    separation=values("separation"),
+    separation_rate=values("separation_rate"),
+    discriminant=values("discriminant"),
+)
+def test_advance_closing_is_dd46(**given: Value) -> None:
+    """DD46, srs/models/continuous_collision.md:125."""
+    agrees(
+        continuous_collision.advance_closing,
+        "2*separation/(sqrt(discriminant) - separation_rate)",
+        given,
+    )
+
+
+@given(angular_speed=values("angular_speed"), angular_acceleration=values("angular_acceleration"))
+def test_circling_is_dd47(**given: Value) -> None:
+    """DD47, srs/models/continuous_collision.md:155."""
+    agrees(continuous_collision.circling, "angular_speed**2 + angular_acceleration", given)
+
+
+@given(
+    acceleration_a=values("acceleration_a"),
+    acceleration_b=values("acceleration_b"),
+    normal=values("normal"),
+    deviation=values("deviation"),
+)
+def test_centre_acceleration_least_is_dd47(**given: Value) -> None:
+    """DD47, srs/models/continuous_collision.md:155."""
+    agrees(
+        continuous_collision.centre_acceleration_least,
+        "dot(acceleration_b - acceleration_a, normal) - deviation",
+        given,
+    )
+
+
+@given(
+    circling=values("circling"),
+    distance=values("distance"),
+    angular_speed=values("angular_speed"),
+    speed=values("speed"),
+    acceleration_size=values("acceleration_size"),
+)
+def test_centre_acceleration_turning_is_dd47(**given: Value) -> None:
+    """DD47, srs/models/continuous_collision.md:155."""
+    agrees(
+        continuous_collision.centre_acceleration_turning,
+        "-(circling*distance + 2*angular_speed*speed + acceleration_size)",
+        given,
+    )
+
+
+@given(
+    centre_acceleration_least=values("centre_acceleration_least"),
+    extent_a=values("extent_a"),
+    circling_a=values("circling_a"),
+    extent_b=values("extent_b"),
+    circling_b=values("circling_b"),
+)
+def test_gap_acceleration_least_is_dd47(**given: Value) -> None:
+    """DD47, srs/models/continuous_collision.md:155."""
+    agrees(
+        continuous_collision.gap_acceleration_least,
+        "centre_acceleration_least - extent_a*circling_a - extent_b*circling_b",
+        given,
+    )
+
+
+@given(normal=values("normal"), turn=values("turn"), fraction=values("fraction"))
+def test_normal_turned_is_dd48(**given: Value) -> None:
+    """DD48, srs/models/continuous_collision.md:194."""
+    agrees(continuous_collision.normal_turned, "normal - cross(fraction*turn, normal)", given)
+
+
+@given(shift=values("shift"), normal=values("normal"), turn=values("turn"), span=values("span"))
+def test_gap_change_is_dd48(**given: Value) -> None:
+    """DD48, srs/models/continuous_collision.md:194."""
+    agrees(continuous_collision.gap_change, "dot(shift, normal) + turn*cross(normal, span)", given)
+
+
+@given(turn=values("turn"), extent=values("extent"))
+def test_arc_bend_is_dd48(**given: Value) -> None:
+    """DD48, srs/models/continuous_collision.md:194."""
+    agrees(continuous_collision.arc_bend, "turn**2*extent", given)
+
+
+@given(
+    base_gap=values("base_gap"),
+    corner_gap_a=values("corner_gap_a"),
+    corner_gap_b=values("corner_gap_b"),
+    gap_change=values("gap_change"),
+    arc_bend=values("arc_bend"),
+    fraction=values("fraction"),
+)
+def test_separation_least_is_dd48(**given: Value) -> None:
+    """DD48, srs/models/continuous_collision.md:194."""
+    agrees(
+        continuous_collision.separation_least,
+        "base_gap + corner_gap_a + corner_gap_b + fraction*(gap_change - fraction*arc_bend/2)",
+        given,
+    )
+
+
+@given(turn=values("turn"), fraction=values("fraction"), arc=values("arc"))
+def test_inward_share_is_dd49(**given: Value) -> None:
+    """DD49, srs/models/continuous_collision.md:294."""
+    agrees(
+        continuous_collision.inward_share, "abs(turn)*min(abs(turn)*(1 - fraction), arc/2)", given
+    )
+
+
+@given(
+    shift=values("shift"),
+    turn=values("turn"),
+    span=values("span"),
+    inward_share=values("inward_share"),
+)
+def test_shift_carried_is_dd49(**given: Value) -> None:
+    """DD49, srs/models/continuous_collision.md:294."""
+    agrees(
+        continuous_collision.shift_carried, "shift + cross(turn, span) - inward_share*span", given
+    )
+
+
 @given(
     center_a=values("center_a"),
     width_a=values("width_a"),
@@ -415,25 +657,25 @@ def test_limited_rub_is_dd32(**given: Value) -> None:
 
 @given(line=values("line"), firmness=values("firmness"))
 def test_firm_mass_x_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:149."""
+    """DD33, srs/models/firm_contact.md:153."""
     agrees(firm_contact.firm_mass_x, "firmness*x(line)*line", given)
 
 
 @given(line=values("line"), firmness=values("firmness"))
 def test_firm_mass_y_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:149."""
+    """DD33, srs/models/firm_contact.md:153."""
     agrees(firm_contact.firm_mass_y, "firmness*y(line)*line", given)
 
 
 @given(line=values("line"), turning_arm_a=values("turning_arm_a"), firmness=values("firmness"))
 def test_firm_moment_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:149."""
+    """DD33, srs/models/firm_contact.md:153."""
     agrees(firm_contact.firm_moment, "firmness*line*turning_arm_a", given)
 
 
 @given(line=values("line"), turning_arm_b=values("turning_arm_b"), firmness=values("firmness"))
 def test_firm_lever_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:149."""
+    """DD33, srs/models/firm_contact.md:153."""
     agrees(firm_contact.firm_lever, "firmness*turning_arm_b*line", given)
 
 
@@ -443,13 +685,13 @@ def test_firm_lever_is_dd33(**given: Value) -> None:
     firmness=values("firmness"),
 )
 def test_firm_inertia_is_dd33(**given: Value) -> None:
-    """DD33, srs/models/firm_contact.md:149."""
+    """DD33, srs/models/firm_contact.md:153."""
     agrees(firm_contact.firm_inertia, "firmness*turning_arm_b*turning_arm_a", given)
 
 
 @given(mass=values("mass"), velocity_start=values("velocity_start"), velocity=values("velocity"))
 def test_momentum_left_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:203."""
+    """DD34, srs/models/firm_contact.md:210."""
     agrees(firm_contact.momentum_left, "mass*(velocity_start - velocity)", given)
 
 
@@ -459,7 +701,7 @@ def test_momentum_left_is_dd34(**given: Value) -> None:
     angular_velocity=values("angular_velocity"),
 )
 def test_angular_momentum_left_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:203."""
+    """DD34, srs/models/firm_contact.md:210."""
     agrees(
         firm_contact.angular_momentum_left,
         "inertia*(angular_velocity_start - angular_velocity)",
@@ -469,7 +711,7 @@ def test_angular_momentum_left_is_dd34(**given: Value) -> None:
 
 @given(momentum_a=values("momentum_a"), kick=values("kick"), line=values("line"))
 def test_momentum_a_kicked_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:203."""
+    """DD34, srs/models/firm_contact.md:210."""
     agrees(firm_contact.momentum_a_kicked, "momentum_a - kick*line", given)
 
 
@@ -479,13 +721,13 @@ def test_momentum_a_kicked_is_dd34(**given: Value) -> None:
     turning_arm_a=values("turning_arm_a"),
 )
 def test_angular_momentum_a_kicked_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:203."""
+    """DD34, srs/models/firm_contact.md:210."""
     agrees(firm_contact.angular_momentum_a_kicked, "angular_momentum_a - kick*turning_arm_a", given)
 
 
 @given(momentum_b=values("momentum_b"), kick=values("kick"), line=values("line"))
 def test_momentum_b_kicked_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:203."""
+    """DD34, srs/models/firm_contact.md:210."""
     agrees(firm_contact.momentum_b_kicked, "momentum_b + kick*line", given)
 
 
@@ -495,37 +737,37 @@ def test_momentum_b_kicked_is_dd34(**given: Value) -> None:
     turning_arm_b=values("turning_arm_b"),
 )
 def test_angular_momentum_b_kicked_is_dd34(**given: Value) -> None:
-    """DD34, srs/models/firm_contact.md:203."""
+    """DD34, srs/models/firm_contact.md:210."""
     agrees(firm_contact.angular_momentum_b_kicked, "angular_momentum_b + kick*turning_arm_b", given)
 
 
 @given(mass=values("mass"), velocity=values("velocity"))
 def test_linear_energy_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:231."""
+    """DD35, srs/models/firm_contact.md:238."""
     agrees(firm_contact.linear_energy, "mass*dot(velocity, velocity)/2", given)
 
 
 @given(inertia=values("inertia"), angular_velocity=values("angular_velocity"))
 def test_turning_energy_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:231."""
+    """DD35, srs/models/firm_contact.md:238."""
     agrees(firm_contact.turning_energy, "inertia*angular_velocity**2/2", given)
 
 
 @given(momentum=values("momentum"), mass=values("mass"))
 def test_linear_energy_start_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:231."""
+    """DD35, srs/models/firm_contact.md:238."""
     agrees(firm_contact.linear_energy_start, "dot(momentum, momentum)/(2*mass)", given)
 
 
 @given(angular_momentum=values("angular_momentum"), inertia=values("inertia"))
 def test_turning_energy_start_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:231."""
+    """DD35, srs/models/firm_contact.md:238."""
     agrees(firm_contact.turning_energy_start, "angular_momentum**2/(2*inertia)", given)
 
 
 @given(mass=values("mass"), bias_velocity=values("bias_velocity"))
 def test_bias_energy_is_dd35(**given: Value) -> None:
-    """DD35, srs/models/firm_contact.md:231."""
+    """DD35, srs/models/firm_contact.md:238."""
     agrees(firm_contact.bias_energy, "mass*bias_velocity**2/2", given)
 
 
@@ -559,24 +801,6 @@ def test_cross_coupling_is_im9(**given: Value) -> None:
     agrees(
         friction.cross_coupling,
         "inverse_inertia_a*cross(arm_a, normal)*cross(arm_a, perp(normal)) + inverse_inertia_b*cross(arm_b, normal)*cross(arm_b, perp(normal))",
-        given,
-    )
-
-
-@given(
-    inverse_mass_a=values("inverse_mass_a"),
-    inverse_inertia_a=values("inverse_inertia_a"),
-    arm_a=values("arm_a"),
-    inverse_mass_b=values("inverse_mass_b"),
-    inverse_inertia_b=values("inverse_inertia_b"),
-    arm_b=values("arm_b"),
-    normal=values("normal"),
-)
-def test_inverse_tangential_mass_is_im9(**given: Value) -> None:
-    """IM9, srs/models/friction.md:57."""
-    agrees(
-        friction.inverse_tangential_mass,
-        "inverse_mass_a + inverse_inertia_a*cross(arm_a, perp(normal))**2 + inverse_mass_b + inverse_inertia_b*cross(arm_b, perp(normal))**2",
         given,
     )
 
@@ -732,7 +956,7 @@ def test_angular_velocity_b_after_is_im9(**given: Value) -> None:
     normal=values("normal"),
 )
 def test_tangential_acceleration_is_gd8(**given: Value) -> None:
-    """GD8, srs/models/friction.md:319."""
+    """GD8, srs/models/friction.md:311."""
     agrees(
         friction.tangential_acceleration,
         "dot(acceleration_b + cross(angular_acceleration_b, arm_b) - acceleration_a - cross(angular_acceleration_a, arm_a), perp(normal))",
@@ -741,37 +965,33 @@ def test_tangential_acceleration_is_gd8(**given: Value) -> None:
 
 
 @given(
-    inverse_effective_mass=values("inverse_effective_mass"),
-    sense=values("sense"),
-    pair_friction=values("pair_friction"),
-    cross_coupling=values("cross_coupling"),
-)
-def test_inverse_pressed_mass_is_gd8(**given: Value) -> None:
-    """GD8, srs/models/friction.md:319."""
-    agrees(
-        friction.inverse_pressed_mass,
-        "inverse_effective_mass - sense*pair_friction*cross_coupling",
-        given,
-    )
-
-
-@given(
-    normal_acceleration=values("normal_acceleration"),
-    inverse_pressed_mass=values("inverse_pressed_mass"),
-)
-def test_contact_force_is_gd8(**given: Value) -> None:
-    """GD8, srs/models/friction.md:319."""
-    agrees(friction.contact_force, "-normal_acceleration/inverse_pressed_mass", given)
-
-
-@given(
     sense=values("sense"),
     pair_friction=values("pair_friction"),
     contact_force=values("contact_force"),
 )
 def test_friction_force_is_gd8(**given: Value) -> None:
-    """GD8, srs/models/friction.md:319."""
+    """GD8, srs/models/friction.md:311."""
     agrees(friction.friction_force, "-sense*pair_friction*contact_force", given)
+
+
+@given(
+    tangential_acceleration=values("tangential_acceleration"),
+    angular_velocity_a=values("angular_velocity_a"),
+    arm_a=values("arm_a"),
+    angular_velocity_b=values("angular_velocity_b"),
+    arm_b=values("arm_b"),
+    tangent=values("tangent"),
+)
+def test_tangential_acceleration_turning_is_gd16(**given: Value) -> None:
+    """GD16, srs/models/friction.md:364."""
+    agrees(
+        friction.tangential_acceleration_turning,
+        "tangential_acceleration + turning_part",
+        given,
+        {
+            "turning_part": "angular_velocity_a**2*dot(tangent, arm_a) - angular_velocity_b**2*dot(tangent, arm_b)"
+        },
+    )
 
 
 @given(
@@ -940,7 +1160,7 @@ def test_work_is_dd36(**given: Value) -> None:
 
 @given(velocity=values("velocity"), velocity_support=values("velocity_support"))
 def test_velocity_seen_is_dd37(**given: Value) -> None:
-    """DD37, srs/models/island_energy.md:37."""
+    """DD37, srs/models/island_energy.md:39."""
     agrees(island_energy.velocity_seen, "velocity - velocity_support", given)
 
 
@@ -949,7 +1169,7 @@ def test_velocity_seen_is_dd37(**given: Value) -> None:
     angular_velocity_support=values("angular_velocity_support"),
 )
 def test_angular_velocity_seen_is_dd37(**given: Value) -> None:
-    """DD37, srs/models/island_energy.md:37."""
+    """DD37, srs/models/island_energy.md:39."""
     agrees(
         island_energy.angular_velocity_seen, "angular_velocity - angular_velocity_support", given
     )
@@ -961,7 +1181,7 @@ def test_angular_velocity_seen_is_dd37(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_shift_seen_is_dd37(**given: Value) -> None:
-    """DD37, srs/models/island_energy.md:37."""
+    """DD37, srs/models/island_energy.md:39."""
     agrees(island_energy.shift_seen, "shift - time_step*velocity_support", given)
 
 
@@ -971,31 +1191,31 @@ def test_shift_seen_is_dd37(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_turn_seen_is_dd37(**given: Value) -> None:
-    """DD37, srs/models/island_energy.md:37."""
+    """DD37, srs/models/island_energy.md:39."""
     agrees(island_energy.turn_seen, "turn - time_step*angular_velocity_support", given)
 
 
 @given(mass=values("mass"), position=values("position"))
 def test_mass_moment_is_dd38(**given: Value) -> None:
-    """DD38, srs/models/island_energy.md:65."""
+    """DD38, srs/models/island_energy.md:67."""
     agrees(island_energy.mass_moment, "mass*position", given)
 
 
 @given(mass=values("mass"), position=values("position"), inertia=values("inertia"))
 def test_inertia_origin_is_dd38(**given: Value) -> None:
-    """DD38, srs/models/island_energy.md:65."""
+    """DD38, srs/models/island_energy.md:67."""
     agrees(island_energy.inertia_origin, "inertia + mass*dot(position, position)", given)
 
 
 @given(mass_moment=values("mass_moment"), mass=values("mass"))
 def test_position_island_is_dd38(**given: Value) -> None:
-    """DD38, srs/models/island_energy.md:65."""
+    """DD38, srs/models/island_energy.md:67."""
     agrees(island_energy.position_island, "mass_moment/mass", given)
 
 
 @given(momentum=values("momentum"), mass=values("mass"))
 def test_velocity_island_is_dd38(**given: Value) -> None:
-    """DD38, srs/models/island_energy.md:65."""
+    """DD38, srs/models/island_energy.md:67."""
     agrees(island_energy.velocity_island, "momentum/mass", given)
 
 
@@ -1005,7 +1225,7 @@ def test_velocity_island_is_dd38(**given: Value) -> None:
     position_island=values("position_island"),
 )
 def test_inertia_island_is_dd38(**given: Value) -> None:
-    """DD38, srs/models/island_energy.md:65."""
+    """DD38, srs/models/island_energy.md:67."""
     agrees(
         island_energy.inertia_island,
         "inertia_origin - mass*dot(position_island, position_island)",
@@ -1021,7 +1241,7 @@ def test_inertia_island_is_dd38(**given: Value) -> None:
     inertia_island=values("inertia_island"),
 )
 def test_angular_velocity_island_is_dd38(**given: Value) -> None:
-    """DD38, srs/models/island_energy.md:65."""
+    """DD38, srs/models/island_energy.md:67."""
     agrees(
         island_energy.angular_velocity_island,
         "(angular_momentum - mass*cross(position_island, velocity_island))/inertia_island",
@@ -1036,7 +1256,7 @@ def test_angular_velocity_island_is_dd38(**given: Value) -> None:
     kept_share=values("kept_share"),
 )
 def test_kinetic_energy_kept_is_gd13(**given: Value) -> None:
-    """GD13, srs/models/island_energy.md:121."""
+    """GD13, srs/models/island_energy.md:128."""
     agrees(
         island_energy.kinetic_energy_kept,
         "(1 - kept_share)*kinetic_energy_before + kept_share*kinetic_energy_after - kept_share*(1 - kept_share)*change_energy",
@@ -1050,7 +1270,7 @@ def test_kinetic_energy_kept_is_gd13(**given: Value) -> None:
     kept_share=values("kept_share"),
 )
 def test_velocity_kept_is_gd13(**given: Value) -> None:
-    """GD13, srs/models/island_energy.md:121."""
+    """GD13, srs/models/island_energy.md:128."""
     agrees(
         island_energy.velocity_kept,
         "velocity_before + kept_share*(velocity_after - velocity_before)",
@@ -1064,7 +1284,7 @@ def test_velocity_kept_is_gd13(**given: Value) -> None:
     kept_share=values("kept_share"),
 )
 def test_angular_velocity_kept_is_gd13(**given: Value) -> None:
-    """GD13, srs/models/island_energy.md:121."""
+    """GD13, srs/models/island_energy.md:128."""
     agrees(
         island_energy.angular_velocity_kept,
         "angular_velocity_before + kept_share*(angular_velocity_after - angular_velocity_before)",
@@ -1074,7 +1294,7 @@ def test_angular_velocity_kept_is_gd13(**given: Value) -> None:
 
 @given(push=values("push"), kick=values("kick"), kept_share=values("kept_share"))
 def test_push_kept_is_gd13(**given: Value) -> None:
-    """GD13, srs/models/island_energy.md:121."""
+    """GD13, srs/models/island_energy.md:128."""
     agrees(island_energy.push_kept, "push - (1 - kept_share)*kick", given)
 
 
@@ -1084,7 +1304,7 @@ def test_push_kept_is_gd13(**given: Value) -> None:
     change_energy=values("change_energy"),
 )
 def test_kept_share_rising_is_gd13(**given: Value) -> None:
-    """GD13, srs/models/island_energy.md:121."""
+    """GD13, srs/models/island_energy.md:128."""
     agrees(
         island_energy.kept_share_rising,
         "min(2*energy_room/(energy_slope + energy_root), 1)",
@@ -1102,7 +1322,7 @@ def test_kept_share_rising_is_gd13(**given: Value) -> None:
     change_energy=values("change_energy"),
 )
 def test_kept_share_falling_is_gd13(**given: Value) -> None:
-    """GD13, srs/models/island_energy.md:121."""
+    """GD13, srs/models/island_energy.md:128."""
     agrees(
         island_energy.kept_share_falling,
         "min((energy_root - energy_slope)/(2*change_energy), 1)",
@@ -1116,7 +1336,7 @@ def test_kept_share_falling_is_gd13(**given: Value) -> None:
 
 @given(kinetic_energy_start=values("kinetic_energy_start"), work=values("work"))
 def test_kinetic_energy_most_is_im11(**given: Value) -> None:
-    """IM11, srs/models/island_energy.md:209."""
+    """IM11, srs/models/island_energy.md:220."""
     agrees(island_energy.kinetic_energy_most, "kinetic_energy_start + max(work, 0)", given)
 
 
@@ -1126,7 +1346,7 @@ def test_kinetic_energy_most_is_im11(**given: Value) -> None:
     kinetic_energy_least=values("kinetic_energy_least"),
 )
 def test_calm_share_is_im11(**given: Value) -> None:
-    """IM11, srs/models/island_energy.md:209."""
+    """IM11, srs/models/island_energy.md:220."""
     agrees(
         island_energy.calm_share,
         "min(sqrt((kinetic_energy_most - kinetic_energy_least)/(kinetic_energy - kinetic_energy_least)), 1)",
@@ -1140,7 +1360,7 @@ def test_calm_share_is_im11(**given: Value) -> None:
     calm_share=values("calm_share"),
 )
 def test_velocity_calmed_is_im11(**given: Value) -> None:
-    """IM11, srs/models/island_energy.md:209."""
+    """IM11, srs/models/island_energy.md:220."""
     agrees(
         island_energy.velocity_calmed,
         "velocity_island + calm_share*(velocity - velocity_island)",
@@ -1154,7 +1374,7 @@ def test_velocity_calmed_is_im11(**given: Value) -> None:
     calm_share=values("calm_share"),
 )
 def test_angular_velocity_calmed_is_im11(**given: Value) -> None:
-    """IM11, srs/models/island_energy.md:209."""
+    """IM11, srs/models/island_energy.md:220."""
     agrees(
         island_energy.angular_velocity_calmed,
         "angular_velocity_island + calm_share*(angular_velocity - angular_velocity_island)",
@@ -1181,12 +1401,55 @@ def test_normal_acceleration_is_gd3(**given: Value) -> None:
 
 
 @given(
+    normal_acceleration=values("normal_acceleration"),
+    angular_velocity_a=values("angular_velocity_a"),
+    angular_velocity_b=values("angular_velocity_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+    slip=values("slip"),
+    distance=values("distance"),
+)
+def test_gap_acceleration_side_is_gd15(**given: Value) -> None:
+    """GD15, srs/models/rest.md:53."""
+    agrees(
+        rest.gap_acceleration_side,
+        "normal_acceleration + turning_part_side",
+        given,
+        {
+            "turning_part_side": "2*angular_velocity_a*slip - angular_velocity_a**2*distance - angular_velocity_b**2*dot(normal, arm_b)"
+        },
+    )
+
+
+@given(
+    normal_acceleration=values("normal_acceleration"),
+    angular_velocity_a=values("angular_velocity_a"),
+    arm_a=values("arm_a"),
+    angular_velocity_b=values("angular_velocity_b"),
+    arm_b=values("arm_b"),
+    normal=values("normal"),
+    slip=values("slip"),
+    distance=values("distance"),
+)
+def test_gap_acceleration_corner_is_gd15(**given: Value) -> None:
+    """GD15, srs/models/rest.md:53."""
+    agrees(
+        rest.gap_acceleration_corner,
+        "normal_acceleration + turning_part_corner",
+        given,
+        {
+            "turning_part_corner": "slip**2/distance - angular_velocity_b**2*dot(normal, arm_b) + angular_velocity_a**2*dot(normal, arm_a)"
+        },
+    )
+
+
+@given(
     normal_velocity_after=values("normal_velocity_after"),
     normal_acceleration=values("normal_acceleration"),
     restitution=values("restitution"),
 )
 def test_time_to_rest_is_gd5(**given: Value) -> None:
-    """GD5, srs/models/rest.md:70."""
+    """GD5, srs/models/rest.md:163."""
     agrees(
         rest.time_to_rest, "-2*normal_velocity_after/(normal_acceleration*(1 - restitution))", given
     )
@@ -1221,6 +1484,49 @@ def test_orientation_is_im2(**given: Value) -> None:
 def test_angular_velocity_is_im2(**given: Value) -> None:
     """IM2, srs/models/rotation.md:27."""
     agrees(rotation.angular_velocity, "angular_velocity_start + angular_acceleration*time", given)
+
+
+@given(
+    quiet_share=values("quiet_share"), extent=values("extent"), gravity_size=values("gravity_size")
+)
+def test_quiet_square_is_dd50(**given: Value) -> None:
+    """DD50, srs/models/sleeping.md:12."""
+    agrees(sleeping.quiet_square, "quiet_share**2*extent*gravity_size", given)
+
+
+@given(
+    velocity=values("velocity"),
+    angular_velocity=values("angular_velocity"),
+    shift=values("shift"),
+    turn=values("turn"),
+    extent=values("extent"),
+    quiet_square=values("quiet_square"),
+    time_step=values("time_step"),
+)
+def test_quiet_is_dd50(**given: Value) -> None:
+    """DD50, srs/models/sleeping.md:12."""
+    agrees(
+        sleeping.quiet,
+        "motion_square <= quiet_square and way_square <= quiet_square*time_step**2",
+        given,
+        {
+            "rim_velocity": "angular_velocity*extent",
+            "motion_square": "dot(velocity, velocity) + rim_velocity**2",
+            "rim_way": "turn*extent",
+            "way_square": "dot(shift, shift) + rim_way**2",
+        },
+    )
+
+
+@given(
+    mass=values("mass"),
+    inertia=values("inertia"),
+    extent=values("extent"),
+    quiet_square=values("quiet_square"),
+)
+def test_kinetic_energy_most_is_im13(**given: Value) -> None:
+    """IM13, srs/models/sleeping.md:59."""
+    agrees(sleeping.kinetic_energy_most, "max(mass, inertia/extent**2)*quiet_square/2", given)
 
 
 @given(arm=values("arm"), line=values("line"))
@@ -1271,7 +1577,7 @@ def test_row_mass_is_dd26(**given: Value) -> None:
     inverse_mass_a=values("inverse_mass_a"),
 )
 def test_velocity_a_kicked_is_dd27(**given: Value) -> None:
-    """DD27, srs/models/soft_contact.md:90."""
+    """DD27, srs/models/soft_contact.md:93."""
     agrees(soft_contact.velocity_a_kicked, "velocity_a - kick*inverse_mass_a*line", given)
 
 
@@ -1282,7 +1588,7 @@ def test_velocity_a_kicked_is_dd27(**given: Value) -> None:
     inverse_inertia_a=values("inverse_inertia_a"),
 )
 def test_angular_velocity_a_kicked_is_dd27(**given: Value) -> None:
-    """DD27, srs/models/soft_contact.md:90."""
+    """DD27, srs/models/soft_contact.md:93."""
     agrees(
         soft_contact.angular_velocity_a_kicked,
         "angular_velocity_a - kick*inverse_inertia_a*turning_arm_a",
@@ -1297,7 +1603,7 @@ def test_angular_velocity_a_kicked_is_dd27(**given: Value) -> None:
     inverse_mass_b=values("inverse_mass_b"),
 )
 def test_velocity_b_kicked_is_dd27(**given: Value) -> None:
-    """DD27, srs/models/soft_contact.md:90."""
+    """DD27, srs/models/soft_contact.md:93."""
     agrees(soft_contact.velocity_b_kicked, "velocity_b + kick*inverse_mass_b*line", given)
 
 
@@ -1308,7 +1614,7 @@ def test_velocity_b_kicked_is_dd27(**given: Value) -> None:
     inverse_inertia_b=values("inverse_inertia_b"),
 )
 def test_angular_velocity_b_kicked_is_dd27(**given: Value) -> None:
-    """DD27, srs/models/soft_contact.md:90."""
+    """DD27, srs/models/soft_contact.md:93."""
     agrees(
         soft_contact.angular_velocity_b_kicked,
         "angular_velocity_b + kick*inverse_inertia_b*turning_arm_b",
@@ -1322,7 +1628,7 @@ def test_angular_velocity_b_kicked_is_dd27(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_bias_rate_is_gd9(**given: Value) -> None:
-    """GD9, srs/models/soft_contact.md:176."""
+    """GD9, srs/models/soft_contact.md:185."""
     agrees(
         soft_contact.bias_rate,
         "angular_frequency/(2*damping_ratio + time_step*angular_frequency)",
@@ -1336,7 +1642,7 @@ def test_bias_rate_is_gd9(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_mass_share_is_gd9(**given: Value) -> None:
-    """GD9, srs/models/soft_contact.md:176."""
+    """GD9, srs/models/soft_contact.md:185."""
     agrees(
         soft_contact.mass_share,
         "time_step*angular_frequency*(2*damping_ratio + time_step*angular_frequency)/(1 + time_step*angular_frequency*(2*damping_ratio + time_step*angular_frequency))",
@@ -1350,7 +1656,7 @@ def test_mass_share_is_gd9(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_impulse_share_is_gd9(**given: Value) -> None:
-    """GD9, srs/models/soft_contact.md:176."""
+    """GD9, srs/models/soft_contact.md:185."""
     agrees(
         soft_contact.impulse_share,
         "1/(1 + time_step*angular_frequency*(2*damping_ratio + time_step*angular_frequency))",
@@ -1365,7 +1671,7 @@ def test_impulse_share_is_gd9(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_separation_rest_is_dd28(**given: Value) -> None:
-    """DD28, srs/models/soft_contact.md:281."""
+    """DD28, srs/models/soft_contact.md:293."""
     agrees(soft_contact.separation_rest, "-push/(time_step*row_mass*angular_frequency**2)", given)
 
 
@@ -1377,7 +1683,7 @@ def test_separation_rest_is_dd28(**given: Value) -> None:
     preload_largest=values("preload_largest"),
 )
 def test_preload_later_is_dd39(**given: Value) -> None:
-    """DD39, srs/models/soft_contact.md:330."""
+    """DD39, srs/models/soft_contact.md:345."""
     agrees(
         soft_contact.preload_later,
         "min(max(preload - preload_share*(max(separation, 0) + min(separation + overlap_allowed, 0)), 0), preload_largest)",
@@ -1396,7 +1702,7 @@ def test_preload_later_is_dd39(**given: Value) -> None:
     firmest=values("firmest"),
 )
 def test_angular_frequency_loaded_is_dd42(**given: Value) -> None:
-    """DD42, srs/models/soft_contact.md:389."""
+    """DD42, srs/models/soft_contact.md:408."""
     agrees(
         soft_contact.angular_frequency_loaded,
         "max(angular_frequency, min(angular_frequency_wanted, firmest*angular_frequency))",
@@ -1409,7 +1715,7 @@ def test_angular_frequency_loaded_is_dd42(**given: Value) -> None:
 
 @given(shift=values("shift"), velocity=values("velocity"), time_step=values("time_step"))
 def test_shift_later_is_dd43(**given: Value) -> None:
-    """DD43, srs/models/soft_contact.md:441."""
+    """DD43, srs/models/soft_contact.md:462."""
     agrees(soft_contact.shift_later, "shift + time_step*velocity", given)
 
 
@@ -1417,13 +1723,13 @@ def test_shift_later_is_dd43(**given: Value) -> None:
     turn=values("turn"), angular_velocity=values("angular_velocity"), time_step=values("time_step")
 )
 def test_turn_later_is_dd43(**given: Value) -> None:
-    """DD43, srs/models/soft_contact.md:441."""
+    """DD43, srs/models/soft_contact.md:462."""
     agrees(soft_contact.turn_later, "turn + time_step*angular_velocity", given)
 
 
 @given(arm=values("arm"), line=values("line"))
 def test_bend_is_dd29(**given: Value) -> None:
-    """DD29, srs/models/soft_contact.md:461."""
+    """DD29, srs/models/soft_contact.md:482."""
     agrees(soft_contact.bend, "dot(arm, line)", given)
 
 
@@ -1440,7 +1746,7 @@ def test_bend_is_dd29(**given: Value) -> None:
     line=values("line"),
 )
 def test_separation_later_is_dd29(**given: Value) -> None:
-    """DD29, srs/models/soft_contact.md:461."""
+    """DD29, srs/models/soft_contact.md:482."""
     agrees(
         soft_contact.separation_later,
         "separation + dot(shift_b - shift_a, line) + turn_b*turning_arm_b - turn_a*turning_arm_a - (turn_b**2*bend_b - turn_a**2*bend_a)/2",
@@ -1454,7 +1760,7 @@ def test_separation_later_is_dd29(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_bias_velocity_later_is_dd31(**given: Value) -> None:
-    """DD31, srs/models/soft_contact.md:531."""
+    """DD31, srs/models/soft_contact.md:554."""
     agrees(soft_contact.bias_velocity_later, "max(separation/time_step + row_velocity, 0)", given)
 
 
@@ -1464,7 +1770,7 @@ def test_bias_velocity_later_is_dd31(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_separation_is_dd31(**given: Value) -> None:
-    """DD31, srs/models/soft_contact.md:531."""
+    """DD31, srs/models/soft_contact.md:554."""
     agrees(soft_contact.separation, "time_step*(bias_velocity_later - row_velocity)", given)
 
 
@@ -1472,7 +1778,7 @@ def test_separation_is_dd31(**given: Value) -> None:
     removal_share=values("removal_share"), extent=values("extent"), time_step=values("time_step")
 )
 def test_bias_velocity_least_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:563."""
+    """IM10, srs/models/soft_contact.md:593."""
     agrees(soft_contact.bias_velocity_least, "-removal_share*extent/time_step", given)
 
 
@@ -1483,7 +1789,7 @@ def test_bias_velocity_least_is_im10(**given: Value) -> None:
     time_step=values("time_step"),
 )
 def test_bias_velocity_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:563."""
+    """IM10, srs/models/soft_contact.md:593."""
     agrees(
         soft_contact.bias_velocity,
         "max(max(separation, 0)/time_step + bias_rate*min(separation, 0), bias_velocity_least)",
@@ -1500,7 +1806,7 @@ def test_bias_velocity_is_im10(**given: Value) -> None:
     impulse_share=values("impulse_share"),
 )
 def test_soft_push_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:563."""
+    """IM10, srs/models/soft_contact.md:593."""
     agrees(
         soft_contact.soft_push,
         "max(push - row_mass*mass_share*(row_velocity + bias_velocity) - impulse_share*push, 0)",
@@ -1516,7 +1822,7 @@ def test_soft_push_is_im10(**given: Value) -> None:
     push=values("push"),
 )
 def test_limited_rub_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:563."""
+    """IM10, srs/models/soft_contact.md:593."""
     agrees(
         soft_contact.limited_rub,
         "max(min(rub - row_mass*row_velocity, friction*push), -friction*push)",
@@ -1532,7 +1838,7 @@ def test_limited_rub_is_im10(**given: Value) -> None:
     row_mass=values("row_mass"),
 )
 def test_bouncing_push_is_im10(**given: Value) -> None:
-    """IM10, srs/models/soft_contact.md:563."""
+    """IM10, srs/models/soft_contact.md:593."""
     agrees(
         soft_contact.bouncing_push,
         "max(push - row_mass*(row_velocity + restitution*row_velocity_before), 0)",

@@ -511,7 +511,7 @@ def test_range_of_extent() -> None:
 
 
 def test_range_of_firmest() -> None:
-    """srs/symbols.md:582: >= 1."""
+    """srs/symbols.md:584: >= 1."""
     symbol = SYMBOLS["firmest"]
     assert all(
         symbol.admits(value)
@@ -524,7 +524,7 @@ def test_range_of_firmest() -> None:
 
 
 def test_range_of_preload() -> None:
-    """srs/symbols.md:587: >= 0."""
+    """srs/symbols.md:589: >= 0."""
     symbol = SYMBOLS["preload"]
     assert all(
         symbol.admits(value)
@@ -537,7 +537,7 @@ def test_range_of_preload() -> None:
 
 
 def test_range_of_preload_later() -> None:
-    """srs/symbols.md:592: >= 0."""
+    """srs/symbols.md:594: >= 0."""
     symbol = SYMBOLS["preload_later"]
     assert all(
         symbol.admits(value)
@@ -550,7 +550,7 @@ def test_range_of_preload_later() -> None:
 
 
 def test_range_of_preload_share() -> None:
-    """srs/symbols.md:597: [0, 1]."""
+    """srs/symbols.md:599: [0, 1]."""
     symbol = SYMBOLS["preload_share"]
     assert all(
         symbol.admits(value)
@@ -565,7 +565,7 @@ def test_range_of_preload_share() -> None:
 
 
 def test_range_of_overlap_allowed() -> None:
-    """srs/symbols.md:602: >= 0."""
+    """srs/symbols.md:604: >= 0."""
     symbol = SYMBOLS["overlap_allowed"]
     assert all(
         symbol.admits(value)
@@ -578,7 +578,7 @@ def test_range_of_overlap_allowed() -> None:
 
 
 def test_range_of_preload_largest() -> None:
-    """srs/symbols.md:607: >= 0."""
+    """srs/symbols.md:609: >= 0."""
     symbol = SYMBOLS["preload_largest"]
     assert all(
         symbol.admits(value)
@@ -591,7 +591,7 @@ def test_range_of_preload_largest() -> None:
 
 
 def test_range_of_flow_decay() -> None:
-    """srs/symbols.md:632: [0, 1]."""
+    """srs/symbols.md:634: [0, 1]."""
     symbol = SYMBOLS["flow_decay"]
     assert all(
         symbol.admits(value)
@@ -606,7 +606,7 @@ def test_range_of_flow_decay() -> None:
 
 
 def test_range_of_flow_gain() -> None:
-    """srs/symbols.md:637: >= 0."""
+    """srs/symbols.md:639: >= 0."""
     symbol = SYMBOLS["flow_gain"]
     assert all(
         symbol.admits(value)
@@ -619,7 +619,7 @@ def test_range_of_flow_gain() -> None:
 
 
 def test_range_of_flow_lift() -> None:
-    """srs/symbols.md:642: >= 0."""
+    """srs/symbols.md:644: >= 0."""
     symbol = SYMBOLS["flow_lift"]
     assert all(
         symbol.admits(value)
@@ -632,14 +632,14 @@ def test_range_of_flow_lift() -> None:
 
 
 def test_range_of_firmness() -> None:
-    """srs/symbols.md:656: > 0."""
+    """srs/symbols.md:658: > 0."""
     symbol = SYMBOLS["firmness"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_push_share() -> None:
-    """srs/symbols.md:663: [0, 1]."""
+    """srs/symbols.md:665: [0, 1]."""
     symbol = SYMBOLS["push_share"]
     assert all(
         symbol.admits(value)
@@ -653,8 +653,233 @@ def test_range_of_push_share() -> None:
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
 
 
-def test_range_of_kinetic_energy() -> None:
+def test_range_of_fraction() -> None:
+    """srs/symbols.md:710: [0, 1]."""
+    symbol = SYMBOLS["fraction"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
+def test_range_of_motion_bound() -> None:
     """srs/symbols.md:715: >= 0."""
+    symbol = SYMBOLS["motion_bound"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_distance_bound() -> None:
+    """srs/symbols.md:720: >= 0."""
+    symbol = SYMBOLS["distance_bound"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_half_interval() -> None:
+    """srs/symbols.md:729: >= 0."""
+    symbol = SYMBOLS["half_interval"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_advance() -> None:
+    """srs/symbols.md:734: >= 0."""
+    symbol = SYMBOLS["advance"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_circling() -> None:
+    """srs/symbols.md:762: >= 0."""
+    symbol = SYMBOLS["circling"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_acceleration_size() -> None:
+    """srs/symbols.md:773: >= 0."""
+    symbol = SYMBOLS["acceleration_size"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_deviation() -> None:
+    """srs/symbols.md:778: >= 0."""
+    symbol = SYMBOLS["deviation"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_angular_speed() -> None:
+    """srs/symbols.md:783: >= 0."""
+    symbol = SYMBOLS["angular_speed"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_arc_bend() -> None:
+    """srs/symbols.md:792: >= 0."""
+    symbol = SYMBOLS["arc_bend"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_arc() -> None:
+    """srs/symbols.md:807: >= 0."""
+    symbol = SYMBOLS["arc"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_inward_share() -> None:
+    """srs/symbols.md:812: >= 0."""
+    symbol = SYMBOLS["inward_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_motion_square() -> None:
+    """srs/symbols.md:830: >= 0."""
+    symbol = SYMBOLS["motion_square"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_way_square() -> None:
+    """srs/symbols.md:835: >= 0."""
+    symbol = SYMBOLS["way_square"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_quiet_square() -> None:
+    """srs/symbols.md:840: >= 0."""
+    symbol = SYMBOLS["quiet_square"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_quiet_share() -> None:
+    """srs/symbols.md:845: [0, 1]."""
+    symbol = SYMBOLS["quiet_share"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+            1.0,
+            0.9999999999999999,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324, 1.0000000000000002))
+
+
+def test_range_of_gravity_size() -> None:
+    """srs/symbols.md:850: >= 0."""
+    symbol = SYMBOLS["gravity_size"]
+    assert all(
+        symbol.admits(value)
+        for value in (
+            0.0,
+            5e-324,
+        )
+    )
+    assert not any(symbol.admits(value) for value in (inf, -inf, nan, -5e-324))
+
+
+def test_range_of_kinetic_energy() -> None:
+    """srs/symbols.md:873: >= 0."""
     symbol = SYMBOLS["kinetic_energy"]
     assert all(
         symbol.admits(value)
@@ -667,7 +892,7 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_linear_energy() -> None:
-    """srs/symbols.md:724: >= 0."""
+    """srs/symbols.md:882: >= 0."""
     symbol = SYMBOLS["linear_energy"]
     assert all(
         symbol.admits(value)
@@ -680,7 +905,7 @@ def test_range_of_linear_energy() -> None:
 
 
 def test_range_of_turning_energy() -> None:
-    """srs/symbols.md:729: >= 0."""
+    """srs/symbols.md:887: >= 0."""
     symbol = SYMBOLS["turning_energy"]
     assert all(
         symbol.admits(value)
@@ -693,7 +918,7 @@ def test_range_of_turning_energy() -> None:
 
 
 def test_range_of_bias_energy() -> None:
-    """srs/symbols.md:734: >= 0."""
+    """srs/symbols.md:892: >= 0."""
     symbol = SYMBOLS["bias_energy"]
     assert all(
         symbol.admits(value)
@@ -706,7 +931,7 @@ def test_range_of_bias_energy() -> None:
 
 
 def test_range_of_change_energy() -> None:
-    """srs/symbols.md:743: >= 0."""
+    """srs/symbols.md:901: >= 0."""
     symbol = SYMBOLS["change_energy"]
     assert all(
         symbol.admits(value)
@@ -719,7 +944,7 @@ def test_range_of_change_energy() -> None:
 
 
 def test_range_of_energy_room() -> None:
-    """srs/symbols.md:752: >= 0."""
+    """srs/symbols.md:910: >= 0."""
     symbol = SYMBOLS["energy_room"]
     assert all(
         symbol.admits(value)
@@ -732,7 +957,7 @@ def test_range_of_energy_room() -> None:
 
 
 def test_range_of_energy_root() -> None:
-    """srs/symbols.md:762: >= 0."""
+    """srs/symbols.md:920: >= 0."""
     symbol = SYMBOLS["energy_root"]
     assert all(
         symbol.admits(value)
@@ -745,7 +970,7 @@ def test_range_of_energy_root() -> None:
 
 
 def test_range_of_kept_share() -> None:
-    """srs/symbols.md:767: [0, 1]."""
+    """srs/symbols.md:925: [0, 1]."""
     symbol = SYMBOLS["kept_share"]
     assert all(
         symbol.admits(value)
@@ -760,7 +985,7 @@ def test_range_of_kept_share() -> None:
 
 
 def test_range_of_calm_share() -> None:
-    """srs/symbols.md:772: [0, 1]."""
+    """srs/symbols.md:930: [0, 1]."""
     symbol = SYMBOLS["calm_share"]
     assert all(
         symbol.admits(value)
@@ -775,35 +1000,35 @@ def test_range_of_calm_share() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:793: > 0."""
+    """srs/symbols.md:951: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_length() -> None:
-    """srs/symbols.md:798: > 0."""
+    """srs/symbols.md:956: > 0."""
     symbol = SYMBOLS["length"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:805: > 0."""
+    """srs/symbols.md:963: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:810: > 0."""
+    """srs/symbols.md:968: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:829: > 0."""
+    """srs/symbols.md:987: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

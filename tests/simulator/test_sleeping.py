@@ -1,5 +1,6 @@
 """What is at rest sleeps as a whole, wakes as a whole, and is the same meanwhile."""
 
+import math
 import pickle
 from collections.abc import Callable
 from typing import Any
@@ -8,6 +9,8 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.engine.sleep import SLOW
+from tamias2d.generated import sleeping
 from tamias2d.stepped.layout import HITS
 
 SURFACE: Any = {"friction": 0.6, "restitution": 0.0}
@@ -59,6 +62,22 @@ def test_what_sleeps_touches_on() -> None:
         ended += len(sim.ended)
     assert (began, ended) == (3, 0)
     assert len(sim.contacts) == 6
+
+
+def test_falling_asleep_loses_no_more_than_quiet_bodies_have() -> None:
+    """IM13; a twin that does not sleep tells what is lost, which is not nothing."""
+    sims = [stack(4, top=9.0, sleeping=sleeps) for sleeps in (True, False)]
+    for sim in sims:
+        sim.velocity[1:, 0] = 0.01
+    while not sims[0].asleep.any():
+        for sim in sims:
+            sim.step()
+    twin, extent = sims[1], math.sqrt(0.5)
+    for body, mass in zip(range(1, 5), (1.0, 1.0, 1.0, 9.0), strict=True):
+        lost = 0.5 * mass * (twin.velocity[body] ** 2).sum()
+        lost += mass / 12 * twin.angular_velocity[body] ** 2
+        quiet = sleeping.quiet_square(SLOW, extent, 10.0)
+        assert 0.0 < lost <= sleeping.kinetic_energy_most(mass, mass / 6, extent, quiet)
 
 
 def test_without_sleeping_nothing_sleeps() -> None:

@@ -10,11 +10,21 @@ from typing import Any
 import pytest
 
 from tamias2d.generated import (
+    continuous_collision,
     definitions,
     detection,
+    drag,
+    firm_contact,
+    friction,
+    gravitation,
     impact,
+    island_energy,
+    rest,
     rotation,
     schemes,
+    sleeping,
+    soft_contact,
+    spring,
     translation,
 )
 from tamias2d.verify import FAIL, engine
@@ -36,6 +46,17 @@ def with_argument(place: int, change: Callable[[Any], Any]) -> Wrap:
 
 def instead(other: Callable[..., Any]) -> Wrap:
     return lambda _true: lambda *given: other(*given)
+
+
+def times(factor: float) -> Wrap:
+    """A result that is wrong by a factor."""
+
+    def scaled(value: Any) -> Any:
+        return (
+            tuple(factor * part for part in value) if isinstance(value, tuple) else factor * value
+        )
+
+    return lambda true: lambda *given: scaled(true(*given))
 
 
 def half(vector: Any) -> Any:
@@ -79,6 +100,40 @@ CONTROLS: list[tuple[Any, str, Wrap, list[str]]] = [
     (schemes, "runge_kutta_4", instead(schemes.velocity_verlet), ["OA14a", "OA5"]),
     (schemes, "legacy_2018_translation", with_argument(2, lambda v: 2 * v), ["TC2", "TC6"]),
     (schemes, "legacy_2018_rotation", with_argument(3, lambda a: a + 1), ["TC8"]),
+    # friction: twice as much, in the wrong sense, without the arm, with the turning of A or B lost
+    (friction, "friction_force", times(2.0), ["OF1a", "OF2", "OF5c", "OF6"]),
+    (friction, "friction_force", times(-1.0), ["OF1a", "OF2"]),
+    (friction, "sticking_impulse", times(2.0), ["OF3b", "OF4"]),
+    (friction, "share", times(0.5), ["OF3a", "OF4"]),
+    (friction, "tangential_velocity", with_argument(1, lambda w: 0.0 * w), ["OF4", "OF6"]),
+    (friction, "tangential_acceleration", with_argument(1, lambda a: -a), ["OF5a", "OF5b"]),
+    (friction, "tangential_acceleration", with_argument(4, lambda a: -a), ["OF5d"]),
+    (friction, "tangential_acceleration_turning", with_argument(3, lambda w: 0.0 * w), ["OF10"]),
+    # rest: a corner that is accelerated the wrong way, or does not circle
+    (rest, "normal_acceleration", with_argument(4, lambda a: -a), ["OB16"]),
+    (rest, "gap_acceleration_side", with_argument(2, lambda w: 0.0 * w), ["OB16"]),
+    # forces: half, twice, the wrong way
+    (drag, "velocity", with_argument(3, lambda t: 2 * t), ["OA5", "OA6"]),
+    (drag, "angular_drag_rate", times(2.0), ["OF9"]),
+    (spring, "spring_force", times(2.0), ["OA9d", "OA9c"]),
+    (spring, "angular_frequency", times(2.0), ["OA9", "OA9b"]),
+    (spring, "spring_energy", times(2.0), ["OA9"]),
+    (gravitation, "attraction", times(-1.0), ["OA12", "OA12c"]),
+    (gravitation, "gravitational_energy", times(2.0), ["OA12c"]),
+    # the soft step: no arm, no damping, a push that pulls, friction that drives
+    (soft_contact, "row_velocity", with_argument(2, lambda arm: 0.0 * arm), ["OG1"]),
+    (soft_contact, "separation_later", with_argument(3, lambda arm: -arm), ["OG1"]),
+    (soft_contact, "mass_share", with_argument(1, lambda z: 0.0 * z), ["OG2"]),
+    (soft_contact, "soft_push", times(-1.0), ["OG2"]),
+    (soft_contact, "limited_rub", with_argument(3, lambda mu: 2 * mu), ["OG2"]),
+    (firm_contact, "push_wanted", with_argument(1, lambda u: -u), ["OG4"]),
+    (firm_contact, "firm_lever", with_argument(1, lambda arm: -arm), ["OG4"]),
+    (firm_contact, "momentum_a_kicked", with_argument(1, lambda kick: -kick), ["OG5"]),
+    (island_energy, "work", with_argument(5, lambda turn: -turn), ["OG6"]),
+    (island_energy, "calm_share", times(2.0), ["OG7"]),
+    (continuous_collision, "advance_closing", times(2.0), ["OG9"]),
+    (continuous_collision, "centre_acceleration_turning", times(0.5), ["OG9"]),
+    (sleeping, "quiet_square", times(2.0), ["OG10"]),
 ]
 
 

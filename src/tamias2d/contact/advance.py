@@ -2,11 +2,9 @@
 
 Serves: the located way. Hides: how a step is found that passes no impact.
 
-At a time t an axis gives for every corner a gap s with rate b. If the gap's second derivative is
-at least c up to a time t + window, the gap stays above s + b h + c h^2/2, so that t + h is safe
-up to the smallest root h. The largest such step over the axes is taken, again and again. It never
-passes an impact, and closes in on one quadratically; where c is the second derivative itself, as
-for a disc over a half-plane under constant force, in one step.
+At a time an axis gives for every corner a gap with its rate, and a lower bound of its second
+derivative in a window of time (DD47), from which follows a step that passes no impact (DD46). The
+largest such step over the axes is taken, again and again (IM12).
 """
 
 import math
@@ -16,6 +14,16 @@ from tamias2d.contact.core import Core, Placed, place, rounded
 from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, resolution
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.refusal import UndecidedContactError, named
+from tamias2d.generated.continuous_collision import (
+    advance_closing,
+    advance_opening,
+    centre_acceleration_least,
+    centre_acceleration_turning,
+    circling,
+    discriminant,
+    gap_acceleration_least,
+)
+from tamias2d.generated.impact import normal_velocity
 from tamias2d.path import Bounds, Piece
 from tamias2d.state import Vector
 
@@ -177,10 +185,11 @@ class Pair:
         if distance <= radius:
             return False, 0.0
         ux, uy = x / distance, y / distance
-        (au, av), (bu, bv) = a.state.velocity, b.state.velocity
-        rate = ux * (bu - au) + uy * (bv - av)
-        middle, deviation = _relative(*self._bounds(time, end))
-        bend = ux * middle[0] + uy * middle[1] - deviation
+        still, centre = 0.0, (0.0, 0.0)
+        rate = normal_velocity(
+            a.state.velocity, still, centre, b.state.velocity, still, centre, (ux, uy)
+        )
+        bend = _of_centres((ux, uy), *self._bounds(time, end))
         return distance > 1.1 * radius, _root(distance - radius, rate, bend)
 
     def _round_step(self, a: Placed, b: Placed, time: float, end: float) -> float:
@@ -231,10 +240,7 @@ class Pair:
 
 
 class _Bend:
-    """The least second derivative that the gap to a corner can have within a window, m/s^2.
-
-    From differentiating the gaps twice, term by term; `gap.py` states them.
-    """
+    """The least second derivative that the gap to a corner can have within a window, m/s^2."""
 
     def __init__(
         self,
@@ -249,57 +255,62 @@ class _Bend:
     ) -> None:
         p, q = (b, a) if axis.swapped else (a, b)
         on_p, on_q = (bounds_b, bounds_a) if axis.swapped else (bounds_a, bounds_b)
-        middle, deviation = _relative(on_p, on_q)
-        ux, uy = axis.direction
         turning = axis.side is not None and (on_p.angular_speed or on_p.angular_acceleration)
         if relative:
-            self._common = 0.0
+            self._centres = 0.0
         elif turning:
-            self._common = -_turning(p, q, on_p, math.hypot(*middle) + deviation, window)
+            self._centres = _of_turning_centres(p, q, on_p, on_q, window)
         else:
-            self._common = ux * middle[0] + uy * middle[1] - deviation
-        self._p = on_p.angular_speed**2 + on_p.angular_acceleration
-        self._q = on_q.angular_speed**2 + on_q.angular_acceleration
+            self._centres = _of_centres(axis.direction, on_p, on_q)
+        self._p = circling(on_p.angular_speed, on_p.angular_acceleration)
+        self._q = circling(on_q.angular_speed, on_q.angular_acceleration)
         if turning:
             spin = abs(q.state.angular_velocity - p.state.angular_velocity)
-            slip = on_p.angular_acceleration + on_q.angular_acceleration
-            self._q = (spin + slip * window) ** 2 + slip
+            change = on_p.angular_acceleration + on_q.angular_acceleration
+            self._q = circling(spin + change * window, change)
 
     def __call__(self, gap: Gap) -> float:
         reach_p, reach_q = gap.reach
-        return self._common - reach_p * self._p - reach_q * self._q
+        return float(gap_acceleration_least(self._centres, reach_p, self._p, reach_q, self._q))
 
 
-def _turning(p: Placed, q: Placed, on_p: Bounds, acceleration: float, window: float) -> float:
-    """Bound the second derivative of u . (q - p) for an axis u that turns with P, m/s^2."""
+def _of_centres(direction: Vector, on_p: Bounds, on_q: Bounds) -> float:
+    deviation = on_p.deviation + on_q.deviation
+    return float(
+        centre_acceleration_least(on_p.acceleration, on_q.acceleration, direction, deviation)
+    )
+
+
+def _of_turning_centres(p: Placed, q: Placed, on_p: Bounds, on_q: Bounds, window: float) -> float:
+    """Return the bound for an axis that turns with P, m/s^2."""
     (px, py), (qx, qy) = p.state.position, q.state.position
     (pu, pv), (qu, qv) = p.state.velocity, q.state.velocity
+    (pa, pb), (qa, qb) = on_p.acceleration, on_q.acceleration
+    acceleration = math.hypot(qa - pa, qb - pb) + (on_p.deviation + on_q.deviation)
     speed = math.hypot(qu - pu, qv - pv) + acceleration * window
     distance = math.hypot(qx - px, qy - py) + speed * window
-    spin = on_p.angular_speed
-    return (spin**2 + on_p.angular_acceleration) * distance + 2 * spin * speed + acceleration
+    spins = circling(on_p.angular_speed, on_p.angular_acceleration)
+    return float(
+        centre_acceleration_turning(spins, distance, on_p.angular_speed, speed, acceleration)
+    )
 
 
 def _gap_of(axis: Axis) -> float:
     return axis.gap
 
 
-def _relative(on_p: Bounds, on_q: Bounds) -> tuple[tuple[float, float], float]:
-    (px, py), (qx, qy) = on_p.acceleration, on_q.acceleration
-    return (qx - px, qy - py), on_p.deviation + on_q.deviation
-
-
 def _root(value: float, rate: float, bend: float) -> float:
-    """Return the first positive root h of value + rate h + bend h^2/2, or infinity.
+    """Return the first time until which a gap may close, s, or infinity (DD46).
 
     A value that is 0 or, by rounding, less is being left: the rate is positive there.
     """
-    inside = rate * rate - 2 * bend * value
+    inside = discriminant(value, rate, bend)
     if inside < 0:
         if value > 0:
             return math.inf
-        inside = rate * rate
-    root = math.sqrt(inside)
+        inside = discriminant(0.0, rate, bend)
     if rate > 0:
-        return (rate + root) / -bend if bend < 0 else math.inf
-    return 2 * value / (root - rate) if root > rate else math.inf
+        return float(advance_opening(rate, bend, inside)) if bend < 0 else math.inf
+    if inside == rate == 0:
+        return math.inf
+    return float(advance_closing(value, rate, inside))

@@ -9,7 +9,8 @@ of these gaps is never more than the true separation of the two convex bodies:
     side of P, corner of Q:    gap = u . (q + w - p) - offset - radius_q    (offset has radius_p)
     corner of P, corner of Q:  gap = u . (q + w - p - v) - radius_p - radius_q
 
-with centres p and q, corners v and w from them, and the unit axis u from P to Q.
+with centres p and q, corners v and w from them, and the unit axis u from P to Q. Its rate is the
+normal velocity (DD11) of the corner of Q against P's point there, or against P's corner.
 """
 
 import math
@@ -18,6 +19,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from tamias2d.contact.core import Placed, Side
+from tamias2d.generated.impact import normal_velocity
 from tamias2d.state import Vector
 
 EPSILON = 2.0**-52
@@ -110,17 +112,16 @@ def either_side(found: list[Axis], tolerance: float) -> Vector | None:
 def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:
     """Return the gaps along an axis, with their rates, one for each corner."""
     p, q = (b, a) if axis.swapped else (a, b)
-    ux, uy = axis.direction
+    direction = ux, uy = axis.direction
     (px, py), (qx, qy) = p.state.position, q.state.position
-    (pu, pv), (qu, qv) = p.state.velocity, q.state.velocity
-    dx, dy, u, v = qx - px, qy - py, qu - pu, qv - pv
+    dx, dy, v_p, v_q = qx - px, qy - py, p.state.velocity, q.state.velocity
     spin_p, spin_q = p.state.angular_velocity, q.state.angular_velocity
     found = []
     if axis.side is not None:
         base = axis.side.offset + q.core.radius
         for j, (wx, wy) in enumerate(q.corners):
             x, y = dx + wx, dy + wy
-            rate = spin_p * (ux * y - uy * x) + ux * (u - spin_q * wy) + uy * (v + spin_q * wx)
+            rate = normal_velocity(v_p, spin_p, (x, y), v_q, spin_q, (wx, wy), direction)
             reach = (0.0, q.core.reaches[j])
             value = ux * x + uy * y - base
             found.append(Gap(value, rate, reach, (wx, wy), (0.0, 0.0), (-1, j)))
@@ -129,7 +130,7 @@ def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:
     for i, (vx, vy) in enumerate(p.corners):
         for j, (wx, wy) in enumerate(q.corners):
             x, y = dx + wx - vx, dy + wy - vy
-            rate = ux * (u - spin_q * wy + spin_p * vy) + uy * (v + spin_q * wx - spin_p * vx)
+            rate = normal_velocity(v_p, spin_p, (vx, vy), v_q, spin_q, (wx, wy), direction)
             value = ux * x + uy * y - base
             reach = (p.core.reaches[i], q.core.reaches[j])
             found.append(Gap(value, rate, reach, (wx, wy), (vx, vy), (i, j)))

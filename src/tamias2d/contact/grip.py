@@ -12,7 +12,7 @@ from tamias2d.contact.hold import accelerated, opening
 from tamias2d.contact.manifold import Contact, followed, scrape, sliding
 from tamias2d.contact.modes import Mode, closed, directed, effects, ways
 from tamias2d.contact.refusal import LastingContactError, named
-from tamias2d.generated import definitions
+from tamias2d.generated import definitions, friction
 from tamias2d.state import Acceleration, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
@@ -76,7 +76,8 @@ class Gripped:
             normal = [next(across) for _ in part.pressed]
             if min(normal, default=0.0) < -unseen:
                 return False
-            if part.sticks and abs(next(along)) > part.patch.roughness * sum(normal) + unseen:
+            most = abs(friction.friction_force(1, part.patch.roughness, sum(normal)))
+            if part.sticks and abs(next(along)) > most + unseen:
                 return False
         return True
 

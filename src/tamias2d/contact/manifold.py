@@ -138,29 +138,41 @@ def tangent_of(contact: Contact) -> Contact:
 def parting(
     contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration
 ) -> float:
-    """Return the second derivative of the gap, m/s^2, under given accelerations.
-
-    To the acceleration of the points along the normal (GD3) come the terms of what turns or slips.
-    """
+    """Return the second derivative of the gap, m/s^2, under given accelerations (GD15)."""
     points = rest.normal_acceleration(
         of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
     )
-    return float(points) + _turning(contact, a, b)
+    p, q = (b, a) if contact.axis.swapped else (a, b)
+    u, v, w = contact.axis.direction, contact.gap.corner_p, contact.gap.corner
+    (px, py), (qx, qy) = p.state.position, q.state.position
+    distance = u[0] * (qx - px + w[0] - v[0]) + u[1] * (qy - py + w[1] - v[1])
+    spin_p, spin_q = p.state.angular_velocity, q.state.angular_velocity
+    along = slip(contact, a.state, b.state)
+    if contact.axis.side is not None:
+        found = rest.gap_acceleration_side(points, spin_p, spin_q, w, u, along, distance)
+    else:
+        along, distance = (along, distance) if distance else (0.0, 1.0)
+        found = rest.gap_acceleration_corner(points, spin_p, v, spin_q, w, u, along, distance)
+    return float(found)
 
 
 def scrape(contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration) -> float:
-    """Return the tangential acceleration of a contact that sticks, m/s^2, under given ones (GD8).
+    """Return the tangential acceleration of a contact that sticks, m/s^2, under given ones (GD16).
 
-    To it comes that a corner circles about its centre of mass; a rim stays where it is.
+    A corner circles about its centre of mass; a rim stays where it is.
     """
     points = friction.tangential_acceleration(
         of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
     )
-    (x, y), inward = definitions.tangent(contact.normal), 0.0
-    for sign, body, (u, v) in ((1, a, contact.arm_a), (-1, b, contact.arm_b)):
-        if len(body.core.corners) > 1:
-            inward += sign * body.state.angular_velocity**2 * (x * u + y * v)
-    return float(points) + inward
+    spin_a, spin_b = (
+        body.state.angular_velocity if len(body.core.corners) > 1 else 0.0 for body in (a, b)
+    )
+    tangent = definitions.tangent(contact.normal)
+    return float(
+        friction.tangential_acceleration_turning(
+            points, spin_a, contact.arm_a, spin_b, contact.arm_b, tangent
+        )
+    )
 
 
 def speeds(contact: Contact, a: State, b: State) -> float:
@@ -179,28 +191,17 @@ def slip(contact: Contact, a: State, b: State) -> float:
     A disc is the corner in its middle: its spin slips nowhere.
     """
     p, q = (b, a) if contact.axis.swapped else (a, b)
-    ux, uy = contact.axis.direction
-    (pu, pv), (qu, qv) = p.velocity, q.velocity
-    spin_p, spin_q = p.angular_velocity, q.angular_velocity
-    (vx, vy), (wx, wy) = contact.gap.corner_p, contact.gap.corner
-    along_x = qu - pu - spin_q * wy + spin_p * vy
-    along_y = qv - pv + spin_q * wx - spin_p * vx
-    return ux * along_y - uy * along_x
-
-
-def _turning(contact: Contact, a: Placed, b: Placed) -> float:
-    p, q = (b, a) if contact.axis.swapped else (a, b)
-    ux, uy = contact.axis.direction
-    (px, py), (qx, qy) = p.state.position, q.state.position
-    spin_p, spin_q = p.state.angular_velocity, q.state.angular_velocity
-    (vx, vy), (wx, wy) = contact.gap.corner_p, contact.gap.corner
-    distance = ux * (qx - px + wx - vx) + uy * (qy - py + wy - vy)
-    along = slip(contact, a.state, b.state)
-    inward = spin_q**2 * (ux * wx + uy * wy)
-    if contact.axis.side is not None:
-        return 2 * spin_p * along - spin_p**2 * distance - inward
-    turn = along**2 / distance if distance else 0.0
-    return turn - inward + spin_p**2 * (ux * vx + uy * vy)
+    return float(
+        friction.tangential_velocity(
+            p.velocity,
+            p.angular_velocity,
+            contact.gap.corner_p,
+            q.velocity,
+            q.angular_velocity,
+            contact.gap.corner,
+            contact.axis.direction,
+        )
+    )
 
 
 def _along(a: Placed, b: Placed, axis: Axis, gap: Gap) -> float:

@@ -17,6 +17,7 @@ import numpy as np
 from tamias2d.contact.core import Core
 from tamias2d.contact.manifold import Contact, tangent_of
 from tamias2d.contact.response import coupling
+from tamias2d.generated import friction
 from tamias2d.state import Array
 
 _EXACT = 1e-10
@@ -79,11 +80,11 @@ def pushes(mode: Mode) -> list[Contact]:
     """Return the directions in which a mode can push, as contacts with these for normals."""
     found = []
     for part in mode:
-        leans = [0, 1, -1] if part.sticks else [-part.sense]
+        senses = (0, -1, 1) if part.sticks else (part.sense,)
         found += [
-            _leaning(contact, lean * part.patch.roughness)
+            _leaning(contact, part.patch.roughness, sense)
             for contact in part.pressed
-            for lean in leans
+            for sense in senses
         ]
     return found
 
@@ -91,7 +92,7 @@ def pushes(mode: Mode) -> list[Contact]:
 def ways(mode: Mode) -> list[Contact]:
     """Return as many directions as `closed` has, of which the pushes are sums."""
     found = [
-        contact if part.sticks else _leaning(contact, -part.sense * part.patch.roughness)
+        contact if part.sticks else _leaning(contact, part.patch.roughness, part.sense)
         for part in mode
         for contact in part.pressed
     ]
@@ -129,8 +130,9 @@ def forces(matrix: Array, loads: Array) -> list[float] | None:
     return found.tolist() if np.abs(matrix @ found + loads).max() <= _EXACT * scale else None
 
 
-def _leaning(contact: Contact, lean: float) -> Contact:
-    """Return a contact whose push leans along its tangent by as much for each unit of normal."""
+def _leaning(contact: Contact, roughness: float, sense: int) -> Contact:
+    """Return a contact whose push leans against the sense of a sliding, as friction makes it."""
+    lean = friction.friction_force(sense, roughness, 1.0)
     if not lean:
         return contact
     (x, y), (u, v) = contact.normal, tangent_of(contact).normal

@@ -2,12 +2,10 @@
 
 Serves: a step, where sleeping is wanted. Hides: what counts as quiet, and what wakes an island.
 
-A body is quiet while its velocity and that of its rim, as they are and as it has moved in the step,
-are below a small fraction of the velocity that it gets by falling through its own reach; without
-gravity, of its reach a second. An island in which all have been quiet for some steps falls asleep:
-its velocities become zero, nothing moves it, and its contacts are neither looked for nor solved.
-What touches nothing sleeps only where it does not move at all, and what leans on something that
-moves does not sleep.
+A body is quiet as DD50 says. An island in which all have been quiet for some steps falls asleep
+(IM13): its velocities become zero, nothing moves it, and its contacts are neither looked for nor
+solved. What touches nothing sleeps only where it does not move at all, and what leans on something
+that moves does not sleep.
 
 It wakes as a whole where something that moves comes near to touching it; where a pose, a velocity,
 a load or gravity is not what it was; and where something on which it leaned has been moved.
@@ -50,11 +48,12 @@ from tamias2d.engine.tables import (
     Islands,
     Touching,
 )
+from tamias2d.generated.sleeping import quiet, quiet_square
 from tamias2d.state import Array
 
 ALONE, ON_RESTING, ON_MOVING = range(3)  # what a body touches: nothing, or something driven
 
-SLOW = 0.02  # of the velocity of a fall through the reach: one through 1/5000 of it
+SLOW = 0.02  # of the velocity of a fall through half the reach: one through 1/5000 of it
 
 
 def update_sleep(
@@ -223,13 +222,10 @@ def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:
 def sleep_speed(control: Control, reach: float) -> float:
     """Return the square of the velocity, m/s, below which a body that touches things is quiet."""
     pull = abs(control.settings[GRAVITY_X]) + abs(control.settings[GRAVITY_Y])
-    return SLOW * SLOW * reach * (pull if pull > 0.0 else reach)
+    return quiet_square(SLOW, reach, pull if pull > 0.0 else reach)
 
 
 def is_slow(time_step: float, slow: float, motion: Array, reach: float) -> bool:
     """Return whether a body is slow, and has been in this step."""
-    x, y, spin = motion[VX], motion[VY], motion[SPIN] * reach
-    to_x, to_y, turn = motion[DX], motion[DX + 1], motion[DX + 2] * reach
-    most = slow * time_step * time_step
-    still = x * x + y * y + spin * spin <= slow
-    return bool(still and to_x * to_x + to_y * to_y + turn * turn <= most)
+    velocity, shift = (motion[VX], motion[VY]), (motion[DX], motion[DX + 1])
+    return bool(quiet(velocity, motion[SPIN], shift, motion[DX + 2], reach, slow, time_step))

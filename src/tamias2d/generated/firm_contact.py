@@ -144,7 +144,7 @@ def firm_mass_x(line: Vector, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:159.
+    Source: DD33, srs/models/firm_contact.md:163.
     """
     line_x, line_y = line
     return (firmness * line_x * line_x, firmness * line_x * line_y)
@@ -161,7 +161,7 @@ def firm_mass_y(line: Vector, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:160.
+    Source: DD33, srs/models/firm_contact.md:164.
     """
     line_x, line_y = line
     return (firmness * line_y * line_x, firmness * line_y * line_y)
@@ -179,7 +179,7 @@ def firm_moment(line: Vector, turning_arm_a: Scalar, firmness: Scalar) -> Vector
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:161.
+    Source: DD33, srs/models/firm_contact.md:165.
     """
     line_x, line_y = line
     return (firmness * line_x * turning_arm_a, firmness * line_y * turning_arm_a)
@@ -198,7 +198,7 @@ def firm_lever(line: Vector, turning_arm_b: Scalar, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:162.
+    Source: DD33, srs/models/firm_contact.md:166.
     """
     line_x, line_y = line
     return (firmness * turning_arm_b * line_x, firmness * turning_arm_b * line_y)
@@ -217,7 +217,7 @@ def firm_inertia(turning_arm_a: Scalar, turning_arm_b: Scalar, firmness: Scalar)
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:163.
+    Source: DD33, srs/models/firm_contact.md:167.
     """
     return firmness * turning_arm_b * turning_arm_a
 
@@ -232,7 +232,7 @@ def momentum_left(mass: Scalar, velocity_start: Vector, velocity: Vector) -> Vec
         velocity_start: Velocity of the centre of mass; at the start, m/s
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD34, srs/models/firm_contact.md:209.
+    Source: DD34, srs/models/firm_contact.md:216.
     """
     velocity_start_x, velocity_start_y = velocity_start
     velocity_x, velocity_y = velocity
@@ -251,7 +251,7 @@ def angular_momentum_left(
         angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD34, srs/models/firm_contact.md:210.
+    Source: DD34, srs/models/firm_contact.md:217.
     """
     return inertia * (angular_velocity_start - angular_velocity)
 
@@ -266,7 +266,7 @@ def momentum_a_kicked(momentum_a: Vector, kick: Scalar, line: Vector) -> Vector:
         kick: Impulse that is given in one visit of a row, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD34, srs/models/firm_contact.md:211.
+    Source: DD34, srs/models/firm_contact.md:218.
     """
     momentum_a_x, momentum_a_y = momentum_a
     line_x, line_y = line
@@ -286,7 +286,7 @@ def angular_momentum_a_kicked(
         turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
             body; of body A, m
 
-    Source: DD34, srs/models/firm_contact.md:212.
+    Source: DD34, srs/models/firm_contact.md:219.
     """
     return angular_momentum_a - kick * turning_arm_a
 
@@ -301,7 +301,7 @@ def momentum_b_kicked(momentum_b: Vector, kick: Scalar, line: Vector) -> Vector:
         kick: Impulse that is given in one visit of a row, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD34, srs/models/firm_contact.md:213.
+    Source: DD34, srs/models/firm_contact.md:220.
     """
     momentum_b_x, momentum_b_y = momentum_b
     line_x, line_y = line
@@ -321,7 +321,7 @@ def angular_momentum_b_kicked(
         turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
             body; of body B, m
 
-    Source: DD34, srs/models/firm_contact.md:214.
+    Source: DD34, srs/models/firm_contact.md:221.
     """
     return angular_momentum_b + kick * turning_arm_b
 
@@ -335,7 +335,7 @@ def linear_energy(mass: Scalar, velocity: Vector) -> Scalar:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD35, srs/models/firm_contact.md:237.
+    Source: DD35, srs/models/firm_contact.md:244.
     """
     velocity_x, velocity_y = velocity
     return mass * (velocity_x * velocity_x + velocity_y * velocity_y) / 2
@@ -350,7 +350,7 @@ def turning_energy(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD35, srs/models/firm_contact.md:238.
+    Source: DD35, srs/models/firm_contact.md:245.
     """
     return inertia * angular_velocity * angular_velocity / 2
 
@@ -364,7 +364,7 @@ def linear_energy_start(momentum: Vector, mass: Scalar) -> Scalar:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD35, srs/models/firm_contact.md:239.
+    Source: DD35, srs/models/firm_contact.md:246.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x * momentum_x + momentum_y * momentum_y) / (2 * mass)
@@ -379,7 +379,7 @@ def turning_energy_start(angular_momentum: Scalar, inertia: Scalar) -> Scalar:
         angular_momentum: Moment of momentum about the origin, kg*m^2/s
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD35, srs/models/firm_contact.md:240.
+    Source: DD35, srs/models/firm_contact.md:247.
     """
     return angular_momentum * angular_momentum / (2 * inertia)
 
@@ -393,6 +393,6 @@ def bias_energy(mass: Scalar, bias_velocity: Scalar) -> Scalar:
         mass: Mass of a body, kg
         bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
 
-    Source: DD35, srs/models/firm_contact.md:241.
+    Source: DD35, srs/models/firm_contact.md:248.
     """
     return mass * bias_velocity * bias_velocity / 2

@@ -1,4 +1,5 @@
-"""Friction: Impact with friction; Lasting contact with friction.
+"""Friction: Impact with friction; Lasting contact with friction; Tangential acceleration of what
+turns.
 
 Generated from srs/models/friction.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -76,44 +77,6 @@ def cross_coupling(
         arm_a_x * (normal_x) - arm_a_y * (-normal_y)
     ) + inverse_inertia_b * (arm_b_x * normal_y - arm_b_y * normal_x) * (
         arm_b_x * (normal_x) - arm_b_y * (-normal_y)
-    )
-
-
-def inverse_tangential_mass(
-    inverse_mass_a: Scalar,
-    inverse_inertia_a: Scalar,
-    arm_a: Vector,
-    inverse_mass_b: Scalar,
-    inverse_inertia_b: Scalar,
-    arm_b: Vector,
-    normal: Vector,
-) -> Scalar:
-    """Change of the tangential velocity for one unit of tangential impulse (1/kg).
-
-    inverse_tangential_mass = inverse_mass_a + inverse_inertia_a*cross(arm_a, perp(normal))**2
-    + inverse_mass_b + inverse_inertia_b*cross(arm_b, perp(normal))**2
-
-    Args:
-        inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
-        inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
-            1/(kg*m^2)
-        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
-        inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
-        inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
-            1/(kg*m^2)
-        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
-        normal: Unit normal of a contact, from body A to body B, 1
-
-    Source: IM9, srs/models/friction.md:89.
-    """
-    arm_a_x, arm_a_y = arm_a
-    arm_b_x, arm_b_y = arm_b
-    normal_x, normal_y = normal
-    return (
-        inverse_mass_a
-        + inverse_inertia_a * power(arm_a_x * (normal_x) - arm_a_y * (-normal_y), 2)
-        + inverse_mass_b
-        + inverse_inertia_b * power(arm_b_x * (normal_x) - arm_b_y * (-normal_y), 2)
     )
 
 
@@ -399,7 +362,7 @@ def tangential_acceleration(
         arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: GD8, srs/models/friction.md:328.
+    Source: GD8, srs/models/friction.md:320.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     arm_a_x, arm_a_y = arm_a
@@ -419,43 +382,6 @@ def tangential_acceleration(
     ) * (normal_x)
 
 
-def inverse_pressed_mass(
-    inverse_effective_mass: Scalar, sense: Scalar, pair_friction: Scalar, cross_coupling: Scalar
-) -> Scalar:
-    """Change of the normal acceleration for one unit of normal force, with the friction that it
-    brings about (1/kg).
-
-    inverse_pressed_mass = inverse_effective_mass - sense*pair_friction*cross_coupling
-
-    Args:
-        inverse_effective_mass: Change of the normal velocity for one unit of impulse, 1/kg
-        sense: Sense in which a contact slides, 1 along its tangent, -1 against it, 0 where it
-            sticks, 1
-        pair_friction: The coefficient of friction that holds between two bodies, 1
-        cross_coupling: Change of the tangential velocity of a contact for one unit of impulse
-            along its normal, and of its normal velocity for one along its tangent, 1/kg
-
-    Source: GD8, srs/models/friction.md:331.
-    """
-    return inverse_effective_mass - sense * pair_friction * cross_coupling
-
-
-def contact_force(normal_acceleration: Scalar, inverse_pressed_mass: Scalar) -> Scalar:
-    """Size of the force of a resting contact along its normal (N).
-
-    contact_force = -normal_acceleration/inverse_pressed_mass
-
-    Args:
-        normal_acceleration: Rate of change of the normal velocity of a contact that rests,
-            m/s^2
-        inverse_pressed_mass: Change of the normal acceleration for one unit of normal force,
-            with the friction that it brings about, 1/kg
-
-    Source: GD8, srs/models/friction.md:333.
-    """
-    return (-normal_acceleration) / inverse_pressed_mass
-
-
 def friction_force(sense: Scalar, pair_friction: Scalar, contact_force: Scalar) -> Scalar:
     """Force of friction on body B along the tangent (N).
 
@@ -467,6 +393,40 @@ def friction_force(sense: Scalar, pair_friction: Scalar, contact_force: Scalar) 
         pair_friction: The coefficient of friction that holds between two bodies, 1
         contact_force: Size of the force of a resting contact along its normal, N
 
-    Source: GD8, srs/models/friction.md:334.
+    Source: GD8, srs/models/friction.md:326.
     """
     return (-sense) * pair_friction * contact_force
+
+
+def tangential_acceleration_turning(
+    tangential_acceleration: Scalar,
+    angular_velocity_a: Scalar,
+    arm_a: Vector,
+    angular_velocity_b: Scalar,
+    arm_b: Vector,
+    tangent: Vector,
+) -> Scalar:
+    """Rate of change of the tangential velocity of a contact that lasts; with what turning adds
+    (m/s^2).
+
+    tangential_acceleration_turning = tangential_acceleration + turning_part
+        where turning_part = angular_velocity_a**2*dot(tangent, arm_a) - angular_velocity_b**2*dot(tangent, arm_b)
+
+    Args:
+        tangential_acceleration: Rate of change of the tangential velocity of a contact that
+            lasts, m/s^2
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
+
+    Source: GD16, srs/models/friction.md:372.
+    """
+    arm_a_x, arm_a_y = arm_a
+    arm_b_x, arm_b_y = arm_b
+    tangent_x, tangent_y = tangent
+    turning_part = angular_velocity_a * angular_velocity_a * (
+        tangent_x * arm_a_x + tangent_y * arm_a_y
+    ) - angular_velocity_b * angular_velocity_b * (tangent_x * arm_b_x + tangent_y * arm_b_y)
+    return tangential_acceleration + turning_part

@@ -20,8 +20,8 @@ def work(
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         force: Applied force on a body, without its weight, N
         torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
-        shift: How far the centre of mass has moved since a contact was found, m
-        turn: How far a body has turned since a contact was found, rad
+        shift: How far the centre of mass has moved since the step began, m
+        turn: How far a body has turned since the step began, rad
 
     Source: DD36, srs/models/island_energy.md:17.
     """
@@ -45,7 +45,7 @@ def velocity_seen(velocity: Vector, velocity_support: Vector) -> Vector:
         velocity_support: Velocity of the centre of mass; of what an island leans on, at the
             body, m/s
 
-    Source: DD37, srs/models/island_energy.md:43.
+    Source: DD37, srs/models/island_energy.md:45.
     """
     velocity_x, velocity_y = velocity
     velocity_support_x, velocity_support_y = velocity_support
@@ -62,24 +62,24 @@ def angular_velocity_seen(angular_velocity: Scalar, angular_velocity_support: Sc
         angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
             leans on, at the body, rad/s
 
-    Source: DD37, srs/models/island_energy.md:44.
+    Source: DD37, srs/models/island_energy.md:46.
     """
     return angular_velocity - angular_velocity_support
 
 
 def shift_seen(shift: Vector, velocity_support: Vector, time_step: Scalar) -> Vector:
-    """How far the centre of mass has moved since a contact was found; seen from what an island
-    leans on (m).
+    """How far the centre of mass has moved since the step began; seen from what an island leans on
+    (m).
 
     shift_seen = shift - time_step*velocity_support
 
     Args:
-        shift: How far the centre of mass has moved since a contact was found, m
+        shift: How far the centre of mass has moved since the step began, m
         velocity_support: Velocity of the centre of mass; of what an island leans on, at the
             body, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD37, srs/models/island_energy.md:45.
+    Source: DD37, srs/models/island_energy.md:47.
     """
     shift_x, shift_y = shift
     velocity_support_x, velocity_support_y = velocity_support
@@ -87,18 +87,17 @@ def shift_seen(shift: Vector, velocity_support: Vector, time_step: Scalar) -> Ve
 
 
 def turn_seen(turn: Scalar, angular_velocity_support: Scalar, time_step: Scalar) -> Scalar:
-    """How far a body has turned since a contact was found; seen from what an island leans on
-    (rad).
+    """How far a body has turned since the step began; seen from what an island leans on (rad).
 
     turn_seen = turn - time_step*angular_velocity_support
 
     Args:
-        turn: How far a body has turned since a contact was found, rad
+        turn: How far a body has turned since the step began, rad
         angular_velocity_support: Rate of turning, positive counter-clockwise; of what an island
             leans on, at the body, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD37, srs/models/island_energy.md:46.
+    Source: DD37, srs/models/island_energy.md:48.
     """
     return turn - time_step * angular_velocity_support
 
@@ -112,7 +111,7 @@ def mass_moment(mass: Scalar, position: Vector) -> Vector:
         mass: Mass of a body, kg
         position: Position of the centre of mass, m
 
-    Source: DD38, srs/models/island_energy.md:75.
+    Source: DD38, srs/models/island_energy.md:77.
     """
     position_x, position_y = position
     return (mass * position_x, mass * position_y)
@@ -128,7 +127,7 @@ def inertia_origin(mass: Scalar, position: Vector, inertia: Scalar) -> Scalar:
         position: Position of the centre of mass, m
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:76.
+    Source: DD38, srs/models/island_energy.md:78.
     """
     position_x, position_y = position
     return inertia + mass * (position_x * position_x + position_y * position_y)
@@ -143,7 +142,7 @@ def position_island(mass_moment: Vector, mass: Scalar) -> Vector:
         mass_moment: Mass times position, kg*m
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:77.
+    Source: DD38, srs/models/island_energy.md:79.
     """
     mass_moment_x, mass_moment_y = mass_moment
     return (mass_moment_x / mass, mass_moment_y / mass)
@@ -158,7 +157,7 @@ def velocity_island(momentum: Vector, mass: Scalar) -> Vector:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD38, srs/models/island_energy.md:78.
+    Source: DD38, srs/models/island_energy.md:80.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x / mass, momentum_y / mass)
@@ -174,7 +173,7 @@ def inertia_island(inertia_origin: Scalar, mass: Scalar, position_island: Vector
         mass: Mass of a body, kg
         position_island: Position of the centre of mass; of an island as one body, m
 
-    Source: DD38, srs/models/island_energy.md:79.
+    Source: DD38, srs/models/island_energy.md:81.
     """
     position_island_x, position_island_y = position_island
     return inertia_origin - mass * (
@@ -202,7 +201,7 @@ def angular_velocity_island(
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: DD38, srs/models/island_energy.md:80.
+    Source: DD38, srs/models/island_energy.md:82.
     """
     position_island_x, position_island_y = position_island
     velocity_island_x, velocity_island_y = velocity_island
@@ -230,7 +229,7 @@ def kinetic_energy_kept(
             J
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:130.
+    Source: GD13, srs/models/island_energy.md:137.
     """
     return (
         (1 - kept_share) * kinetic_energy_before
@@ -249,7 +248,7 @@ def velocity_kept(velocity_before: Vector, velocity_after: Vector, kept_share: S
         velocity_after: Velocity of the centre of mass; just after the impact, m/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:133.
+    Source: GD13, srs/models/island_energy.md:140.
     """
     velocity_before_x, velocity_before_y = velocity_before
     velocity_after_x, velocity_after_y = velocity_after
@@ -275,7 +274,7 @@ def angular_velocity_kept(
             impact, rad/s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:134.
+    Source: GD13, srs/models/island_energy.md:141.
     """
     return angular_velocity_before + kept_share * (angular_velocity_after - angular_velocity_before)
 
@@ -291,7 +290,7 @@ def push_kept(push: Scalar, kick: Scalar, kept_share: Scalar) -> Scalar:
         kick: Impulse that is given in one visit of a row, to B along the line, N*s
         kept_share: Part of its bounce that an island keeps, 1
 
-    Source: GD13, srs/models/island_energy.md:137.
+    Source: GD13, srs/models/island_energy.md:144.
     """
     return push - (1 - kept_share) * kick
 
@@ -309,7 +308,7 @@ def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: S
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:140.
+    Source: GD13, srs/models/island_energy.md:147.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -329,7 +328,7 @@ def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: 
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:141.
+    Source: GD13, srs/models/island_energy.md:148.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -345,7 +344,7 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:230.
+    Source: IM11, srs/models/island_energy.md:241.
     """
     return kinetic_energy_start + largest(work, 0)
 
@@ -363,7 +362,7 @@ def calm_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:231.
+    Source: IM11, srs/models/island_energy.md:242.
     """
     return least(
         sqrt(
@@ -384,7 +383,7 @@ def velocity_calmed(velocity: Vector, velocity_island: Vector, calm_share: Scala
         calm_share: Part that an island keeps of what differs in its velocities from its motion
             as one, 1
 
-    Source: IM11, srs/models/island_energy.md:234.
+    Source: IM11, srs/models/island_energy.md:245.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
@@ -409,6 +408,6 @@ def angular_velocity_calmed(
         calm_share: Part that an island keeps of what differs in its velocities from its motion
             as one, 1
 
-    Source: IM11, srs/models/island_energy.md:235.
+    Source: IM11, srs/models/island_energy.md:246.
     """
     return angular_velocity_island + calm_share * (angular_velocity - angular_velocity_island)

@@ -1,4 +1,4 @@
-"""Rest: Resting contact; Time until bouncing ends.
+"""Rest: Resting contact; Second derivative of a gap; Time until bouncing ends.
 
 Generated from srs/models/rest.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -50,6 +50,83 @@ def normal_acceleration(
     ) * normal_y
 
 
+def gap_acceleration_side(
+    normal_acceleration: Scalar,
+    angular_velocity_a: Scalar,
+    angular_velocity_b: Scalar,
+    arm_b: Vector,
+    normal: Vector,
+    slip: Scalar,
+    distance: Scalar,
+) -> Scalar:
+    """Second derivative of a gap; before a side of body A (m/s^2).
+
+    gap_acceleration_side = normal_acceleration + turning_part_side
+        where turning_part_side = 2*angular_velocity_a*slip - angular_velocity_a**2*distance - angular_velocity_b**2*dot(normal, arm_b)
+
+    Args:
+        normal_acceleration: Rate of change of the normal velocity of a contact that rests,
+            m/s^2
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        normal: Unit normal of a contact, from body A to body B, 1
+        slip: Velocity at which a corner of B moves along a side of A, or past a corner of it,
+            m/s
+        distance: Distance between two places, m
+
+    Source: GD15, srs/models/rest.md:66.
+    """
+    arm_b_x, arm_b_y = arm_b
+    normal_x, normal_y = normal
+    turning_part_side = (
+        2 * angular_velocity_a * slip
+        - angular_velocity_a * angular_velocity_a * distance
+        - angular_velocity_b * angular_velocity_b * (normal_x * arm_b_x + normal_y * arm_b_y)
+    )
+    return normal_acceleration + turning_part_side
+
+
+def gap_acceleration_corner(
+    normal_acceleration: Scalar,
+    angular_velocity_a: Scalar,
+    arm_a: Vector,
+    angular_velocity_b: Scalar,
+    arm_b: Vector,
+    normal: Vector,
+    slip: Scalar,
+    distance: Scalar,
+) -> Scalar:
+    """Second derivative of a gap; before a corner of body A (m/s^2).
+
+    gap_acceleration_corner = normal_acceleration + turning_part_corner
+        where turning_part_corner = slip**2/distance - angular_velocity_b**2*dot(normal, arm_b) + angular_velocity_a**2*dot(normal, arm_a)
+
+    Args:
+        normal_acceleration: Rate of change of the normal velocity of a contact that rests,
+            m/s^2
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        arm_a: Lever arm, from the centre of mass to the contact point; of body A, m
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+        arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
+        normal: Unit normal of a contact, from body A to body B, 1
+        slip: Velocity at which a corner of B moves along a side of A, or past a corner of it,
+            m/s
+        distance: Distance between two places, m
+
+    Source: GD15, srs/models/rest.md:67.
+    """
+    arm_a_x, arm_a_y = arm_a
+    arm_b_x, arm_b_y = arm_b
+    normal_x, normal_y = normal
+    turning_part_corner = (
+        slip * slip / distance
+        - angular_velocity_b * angular_velocity_b * (normal_x * arm_b_x + normal_y * arm_b_y)
+        + angular_velocity_a * angular_velocity_a * (normal_x * arm_a_x + normal_y * arm_a_y)
+    )
+    return normal_acceleration + turning_part_corner
+
+
 def time_to_rest(
     normal_velocity_after: Scalar, normal_acceleration: Scalar, restitution: Scalar
 ) -> Scalar:
@@ -65,6 +142,6 @@ def time_to_rest(
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: GD5, srs/models/rest.md:76.
+    Source: GD5, srs/models/rest.md:169.
     """
     return (-2) * normal_velocity_after / (normal_acceleration * (1 - restitution))

@@ -111,7 +111,7 @@ def velocity_a_kicked(
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
 
-    Source: DD27, srs/models/soft_contact.md:97.
+    Source: DD27, srs/models/soft_contact.md:100.
     """
     velocity_a_x, velocity_a_y = velocity_a
     line_x, line_y = line
@@ -136,7 +136,7 @@ def angular_velocity_a_kicked(
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
             1/(kg*m^2)
 
-    Source: DD27, srs/models/soft_contact.md:98.
+    Source: DD27, srs/models/soft_contact.md:101.
     """
     return angular_velocity_a - kick * inverse_inertia_a * turning_arm_a
 
@@ -154,7 +154,7 @@ def velocity_b_kicked(
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
 
-    Source: DD27, srs/models/soft_contact.md:100.
+    Source: DD27, srs/models/soft_contact.md:103.
     """
     velocity_b_x, velocity_b_y = velocity_b
     line_x, line_y = line
@@ -179,7 +179,7 @@ def angular_velocity_b_kicked(
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
             1/(kg*m^2)
 
-    Source: DD27, srs/models/soft_contact.md:101.
+    Source: DD27, srs/models/soft_contact.md:104.
     """
     return angular_velocity_b + kick * inverse_inertia_b * turning_arm_b
 
@@ -194,7 +194,7 @@ def bias_rate(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scala
         damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: GD9, srs/models/soft_contact.md:187.
+    Source: GD9, srs/models/soft_contact.md:196.
     """
     return angular_frequency / (2 * damping_ratio + time_step * angular_frequency)
 
@@ -211,7 +211,7 @@ def mass_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scal
         damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: GD9, srs/models/soft_contact.md:189.
+    Source: GD9, srs/models/soft_contact.md:198.
     """
     return (
         time_step
@@ -232,7 +232,7 @@ def impulse_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: S
         damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: GD9, srs/models/soft_contact.md:193.
+    Source: GD9, srs/models/soft_contact.md:202.
     """
     return 1 / (
         1 + time_step * angular_frequency * (2 * damping_ratio + time_step * angular_frequency)
@@ -252,7 +252,7 @@ def separation_rest(
         angular_frequency: Phase that an oscillation gains per unit of time, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD28, srs/models/soft_contact.md:287.
+    Source: DD28, srs/models/soft_contact.md:299.
     """
     return (-push) / (time_step * row_mass * angular_frequency * angular_frequency)
 
@@ -276,7 +276,7 @@ def preload_later(
         overlap_allowed: Overlap that no preload is learned for, m
         preload_largest: What a preload may grow to, m
 
-    Source: DD39, srs/models/soft_contact.md:339.
+    Source: DD39, srs/models/soft_contact.md:354.
     """
     return least(
         largest(
@@ -312,10 +312,11 @@ def angular_frequency_loaded(
         time_step: Length of one step of a stepped scheme, s
         overlap_share: Overlap with which a loaded contact should rest, as a part of the smaller
             body's extent, 1
-        extent: How far the smaller of two bodies reaches from its centre of mass, m
+        extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does, m
         firmest: Frequency of a contact under a load, at most, over that without one, 1
 
-    Source: DD42, srs/models/soft_contact.md:399.
+    Source: DD42, srs/models/soft_contact.md:418.
     """
     angular_frequency_wanted = sqrt(
         push * (inverse_mass_a + inverse_mass_b) / (time_step * overlap_share * extent)
@@ -324,17 +325,16 @@ def angular_frequency_loaded(
 
 
 def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
-    """How far the centre of mass has moved since a contact was found; after the bodies have moved
-    (m).
+    """How far the centre of mass has moved since the step began; after the bodies have moved (m).
 
     shift_later = shift + time_step*velocity
 
     Args:
-        shift: How far the centre of mass has moved since a contact was found, m
+        shift: How far the centre of mass has moved since the step began, m
         velocity: Velocity of the centre of mass, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:447.
+    Source: DD43, srs/models/soft_contact.md:468.
     """
     shift_x, shift_y = shift
     velocity_x, velocity_y = velocity
@@ -342,16 +342,16 @@ def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
 
 
 def turn_later(turn: Scalar, angular_velocity: Scalar, time_step: Scalar) -> Scalar:
-    """How far a body has turned since a contact was found; after the bodies have moved (rad).
+    """How far a body has turned since the step began; after the bodies have moved (rad).
 
     turn_later = turn + time_step*angular_velocity
 
     Args:
-        turn: How far a body has turned since a contact was found, rad
+        turn: How far a body has turned since the step began, rad
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:448.
+    Source: DD43, srs/models/soft_contact.md:469.
     """
     return turn + time_step * angular_velocity
 
@@ -365,7 +365,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the contact point, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:471.
+    Source: DD29, srs/models/soft_contact.md:492.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -391,19 +391,19 @@ def separation_later(
 
     Args:
         separation: Distance between two bodies, negative where they overlap, m
-        shift_a: How far the centre of mass has moved since a contact was found; of body A, m
-        turn_a: How far a body has turned since a contact was found; of body A, rad
+        shift_a: How far the centre of mass has moved since the step began; of body A, m
+        turn_a: How far a body has turned since the step began; of body A, rad
         turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
             body; of body A, m
         bend_a: Part of an arm along the line, as far as it turns with its body; of body A, m
-        shift_b: How far the centre of mass has moved since a contact was found; of body B, m
-        turn_b: How far a body has turned since a contact was found; of body B, rad
+        shift_b: How far the centre of mass has moved since the step began; of body B, m
+        turn_b: How far a body has turned since the step began; of body B, rad
         turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
             body; of body B, m
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:472.
+    Source: DD29, srs/models/soft_contact.md:493.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -429,7 +429,7 @@ def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:538.
+    Source: DD31, srs/models/soft_contact.md:561.
     """
     return largest(separation / time_step + row_velocity, 0)
 
@@ -445,7 +445,7 @@ def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:539.
+    Source: DD31, srs/models/soft_contact.md:562.
     """
     return time_step * (bias_velocity_later - row_velocity)
 
@@ -459,10 +459,11 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
     Args:
         removal_share: How far an overlap is removed in a substep at most, as a part of the
             smaller body's extent, 1
-        extent: How far the smaller of two bodies reaches from its centre of mass, m
+        extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:589.
+    Source: IM10, srs/models/soft_contact.md:619.
     """
     return (-removal_share) * extent / time_step
 
@@ -482,7 +483,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:590.
+    Source: IM10, srs/models/soft_contact.md:620.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -510,7 +511,7 @@ def soft_push(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its push that a soft contact gives back in a visit, 1
 
-    Source: IM10, srs/models/soft_contact.md:593.
+    Source: IM10, srs/models/soft_contact.md:623.
     """
     return largest(
         push - row_mass * mass_share * (row_velocity + bias_velocity) - impulse_share * push, 0
@@ -532,7 +533,7 @@ def limited_rub(
             along itself, 1
         push: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:596.
+    Source: IM10, srs/models/soft_contact.md:626.
     """
     return largest(least(rub - row_mass * row_velocity, friction * push), (-friction) * push)
 
@@ -557,6 +558,6 @@ def bouncing_push(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:598.
+    Source: IM10, srs/models/soft_contact.md:628.
     """
     return largest(push - row_mass * (row_velocity + restitution * row_velocity_before), 0)

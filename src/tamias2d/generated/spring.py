@@ -136,7 +136,7 @@ def position(
         angular_frequency: Phase that an oscillation gains per unit of time, rad/s
         time: Time since the start of the simulation, s
 
-    Source: IM7, srs/models/spring.md:85.
+    Source: IM7, srs/models/spring.md:87.
     """
     equilibrium_x, equilibrium_y = equilibrium
     position_start_x, position_start_y = position_start
@@ -173,7 +173,7 @@ def velocity(
         angular_frequency: Phase that an oscillation gains per unit of time, rad/s
         time: Time since the start of the simulation, s
 
-    Source: IM7, srs/models/spring.md:88.
+    Source: IM7, srs/models/spring.md:90.
     """
     equilibrium_x, equilibrium_y = equilibrium
     position_start_x, position_start_y = position_start

@@ -2,12 +2,15 @@
 
 Serves: the reader. Hides: how an equation is tried out. The proof is numerical: values are
 drawn from the symbols' ranges, one unknown is chosen so that the earlier equation holds, and
-the later one must then hold too. Each later equation must also be able to fail.
+the later one must then hold too. Each later equation must also be able to fail. Where the reason of
+the first step begins with the id of an item that has equations, the step must follow from one of
+them, with what `where` puts in for its names.
 """
 
 import math
 import random
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -19,6 +22,7 @@ from tamias2d.spec.equations import Report, parsed, placed, relation, typed
 from tamias2d.spec.evaluate import Value, evaluate
 from tamias2d.spec.expression import (
     Binary,
+    Both,
     Call,
     Name,
     Node,
@@ -36,20 +40,29 @@ POINTS = 24
 _TOLERANCE = 1e-9  # of the largest term: far above rounding, far below any wrong factor
 _PARTICLES = 5
 _DEEPEST = 8  # substitutions within substitutions
+_CITED = re.compile(r"(TM|GD|DD|IM|P)\d+")
 
 Values = dict[str, Value]
 
 
-def check_derivation(item: Item, table: SymbolTable, report: Report) -> None:
-    """Report each step that does not follow, and a last step that is not the item's equation."""
+def check_derivation(
+    item: Item, items: Mapping[str, Item], table: SymbolTable, report: Report
+) -> None:
+    """Report each step that does not follow, and a last step that is not the item's equation.
+
+    The items are all of the specification, by their ids.
+    """
     before: Relation | None = None
     for number, step in enumerate(item.data.get("derivation", [])):
         where = ("derivation", number)
         now = relation(item, step["equation"], table, report, *where, "equation")
-        given = _substitutions(item, step.get("where", {}), table, report, where)
+        own = before is not None
+        given = _substitutions(item, step.get("where", {}), own, table, report, where)
         if now is None or given is None:
             return
-        if before is not None and not _implies(before, now, given, table):
+        if before is None:
+            _check_start(item, now, given, items, table, report)
+        elif not _implies(before, now, given, table):
             steps = f"'{plain(now)}' does not follow from '{plain(before)}'"
             text = f"{steps}. Correct it, or say in 'where' what is put in"
             report(item.diagnostic(Code.DERIVATION_GAP, text, *where, "equation"))
@@ -59,9 +72,50 @@ def check_derivation(item: Item, table: SymbolTable, report: Report) -> None:
         _check_end(item, before, table, report)
 
 
+def _check_start(
+    item: Item,
+    first: Relation,
+    given: dict[str, Node],
+    items: Mapping[str, Item],
+    table: SymbolTable,
+    report: Report,
+) -> None:
+    cited = _CITED.match(item.data["derivation"][0]["by"])
+    source = items.get(cited.group()) if cited else None
+    equations = list(_statements(source, table)) if source else []
+    starts = (
+        Relation("==", substituted(each.left, given), substituted(each.right, given))
+        for each in equations
+    )
+    if equations and not any(_implies(start, first, {}, table) for start in starts):
+        text = f"the first step '{plain(first)}' does not follow from {source.id if source else ''}"
+        text += ". Correct it, or say in 'where' what stands for the names of that item"
+        report(item.diagnostic(Code.DERIVATION_GAP, text, "derivation", 0, "equation"))
+
+
+def _statements(item: Item, table: SymbolTable) -> Iterator[Relation]:
+    """All that an item says by equations, with its own intermediate quantities put in or not."""
+
+    def faultless(_fault: object) -> None:
+        """What is wrong with that item is said where it is read."""
+
+    if text := item.data.get("equation"):
+        stated = relation(item, text, table, faultless, "equation")
+        yield from [stated] if stated else []
+    own = dict(_own_equations(item, faultless))
+    for name, tree in own.items():
+        yield Relation("==", Name(name), tree)
+        expanded = tree
+        for _ in range(_DEEPEST):
+            expanded = substituted(expanded, {key: own[key] for key in own if key != name})
+        yield Relation("==", Name(name), expanded)
+    yield from _rates(item, faultless)
+
+
 def _substitutions(
     item: Item,
     where: dict[str, str],
+    own: bool,
     table: SymbolTable,
     report: Report,
     path: tuple[str | int, ...],
@@ -74,7 +128,7 @@ def _substitutions(
             return None
         if typed(item, Relation("==", key, node), table, report, *path, "where", name) is None:
             return None
-        if not _is_own(item, key, node, table, report):
+        if own and not _is_own(item, key, node, table, report):
             text = f"'{name}' is not put in as the item defines it. Make them agree"
             report(item.diagnostic(Code.DERIVATION_GAP, text, *path, "where", name))
             return None
@@ -109,7 +163,7 @@ def _rates(item: Item, report: Report) -> Iterator[Relation]:
 def _own_equations(item: Item, report: Report) -> Iterator[tuple[str, Node]]:
     for name, text in item.data.get("equations", {}).items():
         node = parsed(item, text, report, "equations", name)
-        if node is not None and not isinstance(node, Relation) and name != "overlap":
+        if node is not None and not isinstance(node, (Relation, Both)):
             yield name, node
 
 

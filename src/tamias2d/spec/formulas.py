@@ -4,6 +4,8 @@ Serves: the reader, and whoever changes an item and asks whether it still holds.
 checks belong to which kind of item.
 """
 
+from collections.abc import Mapping
+
 from tamias2d.spec.cases import check_case
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import Type
@@ -16,8 +18,8 @@ from tamias2d.spec.symbols import Symbol, SymbolTable
 from tamias2d.spec.units import SECOND
 
 
-def check_item(item: Item, table: SymbolTable) -> list[Diagnostic]:
-    """The faults of an item's formal parts, none if it holds."""
+def check_item(item: Item, items: Mapping[str, Item], table: SymbolTable) -> list[Diagnostic]:
+    """The faults of an item's formal parts, none if it holds; `items` are all, by their ids."""
     faults: list[Diagnostic] = []
     report = faults.append
     if item.kind == "scheme":
@@ -28,7 +30,7 @@ def check_item(item: Item, table: SymbolTable) -> list[Diagnostic]:
     elif item.kind in ("theory", "definition", "model", "property"):
         _check_statement(item, table, report)
         if not faults:  # a faulty formula would only be reported twice
-            check_derivation(item, table, report)
+            check_derivation(item, items, table, report)
             check_closed_form(item, table, report)
     return faults
 

@@ -61,7 +61,7 @@ class _Reader:
         self.check_links(specification)
         self.check_sources(specification)
         for item in specification.items.values():
-            self.faults += check_item(item, specification.table)
+            self.faults += check_item(item, specification.items, specification.table)
         self.stop_at_faults()
         return specification
 

@@ -29,6 +29,7 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
+from tamias2d.generated.continuous_collision import motion_bound
 from tamias2d.state import Array
 
 FAST = 0.35  # of half its width: how far a body goes before it is looked after
@@ -89,11 +90,8 @@ def leaves_bounds(i: int, bodies: Bodies, broad_phase: BroadPhase) -> bool:
 
 def path_length(i: int, motion: Array, properties: Array) -> float:
     """Return how far some point of a body may go in this step, m."""
-    return (
-        abs(motion[i, DX])
-        + abs(motion[i, DY])
-        + abs(motion[i, DANGLE]) * properties[i, CORE_RADIUS]
-    )
+    shift = (motion[i, DX], motion[i, DY])
+    return motion_bound(shift, motion[i, DANGLE], properties[i, CORE_RADIUS])
 
 
 def time_of_leaving(i: int, now: float, bodies: Bodies, broad_phase: BroadPhase) -> float:

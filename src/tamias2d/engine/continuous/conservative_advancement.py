@@ -2,16 +2,10 @@
 
 Serves: a step, for what moves far in it. Hides: how an instant is found that passes no meeting.
 
-Over a step the centres move in straight lines and the bodies turn evenly. Along a fixed direction
-n from the nearest point of A to that of B, the gap after a further fraction h is at least
-
-    phi(h) = min n.(w + h w') - max n.(v + h v') + n.(d + h d') - radii - h^2/2 bend
-
-with corners v of A and w of B, the place d of B from A, and bend the largest centripetal part that
-the turning has: turn^2 times the lever of the farthest corner, for A and for B. This is concave,
-so that it is positive before its root, and secants find the root from below. A body that turns far
-is taken as a disc around its centre where that allows a longer stride. Shapes meet where the gap
-falls to `NEAR` of the smaller one's size.
+The gap after a further fraction has a bound that is concave (DD48), so that it is positive before
+its root, and secants find the root from below. A body that turns far is taken as a disc around its
+centre where that allows a longer stride. Shapes meet where the gap falls to `NEAR` of the smaller
+one's size (IM12).
 
 Source: Mirtich, Impulse-based dynamic simulation (1996), with bounds of second order.
 """
@@ -21,6 +15,19 @@ from math import cos, sin, sqrt
 from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.manifold import touch_pair
 from tamias2d.engine.tables import GAP, HALF_PLANE, NX, NY, POINT, Events, Shapes
+from tamias2d.generated.continuous_collision import (
+    arc_bend,
+    centre_acceleration_turning,
+    circling,
+    distance_bound,
+    fraction_closest,
+    gap_change,
+    half_interval,
+    miss_distance,
+    motion_bound,
+    normal_turned,
+    separation_least,
+)
 from tamias2d.state import Array
 
 NEAR = 2.0**-13  # of the smaller shape's size: a gap that counts as met
@@ -175,15 +182,14 @@ def safe_advance(
 
     `count_a` is 0 for a half-plane, with which n turns; its offset is then in the first row.
     """
-    rate = nx * move_x + ny * move_y
-    bend_a, bend_b = turn_a * turn_a * lever_a, turn_b * turn_b * lever_b
-    spin_b = turn_b
-    if count_a == 0 and turn_a != 0.0:
-        spin_b -= turn_a
-        rate += turn_a * (nx * y - ny * x)
-        far = sqrt(x * x + y * y) + lever_b + rest * (abs(move_x) + abs(move_y))
-        speed = abs(move_x) + abs(move_y) + abs(turn_b) * lever_b
-        bend_a = turn_a * turn_a * far + 2.0 * abs(turn_a) * speed
+    bend_a, bend_b = arc_bend(turn_a, lever_a), arc_bend(turn_b, lever_b)
+    spin = turn_a if count_a == 0 else 0.0  # of the normal
+    rate = gap_change((move_x, move_y), (nx, ny), spin, (x, y))
+    if spin != 0.0:
+        centre = motion_bound((move_x, move_y), 0.0, 0.0)
+        far = distance_bound(sqrt(x * x + y * y), lever_b, rest, centre)
+        speed = motion_bound((move_x, move_y), turn_b, lever_b)
+        bend_a = -centre_acceleration_turning(circling(turn_a, 0.0), far, abs(turn_a), speed, 0.0)
     base = nx * x + ny * y - radii - (rows[0, 0] if count_a == 0 else 0.0)
     free = 0.0
     for way in range(4):  # with corners or as a disc: A is one in ways 1 and 3, B in 2 and 3
@@ -201,7 +207,7 @@ def safe_advance(
                 rate,
                 (0.0 if round_a else bend_a) + (0.0 if round_b else bend_b),
                 turn_a,
-                spin_b,
+                turn_b - spin,
                 0 if round_a else count_a,
                 first_b,
                 0 if round_b else count_b,
@@ -272,10 +278,11 @@ def least_gap(
     rows: Array,
 ) -> float:
     """Return the least that the gap can be after a further fraction, m."""
-    by_a, by_b = ahead * turn_a, ahead * turn_b
-    low_a = least_along(0, count_a, -nx - by_a * ny, -ny + by_a * nx, rows)
-    low_b = least_along(first_b, count_b, nx + by_b * ny, ny - by_b * nx, rows)
-    return base + low_a + low_b + ahead * (rate - 0.5 * ahead * bend)
+    against_x, against_y = normal_turned((-nx, -ny), turn_a, ahead)
+    along_x, along_y = normal_turned((nx, ny), turn_b, ahead)
+    low_a = least_along(0, count_a, against_x, against_y, rows)
+    low_b = least_along(first_b, count_b, along_x, along_y, rows)
+    return separation_least(base, low_a, low_b, rate, bend, ahead)
 
 
 def least_along(first: int, count: int, nx: float, ny: float, rows: Array) -> float:
@@ -307,15 +314,13 @@ def within_circle(
     x: float, y: float, move_x: float, move_y: float, reach: float
 ) -> tuple[float, float]:
     """Return between which fractions a point that moves is within reach of the origin."""
-    square = move_x * move_x + move_y * move_y
-    if square <= TINY:
+    if move_x * move_x + move_y * move_y <= TINY:
         return (0.0, 1.0) if x * x + y * y <= reach * reach else (0.0, 0.0)
-    speed = sqrt(square)
-    beside = (x * move_y - y * move_x) / speed
+    at, by = (x, y), (move_x, move_y)
+    beside = miss_distance(at, by)
     if abs(beside) > reach:
         return 0.0, 0.0
-    middle = -(x * move_x + y * move_y) / square
-    half = sqrt(reach * reach - beside * beside) / speed
+    middle, half = fraction_closest(at, by), half_interval(reach, beside, by)
     return max(0.0, middle - half), min(1.0, middle + half)
 
 

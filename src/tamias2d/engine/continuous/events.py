@@ -12,6 +12,7 @@ from tamias2d.engine.continuous.conservative_advancement import (
 )
 from tamias2d.engine.continuous.event_queue import update_event
 from tamias2d.engine.continuous.impact import contact_point, path_speed_along, seen_from_b
+from tamias2d.engine.continuous.trajectory import offset_at
 from tamias2d.engine.narrow_phase.manifold import touch_pair
 from tamias2d.engine.tables import (
     ANGLE,
@@ -44,9 +45,8 @@ from tamias2d.engine.tables import (
     Control,
     Events,
     Shapes,
-    X,
-    Y,
 )
+from tamias2d.generated.continuous_collision import fraction_closest, motion_bound
 from tamias2d.state import Array
 
 THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back,
@@ -105,10 +105,9 @@ def find_events(
 
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
     """Return how far corners of two bodies go by turning in a step, m."""
-    return (
-        abs(motion[i, DANGLE]) * properties[i, CORE_RADIUS]
-        + abs(motion[j, DANGLE]) * properties[j, CORE_RADIUS]
-    )
+    none = (0.0, 0.0)
+    of_i = motion_bound(none, motion[i, DANGLE], properties[i, CORE_RADIUS])
+    return of_i + motion_bound(none, motion[j, DANGLE], properties[j, CORE_RADIUS])
 
 
 def allowed_depth(i: int, j: int, reach: float, properties: Array) -> float:
@@ -190,8 +189,7 @@ def manifold_at(
     half_plane = shapes.kind[s] == HALF_PLANE
     turn_shape_to(s, i, now, half_plane, bodies, shapes)
     turn_shape_to(t, j, now, False, bodies, shapes)
-    x = bodies.pose[j, X] - bodies.pose[i, X] + now * (bodies.motion[j, DX] - bodies.motion[i, DX])
-    y = bodies.pose[j, Y] - bodies.pose[i, Y] + now * (bodies.motion[j, DY] - bodies.motion[i, DY])
+    x, y = offset_at(i, j, now, bodies.pose, bodies.motion)
     row = events.scratch[0]
     _, second = touch_pair(
         row,
@@ -257,11 +255,12 @@ def next_event(
         closing = time_step * path_speed_along(i, j, time_step, at_a, at_b, line, bodies.motion)
         if closing * rest < -near:
             return now
+    x, y = offset_at(i, j, now, bodies.pose, bodies.motion)
     ahead = time_of_impact(
         s,
         t,
-        bodies.pose[j, X] - bodies.pose[i, X] + now * (bodies.motion[j, DX] - bodies.motion[i, DX]),
-        bodies.pose[j, Y] - bodies.pose[i, Y] + now * (bodies.motion[j, DY] - bodies.motion[i, DY]),
+        x,
+        y,
         rest * (bodies.motion[j, DX] - bodies.motion[i, DX]),
         rest * (bodies.motion[j, DY] - bodies.motion[i, DY]),
         rest * bodies.motion[i, DANGLE],
@@ -275,10 +274,8 @@ def next_event(
 def passes_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Array) -> bool:
     """Return whether the centres of two bodies come no nearer to each other than a reach, m."""
     by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
-    x, y = pose[j, X] - pose[i, X] + now * by_x, pose[j, Y] - pose[i, Y] + now * by_y
-    ahead = -(x * by_x + y * by_y)
-    square = by_x * by_x + by_y * by_y
-    if ahead > 0.0:  # to where they are nearest, but not beyond the step
-        until = min(ahead / square, 1.0 - now)
+    x, y = offset_at(i, j, now, pose, motion)
+    if x * by_x + y * by_y < 0.0:  # to where they are nearest, but not beyond the step
+        until = min(fraction_closest((x, y), (by_x, by_y)), 1.0 - now)
         x, y = x + until * by_x, y + until * by_y
     return bool(x * x + y * y > reach * reach)

@@ -4,7 +4,7 @@ Serves: flight. Hides: how velocities of the step's end are seen from an instant
 """
 
 from tamias2d.engine.continuous.conservative_advancement import NEAR, WIDE
-from tamias2d.engine.continuous.trajectory import redirect_both
+from tamias2d.engine.continuous.trajectory import offset_at, redirect_both
 from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,
@@ -41,6 +41,7 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
+from tamias2d.generated.continuous_collision import position_later
 from tamias2d.generated.soft_contact import (
     angular_velocity_a_kicked,
     angular_velocity_b_kicked,
@@ -57,10 +58,8 @@ from tamias2d.state import Array, Vector
 
 def seen_from_b(i: int, j: int, now: float, at_a: Vector, pose: Array, motion: Array) -> Vector:
     """Return from the centre of B what is known from that of A, at a fraction of the step."""
-    return (
-        at_a[0] - (pose[j, X] - pose[i, X] + now * (motion[j, DX] - motion[i, DX])),
-        at_a[1] - (pose[j, Y] - pose[i, Y] + now * (motion[j, DY] - motion[i, DY])),
-    )
+    x, y = offset_at(i, j, now, pose, motion)
+    return at_a[0] - x, at_a[1] - y
 
 
 def contact_point(row: Array) -> tuple[float, float]:
@@ -174,9 +173,9 @@ def record_impact(
     flags[TOUCHES] |= 1
     manifolds[TOTAL_IMPULSE] = push
     if flags[POINT_COUNT] == 0:
+        at_x, at_y = position_later((pose[i, X], pose[i, Y]), (motion[i, DX], motion[i, DY]), now)
         x, y = contact_point(row)
-        manifolds[WORLD_POINT] = pose[i, X] + now * motion[i, DX] + x
-        manifolds[WORLD_POINT + 1] = pose[i, Y] + now * motion[i, DY] + y
+        manifolds[WORLD_POINT], manifolds[WORLD_POINT + 1] = at_x + x, at_y + y
         manifolds[IMPACT_NORMAL], manifolds[IMPACT_NORMAL + 1] = sense * row[NX], sense * row[NY]
 
 

@@ -3,7 +3,7 @@
 Serves: flight. Hides: what goes along with what cannot wait, and that nobody gains by waiting.
 """
 
-from tamias2d.engine.continuous.trajectory import redirect_path
+from tamias2d.engine.continuous.trajectory import offset_at, redirect_path
 from tamias2d.engine.continuous.work import take_energy_back, work_ahead
 from tamias2d.engine.tables import (
     DANGLE,
@@ -15,9 +15,8 @@ from tamias2d.engine.tables import (
     Bodies,
     Control,
     Integers,
-    X,
-    Y,
 )
+from tamias2d.generated.continuous_collision import inward_share, shift_carried
 from tamias2d.state import Array, Vector
 
 ARC = 0.5  # rad: how far a wall turns at most while what it carries on goes along one line
@@ -78,17 +77,10 @@ def displacement_along(i: int, j: int, now: float, bodies: Bodies) -> tuple[Vect
     Along with a wall that turns it begins on the inside of its arc, and cuts that before the wall
     has turned by `ARC`: there both meet again.
     """
-    x = bodies.pose[j, X] - bodies.pose[i, X] + now * (bodies.motion[j, DX] - bodies.motion[i, DX])
-    y = bodies.pose[j, Y] - bodies.pose[i, Y] + now * (bodies.motion[j, DY] - bodies.motion[i, DY])
-    turn = bodies.motion[i, DANGLE]
-    inwards = 0.0
-    if bodies.kind[i] != DYNAMIC:
-        inwards = abs(turn) * min(abs(turn) * (1.0 - now), 0.5 * ARC)
-    way = (
-        bodies.motion[i, DX] - turn * y - inwards * x,
-        bodies.motion[i, DY] + turn * x - inwards * y,
-    )
-    return way, turn
+    shift, turn = (bodies.motion[i, DX], bodies.motion[i, DY]), bodies.motion[i, DANGLE]
+    offset = offset_at(i, j, now, bodies.pose, bodies.motion)
+    inwards = inward_share(turn, now, ARC) if bodies.kind[i] != DYNAMIC else 0.0
+    return shift_carried(shift, turn, offset, inwards), turn
 
 
 def redirect(

@@ -14,6 +14,13 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
+from tamias2d.generated.continuous_collision import (
+    orientation_redirected,
+    position_redirected,
+    shift_redirected,
+    span,
+    turn_redirected,
+)
 from tamias2d.generated.soft_contact import (
     angular_velocity_a_kicked,
     angular_velocity_b_kicked,
@@ -22,6 +29,17 @@ from tamias2d.generated.soft_contact import (
     velocity_b_kicked,
 )
 from tamias2d.state import Array, Vector
+
+
+def offset_at(i: int, j: int, now: float, pose: Array, motion: Array) -> Vector:
+    """Return where the centre of j is from that of i at a fraction of the step, m."""
+    return span(
+        (pose[i, X], pose[i, Y]),
+        (motion[i, DX], motion[i, DY]),
+        (pose[j, X], pose[j, Y]),
+        (motion[j, DX], motion[j, DY]),
+        now,
+    )
 
 
 def redirect_both(
@@ -51,11 +69,9 @@ def redirect_both(
 def redirect_path(i: int, now: float, by: Vector, turn: float, pose: Array, motion: Array) -> None:
     """Let a line go on from where it is now with another way over a whole step, m and rad.
 
-    It is kept as where it would have begun, and how far it goes in all.
+    It is kept as where it would have begun, and how far it goes in all (GD14).
     """
-    pose[i, X] -= now * by[0]
-    pose[i, Y] -= now * by[1]
-    pose[i, ANGLE] -= now * turn
-    motion[i, DX] += by[0]
-    motion[i, DY] += by[1]
-    motion[i, DANGLE] += turn
+    pose[i, X], pose[i, Y] = position_redirected((pose[i, X], pose[i, Y]), by, now)
+    pose[i, ANGLE] = orientation_redirected(pose[i, ANGLE], turn, now)
+    motion[i, DX], motion[i, DY] = shift_redirected((motion[i, DX], motion[i, DY]), by)
+    motion[i, DANGLE] = turn_redirected(motion[i, DANGLE], turn)

@@ -8,6 +8,7 @@ difference is taken back, so that kinetic energy rises by no more than the work 
 is seen from what the body meets, which may move.
 """
 
+from tamias2d.engine.continuous.trajectory import offset_at
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.tables import (
     DANGLE,
@@ -20,8 +21,6 @@ from tamias2d.engine.tables import (
     VY,
     Bodies,
     Control,
-    X,
-    Y,
 )
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (
@@ -37,10 +36,7 @@ from tamias2d.state import Array, Vector
 
 def support_velocity(i: int, j: int, now: float, pose: Array, motion: Array) -> Vector:
     """Return the velocity that a body i would have as a part of j, m/s."""
-    at = (
-        pose[i, X] - pose[j, X] + now * (motion[i, DX] - motion[j, DX]),
-        pose[i, Y] - pose[j, Y] + now * (motion[i, DY] - motion[j, DY]),
-    )
+    at = offset_at(j, i, now, pose, motion)
     return point_velocity((motion[j, VX], motion[j, VY]), motion[j, SPIN], at)
 
 

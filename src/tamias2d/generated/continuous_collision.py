@@ -1,0 +1,468 @@
+"""Continuous collision: Line of a body through a step; Bound of motion; Passing of two circles;
+Conservative advancement; Least second derivative of a gap; Gap of two shapes that turn; Way
+along another body.
+
+Generated from srs/models/continuous_collision.md
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tamias2d.spec.functions import Scalar, Vector, least, sqrt
+
+
+def position_later(position: Vector, shift: Vector, fraction: Scalar) -> Vector:
+    """Position of the centre of mass; after the bodies have moved (m).
+
+    position_later = position + fraction*shift
+
+    Args:
+        position: Position of the centre of mass, m
+        shift: How far the centre of mass has moved since the step began, m
+        fraction: Part of a step that has passed, 1
+
+    Source: GD14, srs/models/continuous_collision.md:29.
+    """
+    position_x, position_y = position
+    shift_x, shift_y = shift
+    return (position_x + fraction * shift_x, position_y + fraction * shift_y)
+
+
+def span(
+    position_a: Vector, shift_a: Vector, position_b: Vector, shift_b: Vector, fraction: Scalar
+) -> Vector:
+    """Vector from one place to another (m).
+
+    span = position_b - position_a + fraction*(shift_b - shift_a)
+
+    Args:
+        position_a: Position of the centre of mass; of body A, m
+        shift_a: How far the centre of mass has moved since the step began; of body A, m
+        position_b: Position of the centre of mass; of body B, m
+        shift_b: How far the centre of mass has moved since the step began; of body B, m
+        fraction: Part of a step that has passed, 1
+
+    Source: GD14, srs/models/continuous_collision.md:30.
+    """
+    position_a_x, position_a_y = position_a
+    shift_a_x, shift_a_y = shift_a
+    position_b_x, position_b_y = position_b
+    shift_b_x, shift_b_y = shift_b
+    return (
+        position_b_x - position_a_x + fraction * (shift_b_x - shift_a_x),
+        position_b_y - position_a_y + fraction * (shift_b_y - shift_a_y),
+    )
+
+
+def position_redirected(position: Vector, shift_change: Vector, fraction: Scalar) -> Vector:
+    """Position of the centre of mass; after the line has been redirected (m).
+
+    position_redirected = position - fraction*shift_change
+
+    Args:
+        position: Position of the centre of mass, m
+        shift_change: How far the centre of mass has moved since the step began; by which it
+            changes, m
+        fraction: Part of a step that has passed, 1
+
+    Source: GD14, srs/models/continuous_collision.md:31.
+    """
+    position_x, position_y = position
+    shift_change_x, shift_change_y = shift_change
+    return (position_x - fraction * shift_change_x, position_y - fraction * shift_change_y)
+
+
+def orientation_redirected(orientation: Scalar, turn_change: Scalar, fraction: Scalar) -> Scalar:
+    """Angle by which the body is turned counter-clockwise from its drawn position, unbounded;
+    after the line has been redirected (rad).
+
+    orientation_redirected = orientation - fraction*turn_change
+
+    Args:
+        orientation: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded, rad
+        turn_change: How far a body has turned since the step began; by which it changes, rad
+        fraction: Part of a step that has passed, 1
+
+    Source: GD14, srs/models/continuous_collision.md:32.
+    """
+    return orientation - fraction * turn_change
+
+
+def shift_redirected(shift: Vector, shift_change: Vector) -> Vector:
+    """How far the centre of mass has moved since the step began; after the line has been
+    redirected (m).
+
+    shift_redirected = shift + shift_change
+
+    Args:
+        shift: How far the centre of mass has moved since the step began, m
+        shift_change: How far the centre of mass has moved since the step began; by which it
+            changes, m
+
+    Source: GD14, srs/models/continuous_collision.md:33.
+    """
+    shift_x, shift_y = shift
+    shift_change_x, shift_change_y = shift_change
+    return (shift_x + shift_change_x, shift_y + shift_change_y)
+
+
+def turn_redirected(turn: Scalar, turn_change: Scalar) -> Scalar:
+    """How far a body has turned since the step began; after the line has been redirected (rad).
+
+    turn_redirected = turn + turn_change
+
+    Args:
+        turn: How far a body has turned since the step began, rad
+        turn_change: How far a body has turned since the step began; by which it changes, rad
+
+    Source: GD14, srs/models/continuous_collision.md:34.
+    """
+    return turn + turn_change
+
+
+def motion_bound(shift: Vector, turn: Scalar, extent: Scalar) -> Scalar:
+    """How far any point of a body goes in a step, at most (m).
+
+    motion_bound = abs(x(shift)) + abs(y(shift)) + abs(turn)*extent
+
+    Args:
+        shift: How far the centre of mass has moved since the step began, m
+        turn: How far a body has turned since the step began, rad
+        extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does, m
+
+    Source: DD44, srs/models/continuous_collision.md:72.
+    """
+    shift_x, shift_y = shift
+    return abs(shift_x) + abs(shift_y) + abs(turn) * extent
+
+
+def distance_bound(
+    distance: Scalar, extent: Scalar, fraction: Scalar, motion_bound: Scalar
+) -> Scalar:
+    """Distance that two bodies may get to within a step, at most (m).
+
+    distance_bound = distance + extent + fraction*motion_bound
+
+    Args:
+        distance: Distance between two places, m
+        extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does, m
+        fraction: Part of a step that has passed, 1
+        motion_bound: How far any point of a body goes in a step, at most, m
+
+    Source: DD44, srs/models/continuous_collision.md:73.
+    """
+    return distance + extent + fraction * motion_bound
+
+
+def miss_distance(span: Vector, shift: Vector) -> Scalar:
+    """Distance at which one of two centres passes the other (m).
+
+    miss_distance = cross(span, shift)/norm(shift)
+
+    Args:
+        span: Vector from one place to another, m
+        shift: How far the centre of mass has moved since the step began, m
+
+    Source: DD45, srs/models/continuous_collision.md:94.
+    """
+    span_x, span_y = span
+    shift_x, shift_y = shift
+    return (span_x * shift_y - span_y * shift_x) / sqrt(shift_x * shift_x + shift_y * shift_y)
+
+
+def fraction_closest(span: Vector, shift: Vector) -> Scalar:
+    """Part of a step that has passed; when the bodies are closest (1).
+
+    fraction_closest = -dot(span, shift)/dot(shift, shift)
+
+    Args:
+        span: Vector from one place to another, m
+        shift: How far the centre of mass has moved since the step began, m
+
+    Source: DD45, srs/models/continuous_collision.md:95.
+    """
+    span_x, span_y = span
+    shift_x, shift_y = shift
+    return (-(span_x * shift_x + span_y * shift_y)) / (shift_x * shift_x + shift_y * shift_y)
+
+
+def half_interval(extent: Scalar, miss_distance: Scalar, shift: Vector) -> Scalar:
+    """Half of the part of a step for which two circles overlap (1).
+
+    half_interval = sqrt(extent**2 - miss_distance**2)/norm(shift)
+
+    Args:
+        extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does, m
+        miss_distance: Distance at which one of two centres passes the other, m
+        shift: How far the centre of mass has moved since the step began, m
+
+    Source: DD45, srs/models/continuous_collision.md:96.
+    """
+    shift_x, shift_y = shift
+    return sqrt(extent * extent - miss_distance * miss_distance) / sqrt(
+        shift_x * shift_x + shift_y * shift_y
+    )
+
+
+def discriminant(
+    separation: Scalar, separation_rate: Scalar, gap_acceleration_least: Scalar
+) -> Scalar:
+    """What has to be positive for a gap to close (m^2/s^2).
+
+    discriminant = separation_rate**2 - 2*gap_acceleration_least*separation
+
+    Args:
+        separation: Distance between two bodies, negative where they overlap, m
+        separation_rate: Rate of change of a gap, m/s
+        gap_acceleration_least: Second derivative of a gap; the least that there can be, m/s^2
+
+    Source: DD46, srs/models/continuous_collision.md:133.
+    """
+    return separation_rate * separation_rate - 2 * gap_acceleration_least * separation
+
+
+def advance_opening(
+    separation_rate: Scalar, gap_acceleration_least: Scalar, discriminant: Scalar
+) -> Scalar:
+    """Time for which two bodies cannot meet; of a gap that opens at first (s).
+
+    advance_opening = (separation_rate + sqrt(discriminant))/(-gap_acceleration_least)
+
+    Args:
+        separation_rate: Rate of change of a gap, m/s
+        gap_acceleration_least: Second derivative of a gap; the least that there can be, m/s^2
+        discriminant: What has to be positive for a gap to close, m^2/s^2
+
+    Source: DD46, srs/models/continuous_collision.md:134.
+    """
+    return (separation_rate + sqrt(discriminant)) / (-gap_acceleration_least)
+
+
+def advance_closing(separation: Scalar, separation_rate: Scalar, discriminant: Scalar) -> Scalar:
+    """Time for which two bodies cannot meet; of a gap that closes (s).
+
+    advance_closing = 2*separation/(sqrt(discriminant) - separation_rate)
+
+    Args:
+        separation: Distance between two bodies, negative where they overlap, m
+        separation_rate: Rate of change of a gap, m/s
+        discriminant: What has to be positive for a gap to close, m^2/s^2
+
+    Source: DD46, srs/models/continuous_collision.md:136.
+    """
+    return 2 * separation / (sqrt(discriminant) - separation_rate)
+
+
+def circling(angular_speed: Scalar, angular_acceleration: Scalar) -> Scalar:
+    """Acceleration of a point of a body that turns, at most, for one unit of its distance from the
+    centre (1/s^2).
+
+    circling = angular_speed**2 + angular_acceleration
+
+    Args:
+        angular_speed: Size of the angular velocity, at most, rad/s
+        angular_acceleration: Rate of change of the angular velocity, rad/s^2
+
+    Source: DD47, srs/models/continuous_collision.md:164.
+    """
+    return angular_speed * angular_speed + angular_acceleration
+
+
+def centre_acceleration_least(
+    acceleration_a: Vector, acceleration_b: Vector, normal: Vector, deviation: Scalar
+) -> Scalar:
+    """Second derivative of the distance of two centres along a normal; the least that there can be
+    (m/s^2).
+
+    centre_acceleration_least = dot(acceleration_b - acceleration_a, normal) - deviation
+
+    Args:
+        acceleration_a: Acceleration of the centre of mass; of body A, m/s^2
+        acceleration_b: Acceleration of the centre of mass; of body B, m/s^2
+        normal: Unit normal of a contact, from body A to body B, 1
+        deviation: How far the relative acceleration is from the given one, at most, m/s^2
+
+    Source: DD47, srs/models/continuous_collision.md:165.
+    """
+    acceleration_a_x, acceleration_a_y = acceleration_a
+    acceleration_b_x, acceleration_b_y = acceleration_b
+    normal_x, normal_y = normal
+    return (
+        (acceleration_b_x - acceleration_a_x) * normal_x
+        + (acceleration_b_y - acceleration_a_y) * normal_y
+        - deviation
+    )
+
+
+def centre_acceleration_turning(
+    circling: Scalar,
+    distance: Scalar,
+    angular_speed: Scalar,
+    speed: Scalar,
+    acceleration_size: Scalar,
+) -> Scalar:
+    """Second derivative of the distance of two centres along a normal; with what turning adds
+    (m/s^2).
+
+    centre_acceleration_turning = -(circling*distance + 2*angular_speed*speed +
+    acceleration_size)
+
+    Args:
+        circling: Acceleration of a point of a body that turns, at most, for one unit of its
+            distance from the centre, 1/s^2
+        distance: Distance between two places, m
+        angular_speed: Size of the angular velocity, at most, rad/s
+        speed: Size of the velocity, m/s
+        acceleration_size: Size of the relative acceleration of two bodies, at most, m/s^2
+
+    Source: DD47, srs/models/continuous_collision.md:167.
+    """
+    return -(circling * distance + 2 * angular_speed * speed + acceleration_size)
+
+
+def gap_acceleration_least(
+    centre_acceleration_least: Scalar,
+    extent_a: Scalar,
+    circling_a: Scalar,
+    extent_b: Scalar,
+    circling_b: Scalar,
+) -> Scalar:
+    """Second derivative of a gap; the least that there can be (m/s^2).
+
+    gap_acceleration_least = centre_acceleration_least - extent_a*circling_a -
+    extent_b*circling_b
+
+    Args:
+        centre_acceleration_least: Second derivative of the distance of two centres along a
+            normal; the least that there can be, m/s^2
+        extent_a: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does; of body A, m
+        circling_a: Acceleration of a point of a body that turns, at most, for one unit of its
+            distance from the centre; of body A, 1/s^2
+        extent_b: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does; of body B, m
+        circling_b: Acceleration of a point of a body that turns, at most, for one unit of its
+            distance from the centre; of body B, 1/s^2
+
+    Source: DD47, srs/models/continuous_collision.md:169.
+    """
+    return centre_acceleration_least - extent_a * circling_a - extent_b * circling_b
+
+
+def normal_turned(normal: Vector, turn: Scalar, fraction: Scalar) -> Vector:
+    """Unit normal of a contact, from body A to body B; turned back by the angle of its body (1).
+
+    normal_turned = normal - cross(fraction*turn, normal)
+
+    Args:
+        normal: Unit normal of a contact, from body A to body B, 1
+        turn: How far a body has turned since the step began, rad
+        fraction: Part of a step that has passed, 1
+
+    Source: DD48, srs/models/continuous_collision.md:202.
+    """
+    normal_x, normal_y = normal
+    return (normal_x + fraction * turn * normal_y, normal_y - fraction * turn * normal_x)
+
+
+def gap_change(shift: Vector, normal: Vector, turn: Scalar, span: Vector) -> Scalar:
+    """Change of a gap in a whole step, if it went on as it does (m).
+
+    gap_change = dot(shift, normal) + turn*cross(normal, span)
+
+    Args:
+        shift: How far the centre of mass has moved since the step began, m
+        normal: Unit normal of a contact, from body A to body B, 1
+        turn: How far a body has turned since the step began, rad
+        span: Vector from one place to another, m
+
+    Source: DD48, srs/models/continuous_collision.md:203.
+    """
+    shift_x, shift_y = shift
+    normal_x, normal_y = normal
+    span_x, span_y = span
+    return shift_x * normal_x + shift_y * normal_y + turn * (normal_x * span_y - normal_y * span_x)
+
+
+def arc_bend(turn: Scalar, extent: Scalar) -> Scalar:
+    """Second derivative of a gap from corners that circle, with time in steps (m).
+
+    arc_bend = turn**2*extent
+
+    Args:
+        turn: How far a body has turned since the step began, rad
+        extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does, m
+
+    Source: DD48, srs/models/continuous_collision.md:204.
+    """
+    return turn * turn * extent
+
+
+def separation_least(
+    base_gap: Scalar,
+    corner_gap_a: Scalar,
+    corner_gap_b: Scalar,
+    gap_change: Scalar,
+    arc_bend: Scalar,
+    fraction: Scalar,
+) -> Scalar:
+    """Distance between two bodies, negative where they overlap; the least that there can be (m).
+
+    separation_least = base_gap + corner_gap_a + corner_gap_b + fraction*(gap_change -
+    fraction*arc_bend/2)
+
+    Args:
+        base_gap: Gap of two centres along a normal, less the radii, m
+        corner_gap_a: How far the nearest corner of a body is from its centre along a normal,
+            less than zero where it is nearer to the other body; of body A, m
+        corner_gap_b: How far the nearest corner of a body is from its centre along a normal,
+            less than zero where it is nearer to the other body; of body B, m
+        gap_change: Change of a gap in a whole step, if it went on as it does, m
+        arc_bend: Second derivative of a gap from corners that circle, with time in steps, m
+        fraction: Part of a step that has passed, 1
+
+    Source: DD48, srs/models/continuous_collision.md:205.
+    """
+    return (
+        base_gap + corner_gap_a + corner_gap_b + fraction * (gap_change - fraction * arc_bend / 2)
+    )
+
+
+def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
+    """Part of its distance by which a carried body comes nearer to its carrier (1).
+
+    inward_share = abs(turn)*min(abs(turn)*(1 - fraction), arc/2)
+
+    Args:
+        turn: How far a body has turned since the step began, rad
+        fraction: Part of a step that has passed, 1
+        arc: Angle by which a wall turns before a body that it carries meets it again, rad
+
+    Source: DD49, srs/models/continuous_collision.md:300.
+    """
+    return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
+
+
+def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scalar) -> Vector:
+    """How far the centre of mass has moved since the step began; along another body (m).
+
+    shift_carried = shift + cross(turn, span) - inward_share*span
+
+    Args:
+        shift: How far the centre of mass has moved since the step began, m
+        turn: How far a body has turned since the step began, rad
+        span: Vector from one place to another, m
+        inward_share: Part of its distance by which a carried body comes nearer to its carrier,
+            1
+
+    Source: DD49, srs/models/continuous_collision.md:301.
+    """
+    shift_x, shift_y = shift
+    span_x, span_y = span
+    return (
+        shift_x - turn * span_y - inward_share * span_x,
+        shift_y + turn * span_x - inward_share * span_y,
+    )
