@@ -108,7 +108,7 @@ CONTROLS: list[tuple[Any, str, Wrap, list[str]]] = [
     (friction, "tangential_velocity", with_argument(1, lambda w: 0.0 * w), ["OF4", "OF6"]),
     (friction, "tangential_acceleration", with_argument(1, lambda a: -a), ["OF5a", "OF5b"]),
     (friction, "tangential_acceleration", with_argument(4, lambda a: -a), ["OF5d"]),
-    (friction, "tangential_acceleration_turning", with_argument(3, lambda w: 0.0 * w), ["OF10"]),
+    (friction, "tangential_acceleration_turning", with_argument(3, lambda w: w + 1e-6), ["OF10"]),
     # rest: a corner that is accelerated the wrong way, or does not circle
     (rest, "normal_acceleration", with_argument(4, lambda a: -a), ["OB16"]),
     (rest, "gap_acceleration_side", with_argument(2, lambda w: 0.0 * w), ["OB16"]),
