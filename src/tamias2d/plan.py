@@ -16,7 +16,7 @@ from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.rules import number, sequence
-from tamias2d.scene.scene import checked_scene
+from tamias2d.scene.scene_data import checked_scene
 from tamias2d.state import Array
 
 FRAMES = 60

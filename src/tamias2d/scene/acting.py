@@ -4,15 +4,11 @@ Serves: motion, contact and `needs`. Hides: how what is stated for bodies, sprin
 collected.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 from tamias2d.scene.law import Law, StateLaw, value_at, varies
-
-if TYPE_CHECKING:
-    from tamias2d.scene.scene import Scene
+from tamias2d.scene.scene_data import SceneData
 
 _VELOCITIES = {"velocity", "angular_velocity"}
 
@@ -20,7 +16,7 @@ Load: TypeAlias = tuple[float, float, float]
 """Both components of a force, N, and a torque, N m."""
 
 
-def steady_load(scene: Scene, k: int) -> Load:
+def steady_load(scene: SceneData, k: int) -> Load:
     """Return the sum of all forces and torques on a body that stay as they are, without weight."""
     total = [0.0, 0.0, 0.0]
     for component, law in _laws_on(scene, k):
@@ -29,7 +25,7 @@ def steady_load(scene: Scene, k: int) -> Load:
     return total[0], total[1], total[2]
 
 
-def varying_laws(scene: Scene, bodies: Sequence[int]) -> dict[tuple[int, StateLaw], list[int]]:
+def varying_laws(scene: SceneData, bodies: Sequence[int]) -> dict[tuple[int, StateLaw], list[int]]:
     """Return all laws that vary, each with its component of the load, and the bodies that share it.
 
     Components are counted as in a `Load`, bodies as the places in `bodies`.
@@ -42,7 +38,7 @@ def varying_laws(scene: Scene, bodies: Sequence[int]) -> dict[tuple[int, StateLa
     return found
 
 
-def _laws_on(scene: Scene, k: int) -> Iterator[tuple[int, Law]]:
+def _laws_on(scene: SceneData, k: int) -> Iterator[tuple[int, Law]]:
     body = scene.bodies[k]
     yield from enumerate((*body.force, body.torque))
     for field in scene.fields:
@@ -50,7 +46,7 @@ def _laws_on(scene: Scene, k: int) -> Iterator[tuple[int, Law]]:
             yield from enumerate((*field.force, field.torque))
 
 
-def varying_loads(scene: Scene) -> dict[int, str]:
+def varying_loads(scene: SceneData) -> dict[int, str]:
     """Return why the loads of a body vary, all reasons, for each body whose loads do."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     found: dict[int, dict[str, None]] = {}
@@ -59,14 +55,14 @@ def varying_loads(scene: Scene) -> dict[int, str]:
     return {k: " and ".join(found[k]) for k in moving if k in found}
 
 
-def timed_loads(scene: Scene) -> set[int]:
+def timed_loads(scene: SceneData) -> set[int]:
     """Return the bodies on which some law acts that depends on time, whatever their state."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     laws = varying_laws(scene, moving)
     return {moving[row] for (_, law), rows in laws.items() if "time" in law.names for row in rows}
 
 
-def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]]:
+def _variations(scene: SceneData, moving: Sequence[int]) -> Iterator[tuple[int, str]]:
     for k in moving:
         body = scene.bodies[k]
         if not body.constant:
@@ -88,7 +84,7 @@ def _variations(scene: Scene, moving: Sequence[int]) -> Iterator[tuple[int, str]
             )
 
 
-def felt_velocity(scene: Scene) -> bool:
+def felt_velocity(scene: SceneData) -> bool:
     """Return whether a load of any body depends on a velocity."""
     laws = (law for k in range(len(scene)) for _, law in _laws_on(scene, k))
     return (
@@ -98,7 +94,7 @@ def felt_velocity(scene: Scene) -> bool:
     )
 
 
-def groups(scene: Scene) -> list[list[int]]:
+def groups(scene: SceneData) -> list[list[int]]:
     """Return the bodies that move in groups: between different groups, nothing acts but contact."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     if scene.attraction is not None and moving:

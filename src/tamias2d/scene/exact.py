@@ -3,20 +3,16 @@
 Serves: the closed form, and the choice of it. Hides: what rules a closed form out.
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from tamias2d.scene.acting import varying_loads
-
-if TYPE_CHECKING:
-    from tamias2d.scene.scene import Scene
-    from tamias2d.scene.springs import Spring
+from tamias2d.scene.scene_data import SceneData
+from tamias2d.scene.springs import Spring
 
 Form = Literal["constant loads", "linear drag", "angular drag", "spring without length"]
 
 
-def closed_forms(scene: Scene) -> dict[int, Form]:
+def closed_forms(scene: SceneData) -> dict[int, Form]:
     """Return the form of each body that has one (IM1 and IM2, IM6, IM7); what is static has none.
 
     Besides what the form says, all loads are constant.
@@ -35,18 +31,18 @@ def closed_forms(scene: Scene) -> dict[int, Form]:
     return forms
 
 
-def spring_of(scene: Scene, k: int) -> Spring:
+def spring_of(scene: SceneData, k: int) -> Spring:
     """Return the one spring of a body whose form is "spring without length"."""
     return next(spring for spring in scene.springs if k in spring.bodies)
 
 
-def _dragged_only(scene: Scene, k: int) -> bool:
+def _dragged_only(scene: SceneData, k: int) -> bool:
     """Whether linear and angular drag are all that varies."""
     held = any(k in spring.bodies for spring in scene.springs)
     return not held and not scene.bodies[k].quadratic_drag and _laws_steady(scene, k)
 
 
-def _sprung_only(scene: Scene, k: int) -> bool:
+def _sprung_only(scene: SceneData, k: int) -> bool:
     """Whether one spring of no length from its centre to a point is all that varies."""
     body = scene.bodies[k]
     springs = [spring for spring in scene.springs if k in spring.bodies]
@@ -61,7 +57,7 @@ def _sprung_only(scene: Scene, k: int) -> bool:
     )
 
 
-def _laws_steady(scene: Scene, k: int) -> bool:
+def _laws_steady(scene: SceneData, k: int) -> bool:
     """Whether no law of a body's own or of a field varies, and nothing attracts the body."""
     steady = all(field.constant for field in scene.fields if field.acts_on(k))
     alone = sum(body.dynamic for body in scene.bodies) < 2

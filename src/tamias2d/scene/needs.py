@@ -14,7 +14,8 @@ from tamias2d.scene.bodies import Body
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import number
-from tamias2d.scene.scene import Scene, checked_scene
+from tamias2d.scene.scene import Scene
+from tamias2d.scene.scene_data import checked_scene
 from tamias2d.scene.shapes import Disc
 from tamias2d.suggestions import suggests
 

@@ -1,16 +1,11 @@
-"""A scene: the bodies, what acts on them, and what they do when they meet (R1, R2, R3).
-
-Serves: users who build scenes in Python. Hides: how bodies and pairs are stored and named.
-"""
+"""Scenes built in Python: bodies and what acts on them are checked and added (R1, R2, R3)."""
 
 import hashlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import count
 from numbers import Integral
 from typing import Any
 
-from tamias2d.errors import SceneError
-from tamias2d.generated import definitions
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.checks import (
@@ -32,18 +27,20 @@ from tamias2d.scene.checks import (
     refuse_undefined_law,
 )
 from tamias2d.scene.compound import Shape
-from tamias2d.scene.fields import ForceField, checked_field, refuse_field
-from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole, may_touch
+from tamias2d.scene.fields import checked_field, refuse_field
+from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole
 from tamias2d.scene.law import checked_force, checked_law
-from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, sequence, shown, vector
-from tamias2d.scene.springs import Spring, checked_spring, refuse_spring
+from tamias2d.scene.rules import RuleError, VectorLike, number, sequence, shown, vector
+from tamias2d.scene.scene_data import SceneData
+from tamias2d.scene.springs import checked_spring, refuse_spring
+from tamias2d.scene.writing import scene_text
 from tamias2d.suggestions import suggests
 
 _MAX_NAME = 100
 
 
 @suggests
-class Scene:
+class Scene(SceneData):
     """The space in which bodies move and meet (R1), in SI units throughout."""
 
     def __init__(
@@ -56,70 +53,12 @@ class Scene:
     ) -> None:
         """Start an empty scene; raise `InputError` if a value breaks a rule."""
         remedy = "Give (x, y) in m/s^2, (0, 0) for none."
-        self._gravity = vector(gravity, "gravity", "the scene", remedy, at=("gravity",))
-        self._name = checked_text(name, "name")
-        self._says = checked_text(" ".join(says.split()) if isinstance(says, str) else says, "says")
-        self._duration = None if duration is None else checked_duration(duration)
-        self._bodies: list[Body] = []
-        self._shown: tuple[Body, ...] = ()  # the same, as they were last asked for
-        self._index: dict[str, int] = {}
-        self._of_pairs: dict[tuple[int, int], float] = {}
-        self._friction_of_pairs: dict[tuple[int, int], float] = {}
-        self._springs: list[Spring] = []
-        self._attraction: float | None = None
-        self._fields: list[ForceField] = []
-
-    @property
-    def gravity(self) -> Vector:
-        """The same for all bodies, m/s^2."""
-        return self._gravity
-
-    @property
-    def name(self) -> str:
-        """What it is called; empty if nothing."""
-        return self._name
-
-    @property
-    def says(self) -> str:
-        """What is to be seen in it, on one line."""
-        return self._says
-
-    @property
-    def duration(self) -> float | None:
-        """How long it is worth looking at, s."""
-        return self._duration
-
-    @property
-    def bodies(self) -> tuple[Body, ...]:
-        """All bodies, static ones too, in the order of adding."""
-        if len(self._shown) != len(self._bodies):
-            self._shown = tuple(self._bodies)
-        return self._shown
-
-    @property
-    def restitution_of_pairs(self) -> dict[tuple[int, int], float]:
-        """The restitutions that were set for pairs, by index, the lower one first, in order."""
-        return dict(sorted(self._of_pairs.items()))
-
-    @property
-    def friction_of_pairs(self) -> dict[tuple[int, int], float]:
-        """The coefficients of friction that were set for pairs, likewise."""
-        return dict(sorted(self._friction_of_pairs.items()))
-
-    @property
-    def springs(self) -> tuple[Spring, ...]:
-        """All springs, in the order of adding."""
-        return tuple(self._springs)
-
-    @property
-    def attraction(self) -> float | None:
-        """The gravitational constant if the bodies attract each other, m^3/(kg s^2)."""
-        return self._attraction
-
-    @property
-    def fields(self) -> tuple[ForceField, ...]:
-        """All force fields, in the order of adding."""
-        return tuple(self._fields)
+        super().__init__(
+            vector(gravity, "gravity", "the scene", remedy, at=("gravity",)),
+            checked_text(name, "name"),
+            checked_text(" ".join(says.split()) if isinstance(says, str) else says, "says"),
+            None if duration is None else checked_duration(duration),
+        )
 
     def loads_constant(self, body: int) -> bool:
         """Whether all that acts on a body, given by its index, is the same at all times."""
@@ -355,82 +294,9 @@ class Scene:
         self._fields.append(field)
         return len(self._fields) - 1
 
-    def restitution(self, i: int, j: int) -> float:
-        """Return the restitution with which bodies i and j part.
-
-        It is what was set for the pair, else what their own make of it (`pair_restitution`), else
-        the one that only one of them states.
-
-        Raises:
-            SceneError: nothing states it (R3).
-        """
-        if (set_for_pair := self._of_pairs.get((min(i, j), max(i, j)))) is not None:
-            return set_for_pair
-        own = (self._bodies[i].restitution, self._bodies[j].restitution)
-        stated = [value for value in own if value is not None]
-        if not stated:
-            raise SceneError(
-                f"restitution of the pair {self._pair(i, j)}: not stated, and they can meet (R3). "
-                "Give one of them a restitution, or set it for the pair."
-            )
-        return float(definitions.pair_restitution(stated[0], stated[-1]))
-
-    def friction(self, i: int, j: int) -> float:
-        """Return the coefficient of friction between bodies i and j.
-
-        It is what was set for the pair, else what their own make of it (`pair_friction`), else the
-        one that only one of them states, and 0 where nothing does.
-        """
-        if (set_for_pair := self._friction_of_pairs.get((min(i, j), max(i, j)))) is not None:
-            return set_for_pair
-        first, second = self._bodies[i].friction, self._bodies[j].friction
-        if first is None or second is None:
-            return first or second or 0.0
-        return float(definitions.pair_friction(first, second))
-
-    def collides(self, i: int, j: int) -> bool:
-        """Return whether bodies i and j may touch, by their groups, categories and masks.
-
-        Two of the same group, if that is not 0, do where it is positive and do not where it is
-        negative. Any others do if each one's category shares a bit with the other's mask.
-        """
-        return may_touch(self._bodies[i], self._bodies[j])
-
-    def index(self, body: int | str) -> int:
-        """Return the index of a body given by its index or name; raise `InputError` if none."""
-        if isinstance(body, str):
-            if body in self._index:
-                return self._index[body]
-        elif isinstance(body, Integral) and not isinstance(body, bool):
-            k = int(body)
-            if 0 <= k < len(self._bodies):
-                return k
-        names = shown(list(self._index))
-        raise RuleError(
-            f"body {shown(body)}: the scene has none such (R1). Name one of {names}.", "bodies"
-        )
-
     def digest(self) -> str:
         """Return the SHA-256 of the scene's text: equal scenes have equal digests."""
-        from tamias2d.scene.writing import scene_text
-
         return hashlib.sha256(scene_text(self).encode()).hexdigest()
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Scene):
-            return False
-        return self.bodies == other.bodies and vars(self) == vars(other)  # asking sets `_shown`
-
-    __hash__ = None  # type: ignore[assignment]  # bodies can still be added
-
-    def __len__(self) -> int:
-        return len(self._bodies)
-
-    def __iter__(self) -> Iterator[Body]:
-        return iter(self.bodies)
-
-    def __repr__(self) -> str:
-        return f"<Scene {self.name!r} of {len(self)} bodies>"
 
     def _two(self, first: int | str, second: int | str) -> tuple[int, int]:
         """Return the indices of two bodies, the lower one first."""
@@ -440,9 +306,6 @@ class Scene:
                 f"pair of '{self._bodies[i].name}' with itself (R3). Name two bodies.", "bodies"
             )
         return i, j
-
-    def _pair(self, i: int, j: int) -> str:
-        return f"'{self._bodies[i].name}' and '{self._bodies[j].name}'"
 
     def _append(self, body: Body) -> int:
         self._index[body.name] = len(self._bodies)
@@ -485,12 +348,3 @@ def _surface(
         "group": checked_whole(group, "group", of),
         "sensor": checked_sensor(sensor, of),
     }
-
-
-def checked_scene(value: object) -> Scene:
-    """Return what is a scene, or raise `RuleError`."""
-    if not isinstance(value, Scene):
-        raise RuleError(
-            f"scene: found {shown(value)}: must be a Scene (R1). Make one, or load one.", "scene"
-        )
-    return value

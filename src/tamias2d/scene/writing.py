@@ -15,7 +15,7 @@ from tamias2d.scene.filters import ALL
 from tamias2d.scene.forms import SECTIONS
 from tamias2d.scene.law import Law
 from tamias2d.scene.rules import Vector
-from tamias2d.scene.scene import Scene, checked_scene
+from tamias2d.scene.scene_data import SceneData, checked_scene
 from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segment
 from tamias2d.scene.springs import Spring
 from tamias2d.suggestions import suggests
@@ -24,12 +24,12 @@ _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 
 @suggests
-def scene_text(scene: Scene) -> str:
+def scene_text(scene: SceneData) -> str:
     """Return the scene as YAML, every value with all its digits and its unit."""
     return "\n".join(_lines(checked_scene(scene))) + "\n"
 
 
-def _lines(scene: Scene) -> Iterator[str]:
+def _lines(scene: SceneData) -> Iterator[str]:
     if scene.name:
         yield f"name: {_text(scene.name)}"
     if scene.says:
@@ -136,7 +136,7 @@ def _part(part: Part) -> Iterator[str]:
         yield f"orientation: {_quantity(part.orientation, 'orientation')}"
 
 
-def _pairs(key: str, scene: Scene, values: dict[tuple[int, int], float]) -> Iterator[str]:
+def _pairs(key: str, scene: SceneData, values: dict[tuple[int, int], float]) -> Iterator[str]:
     if values:
         yield f"{key}_of_pairs:"
     for (i, j), value in values.items():
@@ -144,7 +144,7 @@ def _pairs(key: str, scene: Scene, values: dict[tuple[int, int], float]) -> Iter
         yield f"  - {{bodies: [{names}], {key}: {value!r}}}"
 
 
-def _acting(scene: Scene) -> Iterator[str]:
+def _acting(scene: SceneData) -> Iterator[str]:
     if scene.springs:
         yield "springs:"
     for spring in scene.springs:
@@ -161,7 +161,7 @@ def _acting(scene: Scene) -> Iterator[str]:
         yield from (f"    {line}" for line in lines[1:])
 
 
-def _spring(scene: Scene, spring: Spring) -> Iterator[str]:
+def _spring(scene: SceneData, spring: Spring) -> Iterator[str]:
     names = [_text(scene.bodies[k].name) for k in spring.bodies]
     if spring.second is None:
         yield f"body: {names[0]}"
@@ -178,7 +178,7 @@ def _spring(scene: Scene, spring: Spring) -> Iterator[str]:
         yield f"other_anchor: {_vector(spring.other_anchor, 'arm')}"
 
 
-def _field(scene: Scene, field: ForceField) -> Iterator[str]:
+def _field(scene: SceneData, field: ForceField) -> Iterator[str]:
     yield _force(field.force)
     if field.torque:
         yield f"torque: {_law(field.torque, 'torque')}"

@@ -25,7 +25,7 @@ from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
 from tamias2d.scene.reading import read_scene
 from tamias2d.scene.rules import RuleError, number, shown
-from tamias2d.scene.scene import checked_scene
+from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
 from tamias2d.simulator.acting import Acting
 from tamias2d.simulator.adding import Shapes, added_batch

@@ -26,7 +26,7 @@ from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.rules import number
-from tamias2d.scene.scene import checked_scene
+from tamias2d.scene.scene_data import checked_scene
 from tamias2d.study.pilot import Estimate, Pilot
 from tamias2d.suggestions import suggests
 
