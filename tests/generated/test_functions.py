@@ -475,6 +475,16 @@ def test_shift_carried_is_dd49(**given: Value) -> None:
 
 
 @given(
+    restitution=values("restitution"),
+    impulse=values("impulse"),
+    normal_velocity=values("normal_velocity"),
+)
+def test_energy_loss_is_dd50(**given: Value) -> None:
+    """DD50, srs/definitions.md:544."""
+    agrees(definitions.energy_loss, "-(1 - restitution)*impulse*normal_velocity/2", given)
+
+
+@given(
     center_a=values("center_a"),
     width_a=values("width_a"),
     height_a=values("height_a"),

@@ -1,7 +1,7 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
 of a capsule; Bodies of several parts; Acceleration by inverse mass; Flow through a step;
 Momentum; Restitution of a pair; Contact of two vertices; Tangential velocity of a contact;
-Friction of a pair; Kinetic energy; Potential energy.
+Friction of a pair; Kinetic energy; Potential energy; Energy lost in an impact.
 
 Generated from srs/definitions.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -506,3 +506,20 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
     gravity_x, gravity_y = gravity
     position_x, position_y = position
     return (-mass) * (gravity_x * position_x + gravity_y * position_y)
+
+
+def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -> Scalar:
+    """Energy that an impact takes from two bodies (J).
+
+    energy_loss = -(1 - restitution)*impulse*normal_velocity/2
+
+    Args:
+        restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost), 1
+        impulse: Size of the impulse of a contact along its normal, N*s
+        normal_velocity: Rate at which the contact opens, along the normal; negative when the
+            bodies approach, m/s
+
+    Source: DD50, srs/definitions.md:550.
+    """
+    return (-(1 - restitution)) * impulse * normal_velocity / 2
