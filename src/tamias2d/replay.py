@@ -1,24 +1,17 @@
-"""Look at a recording, or compute it again and compare every bit.
-
-Serves: the command `replay`. Hides: how a run is computed again.
-"""
-
-from __future__ import annotations
+"""Look at a recording, or compute it again and compare every bit."""
 
 import tempfile
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from tamias2d.certificate import Certificate
 from tamias2d.errors import InputError, RecordingError, SimulationError
 from tamias2d.record import files, header as headers, history
 from tamias2d.record.difference import Difference, first_difference
-from tamias2d.simulate import simulate
-
-if TYPE_CHECKING:
-    from tamias2d.record.header import Header
-    from tamias2d.run import Run
+from tamias2d.record.header import Header
+from tamias2d.run import Run
+from tamias2d.solve import solve
+from tamias2d.study.certify import certify
 
 
 @dataclass(frozen=True)
@@ -41,7 +34,7 @@ def check(path: str | Path) -> Check:
         RecordingError: the file is missing, cut, damaged or of another program.
     """
     header, arrays = files.stored(Path(path))
-    recorded = history.run_of(header, arrays, where=str(path))
+    recorded = Run(**vars(history.run_of(header, arrays, where=str(path))))
     recomputed = _again(recorded, where=str(path))
     difference = first_difference(recorded, recomputed)
     fault = _fault(header, recorded, difference) or _certificate_fault(recorded, recomputed)
@@ -70,8 +63,6 @@ def _certificate_fault(recorded: Run, recomputed: Run) -> str:
     claimed = recorded.certificate
     if claimed is None:
         return ""
-    from tamias2d.study.certify import certify
-
     made = certify(recomputed).certificate
     for field in fields(Certificate):
         ours, theirs = getattr(claimed, field.name), getattr(made, field.name)
@@ -95,7 +86,7 @@ def _further(header: Header) -> str:
 def _again(recorded: Run, *, where: str) -> Run:
     """Simulate as recorded; a run that was refused half-way is compared as far as it came."""
     try:
-        return simulate(
+        return solve(
             recorded.scene,
             duration=recorded.duration,
             method=recorded.method,

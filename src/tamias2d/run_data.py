@@ -1,18 +1,13 @@
-"""What a simulation gives back: the history of a scene, its impacts and its balance.
-
-Serves: users, recordings, verification. Hides: how impacts are kept and the balance is summed up.
-"""
+"""The numbers of a run: the history of a scene, its impacts and its balance."""
 
 import hashlib
 from dataclasses import dataclass, fields
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.certificate import Certificate
 from tamias2d.cost import Cost
-from tamias2d.errors import InputError
 from tamias2d.motion import Method
 from tamias2d.scene import Scene
 from tamias2d.state import Array
@@ -22,8 +17,8 @@ from tamias2d.state import Array
 class Impacts:
     """The m impacts of a run, in the order in which they happened.
 
-    A pair that meets with a whole side gives one entry for each end of what touches, with the
-    same time.
+    A pair that meets with a whole side gives one entry for each end of the side that touches, both
+    at the same time.
     """
 
     time: Array
@@ -44,7 +39,7 @@ class Impacts:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Run:
+class RunData:
     """The history of n bodies, static ones too and in the scene's order, at k times. SI units."""
 
     scene: Scene
@@ -91,19 +86,3 @@ class Run:
                     total.update(f"{field.name}{value.shape}".encode())
                     total.update(np.ascontiguousarray(value).tobytes())
         return total.hexdigest()
-
-    def save(self, path: str | Path) -> None:
-        """Write the run as a recording (.rrd) or as plain arrays (.npz).
-
-        Raises:
-            InputError: the name ends in neither.
-            RecordingError: it cannot be written.
-        """
-        path = Path(path)
-        if path.suffix not in (".rrd", ".npz"):
-            raise InputError(
-                f"{path}: a run is saved as .rrd or .npz (R5). Give the name one of these endings."
-            )
-        from tamias2d.record import save
-
-        save(self, path)

@@ -7,7 +7,8 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.certificate import Certificate, from_json
-from tamias2d.record import check, load
+from tamias2d.replay import check
+from tamias2d.run import load
 from tamias2d.study.error import history_error
 
 

@@ -169,7 +169,7 @@ def test_shaken_disc_meets_a_wall(method):
         lambda y: 2.5 - y[0],
         3.0,
     )
-    step = 1e-3 if method.stepped else None
+    step = 1e-3 if method.fixed_step else None
     run = t2.simulate(scene, duration=time + 1e-3, method=method, time_step=step)
     check(run, time)
     assert run.impacts.normal_velocity[0] == pytest.approx(-state[2], abs=1e-8)

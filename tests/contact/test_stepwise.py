@@ -24,6 +24,6 @@ def test_it_is_named(what: str, method: t2.Reference | t2.VelocityVerlet) -> Non
     scene = t2.Scene(gravity=(0, 0))
     scene.add_body(DISC, mass=1, position=(0, 0))
     ADDED[what](scene)
-    step = 0.1 if method.stepped else None
+    step = 0.1 if method.fixed_step else None
     with pytest.raises(t2.SceneError, match=rf"body 'odd': it (is a|is|has) {what}.*Simulator"):
         t2.simulate(scene, duration=1.0, method=method, time_step=step)

@@ -234,6 +234,16 @@ def test_potential_energy_is_dd16(**given: Value) -> None:
     agrees(definitions.potential_energy, "-mass*dot(gravity, position)", given)
 
 
+@given(
+    restitution=values("restitution"),
+    impulse=values("impulse"),
+    normal_velocity=values("normal_velocity"),
+)
+def test_energy_loss_is_dd60(**given: Value) -> None:
+    """DD60, srs/definitions.md:544."""
+    agrees(definitions.energy_loss, "-(1 - restitution)*impulse*normal_velocity/2", given)
+
+
 @given(position=values("position"), shift=values("shift"), fraction=values("fraction"))
 def test_position_later_is_gd14(**given: Value) -> None:
     """GD14, srs/models/continuous_collision.md:23."""
@@ -472,16 +482,6 @@ def test_shift_carried_is_dd49(**given: Value) -> None:
     agrees(
         continuous_collision.shift_carried, "shift + cross(turn, span) - inward_share*span", given
     )
-
-
-@given(
-    restitution=values("restitution"),
-    impulse=values("impulse"),
-    normal_velocity=values("normal_velocity"),
-)
-def test_energy_loss_is_dd50(**given: Value) -> None:
-    """DD50, srs/definitions.md:544."""
-    agrees(definitions.energy_loss, "-(1 - restitution)*impulse*normal_velocity/2", given)
 
 
 @given(

@@ -892,7 +892,7 @@ def test_range_of_kinetic_energy() -> None:
 
 
 def test_range_of_linear_energy() -> None:
-    """srs/symbols.md:882: >= 0."""
+    """srs/symbols.md:886: >= 0."""
     symbol = SYMBOLS["linear_energy"]
     assert all(
         symbol.admits(value)
@@ -905,7 +905,7 @@ def test_range_of_linear_energy() -> None:
 
 
 def test_range_of_turning_energy() -> None:
-    """srs/symbols.md:887: >= 0."""
+    """srs/symbols.md:891: >= 0."""
     symbol = SYMBOLS["turning_energy"]
     assert all(
         symbol.admits(value)
@@ -918,7 +918,7 @@ def test_range_of_turning_energy() -> None:
 
 
 def test_range_of_bias_energy() -> None:
-    """srs/symbols.md:892: >= 0."""
+    """srs/symbols.md:896: >= 0."""
     symbol = SYMBOLS["bias_energy"]
     assert all(
         symbol.admits(value)
@@ -931,7 +931,7 @@ def test_range_of_bias_energy() -> None:
 
 
 def test_range_of_change_energy() -> None:
-    """srs/symbols.md:901: >= 0."""
+    """srs/symbols.md:905: >= 0."""
     symbol = SYMBOLS["change_energy"]
     assert all(
         symbol.admits(value)
@@ -944,7 +944,7 @@ def test_range_of_change_energy() -> None:
 
 
 def test_range_of_energy_room() -> None:
-    """srs/symbols.md:910: >= 0."""
+    """srs/symbols.md:914: >= 0."""
     symbol = SYMBOLS["energy_room"]
     assert all(
         symbol.admits(value)
@@ -957,7 +957,7 @@ def test_range_of_energy_room() -> None:
 
 
 def test_range_of_energy_root() -> None:
-    """srs/symbols.md:920: >= 0."""
+    """srs/symbols.md:924: >= 0."""
     symbol = SYMBOLS["energy_root"]
     assert all(
         symbol.admits(value)
@@ -970,7 +970,7 @@ def test_range_of_energy_root() -> None:
 
 
 def test_range_of_kept_share() -> None:
-    """srs/symbols.md:925: [0, 1]."""
+    """srs/symbols.md:929: [0, 1]."""
     symbol = SYMBOLS["kept_share"]
     assert all(
         symbol.admits(value)
@@ -985,7 +985,7 @@ def test_range_of_kept_share() -> None:
 
 
 def test_range_of_calm_share() -> None:
-    """srs/symbols.md:930: [0, 1]."""
+    """srs/symbols.md:934: [0, 1]."""
     symbol = SYMBOLS["calm_share"]
     assert all(
         symbol.admits(value)
@@ -1000,35 +1000,35 @@ def test_range_of_calm_share() -> None:
 
 
 def test_range_of_radius() -> None:
-    """srs/symbols.md:951: > 0."""
+    """srs/symbols.md:955: > 0."""
     symbol = SYMBOLS["radius"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_length() -> None:
-    """srs/symbols.md:956: > 0."""
+    """srs/symbols.md:960: > 0."""
     symbol = SYMBOLS["length"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_width() -> None:
-    """srs/symbols.md:963: > 0."""
+    """srs/symbols.md:967: > 0."""
     symbol = SYMBOLS["width"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_height() -> None:
-    """srs/symbols.md:968: > 0."""
+    """srs/symbols.md:972: > 0."""
     symbol = SYMBOLS["height"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))
 
 
 def test_range_of_area() -> None:
-    """srs/symbols.md:987: > 0."""
+    """srs/symbols.md:991: > 0."""
     symbol = SYMBOLS["area"]
     assert all(symbol.admits(value) for value in (5e-324,))
     assert not any(symbol.admits(value) for value in (inf, -inf, nan, 0.0, -5e-324))

@@ -20,7 +20,7 @@ from tamias2d.motion import (
     VelocityVerlet,
     Yoshida4,
 )
-from tamias2d.motion.stepped import grid
+from tamias2d.motion.fixed_steps import grid
 from tamias2d.scene import Scene, catalogue
 
 METHODS = [ExplicitEuler(), SemiImplicitEuler(), VelocityVerlet(), RungeKutta4(), Yoshida4()]

@@ -8,9 +8,9 @@ import pytest
 import tamias2d as t2
 from tamias2d.generated import schemes
 from tamias2d.motion.adaptive import Adaptive, Tolerance
+from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.methods import Method
 from tamias2d.motion.motion import Tally
-from tamias2d.motion.watched import Watched
 from tamias2d.state import Array
 
 PAIRS = [t2.DormandPrince5, t2.Dop853]
@@ -93,7 +93,7 @@ def test_path_within_a_step(name: str, orders: tuple[int, ...]) -> None:
         return -position
 
     start = np.array([[1.0, 0.0, 0.5]]), np.array([[0.3, 1.0, -0.2]])
-    watched = Watched(field, [0], [None], Tally())
+    watched = MemoisedField(field, [0], [None], Tally())
     steps = Adaptive(
         name,
         getattr(schemes, name),

@@ -9,7 +9,7 @@ import tamias2d as t2
 from tamias2d.contact import RangeError, located
 from tamias2d.contact.refusal import UndecidedContactError
 from tamias2d.errors import InputError
-from tamias2d.simulate import Interrupted
+from tamias2d.solve import Interrupted
 
 
 def drifting(position: float = 0.0, velocity: float = 1e-9) -> t2.Scene:

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 import tamias2d as t2
 from tamias2d.motion.methods import Method
-from tamias2d.verify.schemes import FixedSteps
+from tamias2d.verify.schemes import EqualSteps
 
 Flow = Callable[[float, float, float, float], tuple[float, float]]
 """From time, gap and its rate at that time to both at a later time."""
@@ -140,7 +140,7 @@ def test_order_five_at_impacts_within_equal_steps() -> None:
                 scene,
                 duration,
                 wanted,
-                method=FixedSteps("dormand_prince_5"),
+                method=EqualSteps("dormand_prince_5"),
                 time_step=duration / (12 * 2**k),
             )
             for k in range(5)

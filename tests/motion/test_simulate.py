@@ -6,7 +6,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.contact import Located
 from tamias2d.errors import InputError
-from tamias2d.simulate import Interrupted
+from tamias2d.solve import Interrupted
 
 
 def falling() -> t2.Scene:
@@ -83,7 +83,7 @@ def test_an_impact_belongs_to_the_time_after_it():
 
 @pytest.mark.parametrize("method", [t2.VelocityVerlet(), t2.RungeKutta4(), t2.Reference()])
 def test_impacts_are_located_between_the_steps_of_any_method(method):
-    step = 0.1 if method.stepped else None
+    step = 0.1 if method.fixed_step else None
     exact = t2.simulate(falling(), duration=6.0)
     run = t2.simulate(falling(), duration=6.0, method=method, time_step=step)
     count = 8

@@ -7,12 +7,12 @@ import pytest
 
 import tamias2d as t2
 
-STEPPED = [t2.ExplicitEuler(), t2.SemiImplicitEuler(), t2.VelocityVerlet(), t2.RungeKutta4()]
+FIXED_STEP = [t2.ExplicitEuler(), t2.SemiImplicitEuler(), t2.VelocityVerlet(), t2.RungeKutta4()]
 EXACT = [t2.ClosedForm(), t2.Reference(), t2.VelocityVerlet(), t2.RungeKutta4()]
 
 
 def run(scene: t2.Scene, duration: float, method, count: int = 60, **more) -> t2.Run:
-    step = duration / count if method.stepped else None
+    step = duration / count if method.fixed_step else None
     return t2.simulate(scene, duration=duration, method=method, time_step=step, **more)
 
 
@@ -30,7 +30,7 @@ def test_constant_force(method):
     assert last.velocity[-1, 0].tolist() == pytest.approx([4, -2], abs=2e-12)
 
 
-@pytest.mark.parametrize(("method", "sign"), [(STEPPED[0], -1), (STEPPED[1], 1)])
+@pytest.mark.parametrize(("method", "sign"), [(FIXED_STEP[0], -1), (FIXED_STEP[1], 1)])
 def test_constant_of_the_euler_errors(method, sign):
     """A1: the error is a h T/2, exactly, below or above."""
     last = run(pushed(), 2.0, method, 50)
@@ -94,14 +94,14 @@ def shaken_error(history: t2.Run) -> float:
     )
 
 
-@pytest.mark.parametrize(("method", "order"), list(zip(STEPPED, (1, 1, 2, 4), strict=True)))
+@pytest.mark.parametrize(("method", "order"), list(zip(FIXED_STEP, (1, 1, 2, 4), strict=True)))
 def test_orders(method, order):
     errors = [shaken_error(run(shaken(), 3.3, method, 40 * 2**k)) for k in range(5)]
     found = np.log2(np.array(errors[:-1]) / errors[1:])
     assert found == pytest.approx(order, abs=0.1)
 
 
-@pytest.mark.parametrize("method", STEPPED)
+@pytest.mark.parametrize("method", FIXED_STEP)
 def test_between_steps_the_order_is_kept(method):
     times = np.linspace(0, 3.3, 101)
     coarse, fine = (
@@ -117,7 +117,7 @@ def test_reference_is_taken_where_loads_vary():
     assert shaken_error(history) < 2e-11
 
 
-@pytest.mark.parametrize("method", [t2.ClosedForm(), *STEPPED])
+@pytest.mark.parametrize("method", [t2.ClosedForm(), *FIXED_STEP])
 def test_rotated_scene_has_the_rotated_answer(method):
     """A2, metamorphic: directions are all alike."""
 

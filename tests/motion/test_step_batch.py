@@ -6,10 +6,10 @@ import pytest
 import tamias2d as t2
 from tamias2d.generated import schemes
 from tamias2d.motion import Method, integrated
+from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import start_states
-from tamias2d.motion.stepped import Grid
-from tamias2d.motion.strides import Steps
+from tamias2d.motion.step_batch import BatchPath
 
 
 def bouncing(loads: bool) -> t2.Scene:
@@ -43,7 +43,7 @@ def test_many_steps_at_once_are_the_same_run(
     assert np.allclose(run.position[-1], single.position[-1], rtol=0, atol=1e-10)
 
 
-def strides() -> tuple[IntegratedMotion, Steps]:
+def batch() -> tuple[IntegratedMotion, BatchPath]:
     scene = t2.Scene(gravity=(0.0, 0.0))
     scene.add_body(
         None,
@@ -54,16 +54,16 @@ def strides() -> tuple[IntegratedMotion, Steps]:
         angular_velocity=2.0,
     )
     scene.add_spring(0, (0.0, 0.0), stiffness=30.0, rest_length=0.4, anchor=(0.1, 0.0))
-    motion = IntegratedMotion(scene, 2.0, Grid(schemes.runge_kutta_4, 2.0, 0.05))
+    motion = IntegratedMotion(scene, 2.0, FixedSteps(schemes.runge_kutta_4, 2.0, 0.05))
     motion._since = 60
     end, (path,) = motion.segment(0.0, start_states(scene), [None])
     assert end == pytest.approx(30 * 0.05)
-    assert isinstance(path, Steps)
+    assert isinstance(path, BatchPath)
     return motion, path
 
 
 def test_bounds_hold_over_every_part_of_many_steps() -> None:
-    _, path = strides()
+    _, path = batch()
     random = np.random.default_rng(3)
     for first, last in np.sort(random.uniform(0, 1.5, (60, 2)), axis=1).tolist():
         bounds = path.bounds(first, last)
@@ -78,7 +78,7 @@ def test_bounds_hold_over_every_part_of_many_steps() -> None:
 
 
 def test_the_path_is_smooth_from_step_to_step_and_ends_where_it_is_cut() -> None:
-    _, path = strides()
+    _, path = batch()
     for time in (0.05, 0.4, 1.45):
         before, after = path.at(np.nextafter(time, 0)), path.at(np.nextafter(time, 2))
         assert np.allclose(before.position, after.position, rtol=0, atol=1e-14)

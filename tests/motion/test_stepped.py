@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d import record
+from tamias2d import replay
 from tamias2d.contact import LastingContactError, OverlapError, SimultaneousImpactsError
 from tamias2d.motion import ClosedForm, Stepped
-from tamias2d.simulate import Interrupted
+from tamias2d.solve import Interrupted
 from tamias2d.study.certify import certify
 from tamias2d.study.error import apart, scale
 
@@ -152,7 +152,7 @@ def test_a_recording_is_computed_again_to_the_bit(tmp_path: Path, suffix: str) -
     run = t2.simulate(t2.catalogue.load("dominoes"), duration=1.0)
     assert len(run.impacts)
     run.save(tmp_path / f"run{suffix}")
-    answer = record.check(tmp_path / f"run{suffix}")
+    answer = replay.check(tmp_path / f"run{suffix}")
     assert answer.identical, answer.says
 
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d import record
+from tamias2d import record, replay
 
 SUFFIXES = [".rrd", ".npz"]
 
@@ -38,7 +38,7 @@ def python(code: str) -> subprocess.CompletedProcess[str]:
 def refusal(path: Path) -> str:
     """The message with which a check refuses a file: one line that begins with its name."""
     with pytest.raises(t2.RecordingError) as caught:
-        record.check(path)
+        replay.check(path)
     assert str(caught.value).startswith(f"{path}: ")
     assert "\n" not in str(caught.value)
     return str(caught.value)
@@ -80,7 +80,7 @@ def test_flipped_bits_are_an_answer_or_a_message(
             damaged[chance.randrange(len(damaged))] ^= 1 << chance.randrange(8)
         path.write_bytes(damaged)
         with contextlib.suppress(t2.RecordingError):
-            record.check(path)
+            replay.check(path)
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
@@ -93,7 +93,7 @@ def test_a_missing_file_and_a_directory(tmp_path: Path, suffix: str) -> None:
 
 @pytest.mark.parametrize("name", ["run.txt", "run", "run.RRD", ".npz"])
 def test_an_unknown_suffix_names_the_two(run: t2.Run, tmp_path: Path, name: str) -> None:
-    for attempt in (lambda p: record.save(run, p), record.load, record.check, record.replay):
+    for attempt in (lambda p: record.save(run, p), record.load, replay.check, replay.replay):
         with pytest.raises(t2.InputError, match=r"\.rrd .*\.npz"):
             attempt(tmp_path / name)
 
@@ -242,10 +242,11 @@ def test_without_rerun(run: t2.Run, tmp_path: Path, missing: str) -> None:
         from pathlib import Path
         sys.modules[{missing!r}] = None
         import tamias2d as t2
-        from tamias2d import record
+        from tamias2d import replay
+        from tamias2d.run import load
         folder = Path({str(tmp_path)!r})
-        run = record.load(folder / "run.npz")
-        for attempt, name in ((run.save, "run.rrd"), (record.replay, "run.npz")):
+        run = load(folder / "run.npz")
+        for attempt, name in ((run.save, "run.rrd"), (replay.replay, "run.npz")):
             try:
                 attempt(folder / name)
             except t2.RecordingError as fault:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d import record
+from tamias2d import record, replay
 from tamias2d.record import header as headers
 from tamias2d.record.difference import first_difference
 from tamias2d.record.history import OF_BODIES, TOTALS
@@ -21,7 +21,7 @@ from .conftest import RUNS, with_impacts
 def test_an_honest_recording_is_identical(tmp_path: Path, suffix: str, name: str) -> None:
     path = tmp_path / f"run{suffix}"
     RUNS[name]().save(path)
-    answer = record.check(path)
+    answer = replay.check(path)
     assert answer.identical
     assert answer.difference is None
     assert f"{path}: identical" in answer.says
@@ -40,7 +40,7 @@ def test_one_bit_is_found(run: t2.Run, tmp_path: Path, suffix: str, quantity: st
     place = (17, 2, 1)[: array.ndim] if quantity in OF_BODIES else (17, 1)[: array.ndim]
     path = tmp_path / f"run{suffix}"
     replace(run, **{quantity: one_bit(array, place)}).save(path)
-    answer = record.check(path)
+    answer = replay.check(path)
     assert not answer.identical
     assert answer.difference is not None
     assert answer.difference.time == run.times[17]
@@ -115,7 +115,7 @@ def test_a_changed_input_is_found(run: t2.Run, tmp_path: Path) -> None:
     stored = dict(np.load(path))
     stored["header"] = np.array(str(stored["header"]).replace("-9.81 m", "-9.80 m"))
     np.savez(path, **stored)
-    answer = record.check(path)
+    answer = replay.check(path)
     assert not answer.identical
     assert answer.difference is not None
     assert (answer.difference.time, answer.difference.quantity) == (0.0, "energy")
@@ -126,14 +126,14 @@ def test_changed_by_hand_or_by_another_version(
 ) -> None:
     path = tmp_path / "run.npz"
     replace(run, energy=one_bit(run.energy, (0,))).save(path)
-    assert "the program has changed" in record.check(path).says
+    assert "the program has changed" in replay.check(path).says
     stored = dict(np.load(path))
     here = headers.versions()
     monkeypatch.setattr(headers, "versions", lambda: {**here, "numpy": "0.1"})
-    assert f"recorded with numpy {np.__version__}, now 0.1" in record.check(path).says
+    assert f"recorded with numpy {np.__version__}, now 0.1" in replay.check(path).says
     stored["energy"][7] = 0.0
     np.savez(path, **stored)
-    assert "it was changed after it was recorded" in record.check(path).says
+    assert "it was changed after it was recorded" in replay.check(path).says
 
 
 def test_what_the_viewer_draws_is_not_the_history(run: t2.Run, tmp_path: Path) -> None:

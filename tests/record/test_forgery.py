@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d import archive, record
+from tamias2d import archive, record, replay
 from tamias2d.record import header as headers, history
 
 
@@ -40,7 +40,7 @@ def test_an_honest_certificate_is_computed_again(
 ) -> None:
     path = tmp_path / f"run{suffix}"
     certified.save(path)
-    answer = record.check(path)
+    answer = replay.check(path)
     assert answer.identical
     assert "its certificate, computed again, is the same" in answer.says
 
@@ -60,7 +60,7 @@ def test_a_forged_certificate_is_found_though_its_digest_fits(
 ) -> None:
     path = tmp_path / "run.npz"
     certified.save(path)
-    answer = record.check(forged(path, CLAIMS[name], sealed=True))
+    answer = replay.check(forged(path, CLAIMS[name], sealed=True))
     assert not answer.identical
     assert f"its certificate differs: {name}: recorded" in answer.says
 
@@ -71,7 +71,7 @@ def test_a_certificate_that_was_put_there_is_found(certified: t2.Run, tmp_path: 
     t2.simulate(certified.scene, duration=1.0, method=t2.ExplicitEuler(), time_step=0.01).save(path)
     assert certified.certificate is not None
     claim = certified.certificate.as_json()
-    answer = record.check(
+    answer = replay.check(
         forged(path, lambda values: values.update(certificate=claim), sealed=True)
     )
     assert "its certificate differs" in answer.says
@@ -89,8 +89,8 @@ def test_the_digest_covers_the_header(certified: t2.Run, tmp_path: Path, name: s
     path = tmp_path / "run.npz"
     certified.save(path)
     forged(path, CHANGES[name], sealed=False)
-    assert not record.check(path).identical
-    assert "it was changed after it was recorded" in record.check(path).says
+    assert not replay.check(path).identical
+    assert "it was changed after it was recorded" in replay.check(path).says
     with pytest.raises(t2.RecordingError, match="was changed after it was recorded"):
         record.load(path)
 
@@ -103,7 +103,7 @@ def test_an_old_recording_is_read_with_a_word(certified: t2.Run, tmp_path: Path)
 
     path = tmp_path / "run.npz"
     certified.save(path)
-    answer = record.check(forged(path, older, sealed=False))
+    answer = replay.check(forged(path, older, sealed=False))
     assert answer.identical
     assert "its notes and versions (format 1) are covered by no digest" in answer.says
     assert record.load(path).digest() == certified.digest()

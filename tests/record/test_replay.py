@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import tamias2d as t2
-from tamias2d import record
+from tamias2d import replay
 
 pytest.importorskip("rerun")
 
@@ -37,7 +37,7 @@ def test_the_viewer_is_closed_to_the_network(
 ) -> None:
     path = tmp_path / f"run{suffix}"
     run.save(path)
-    record.replay(path)
+    replay.replay(path)
     ((command, environment),) = started
     assert Path(command[0]).name.startswith("rerun")
     assert Path(command[0]).parent.name == "rerun_cli"
@@ -51,7 +51,7 @@ def test_a_cut_recording_is_not_opened(run: t2.Run, tmp_path: Path, started: lis
     run.save(path)
     path.write_bytes(path.read_bytes()[:9000])
     with pytest.raises(t2.RecordingError, match="cut, damaged"):
-        record.replay(path)
+        replay.replay(path)
     assert not started
 
 
@@ -63,4 +63,4 @@ def test_without_a_screen_it_says_so(
         monkeypatch.delenv(name, raising=False)
     run.save(tmp_path / "run.rrd")
     with pytest.raises(t2.RecordingError, match=r"the viewer ended with code .*a screen and a"):
-        record.replay(tmp_path / "run.rrd")
+        replay.replay(tmp_path / "run.rrd")

@@ -10,8 +10,8 @@ from tamias2d.motion import ClosedForm, SemiImplicitEuler
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Disc, HalfPlane, Scene
 from tamias2d.simulate import simulate
+from tamias2d.study.event_errors import Errors, errors
 from tamias2d.study.graph import graph_distance
-from tamias2d.study.hybrid import Errors, errors
 from tamias2d.study.sampled import Sampled, sampled
 from tamias2d.study.truth import common_times, floor_of, truth_of
 

@@ -16,7 +16,7 @@ from tamias2d.motion import RungeKutta4
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
 from tamias2d.study import ways, work_precision
-from tamias2d.study.hybrid import Errors
+from tamias2d.study.event_errors import Errors
 from tamias2d.study.plot import plot
 from tamias2d.study.report import as_json, schema
 from tamias2d.study.truth import truth_of

@@ -132,7 +132,7 @@ def kepler(scene: Scene, times: Array) -> Array:
 
 def _tight(like: Run, position: Array, orientation: Array) -> Iterator[Claim]:
     for method in _TIGHT:
-        step = like.duration / _STEPS if method.stepped else None
+        step = like.duration / _STEPS if method.fixed_step else None
         try:
             run = simulate(
                 like.scene,

@@ -72,12 +72,12 @@ def seconds(text: str | None, *, option: str, symbol: str) -> float | None:
 def step_for(method: motion.Method | None, text: str | None) -> float | None:
     """The time step that was typed; InputError if the method needs one, or takes none."""
     step = seconds(text, option="--time-step", symbol="time_step")
-    if step is None and method is not None and method.stepped:
+    if step is None and method is not None and method.fixed_step:
         raise InputError(
             f"--time-step: found none: {method} needs one (R5). "
             "Give it, for example --time-step 0.01."
         )
-    if step is not None and (method is None or not method.stepped):
+    if step is not None and (method is None or not method.fixed_step):
         chosen = "without --method the way" if method is None else str(method)
         raise InputError(
             f"--time-step: {text!r}: {chosen} chooses its own steps and takes no time step (R5). "

@@ -5,15 +5,15 @@ Serves: the command `replay`. Hides: which part of the recorder answers.
 
 from pathlib import Path
 
-from tamias2d import record
+from tamias2d import replay
 from tamias2d.commands.output import say
 
 
 def replay_file(file: Path, *, check: bool) -> int:
     """Open the viewer, or say whether the run is identical; return the exit code, 1 if not."""
     if not check:
-        record.replay(file)
+        replay.replay(file)
         return 0
-    answer = record.check(file)
+    answer = replay.check(file)
     say(answer.says)
     return 0 if answer.identical else 1

@@ -16,7 +16,8 @@ from tamias2d.commands.output import command, error_text, figure, pair, print_js
 from tamias2d.errors import InputError, SimulationError, TamiasError
 from tamias2d.record.files import refuse_file
 from tamias2d.run import Run
-from tamias2d.simulate import Interrupted, simulate
+from tamias2d.simulate import simulate
+from tamias2d.solve import Interrupted
 
 _SHOWN = 5  # impacts
 _BODIES = 30  # whose states are shown

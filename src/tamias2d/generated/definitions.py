@@ -520,6 +520,6 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD50, srs/definitions.md:550.
+    Source: DD60, srs/definitions.md:550.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2

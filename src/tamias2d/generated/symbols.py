@@ -1354,13 +1354,21 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=873,
     ),
+    "energy_loss": Symbol(
+        "energy_loss",
+        "J",
+        "energy that an impact takes from two bodies",
+        tex="\\Delta E",
+        file="srs/symbols.md",
+        line=878,
+    ),
     "potential_energy": Symbol(
         "potential_energy",
         "J",
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=878,
+        line=882,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1369,7 +1377,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=882,
+        line=886,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1378,7 +1386,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=887,
+        line=891,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1387,7 +1395,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=892,
+        line=896,
     ),
     "work": Symbol(
         "work",
@@ -1395,7 +1403,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=897,
+        line=901,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1404,7 +1412,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=901,
+        line=905,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1412,7 +1420,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=906,
+        line=910,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1421,7 +1429,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=910,
+        line=914,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1429,7 +1437,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=915,
+        line=919,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1438,7 +1446,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=920,
+        line=924,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1447,7 +1455,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=925,
+        line=929,
     ),
     "calm_share": Symbol(
         "calm_share",
@@ -1456,7 +1464,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=930,
+        line=934,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1465,7 +1473,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=937,
+        line=941,
     ),
     "energy": Symbol(
         "energy",
@@ -1473,7 +1481,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=942,
+        line=946,
     ),
     "radius": Symbol(
         "radius",
@@ -1482,7 +1490,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=951,
+        line=955,
     ),
     "length": Symbol(
         "length",
@@ -1491,7 +1499,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=956,
+        line=960,
     ),
     "width": Symbol(
         "width",
@@ -1500,7 +1508,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=963,
+        line=967,
     ),
     "height": Symbol(
         "height",
@@ -1509,7 +1517,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=968,
+        line=972,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1518,7 +1526,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=973,
+        line=977,
     ),
     "center": Symbol(
         "center",
@@ -1527,7 +1535,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=978,
+        line=982,
     ),
     "offset": Symbol(
         "offset",
@@ -1535,7 +1543,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=983,
+        line=987,
     ),
     "area": Symbol(
         "area",
@@ -1544,7 +1552,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=987,
+        line=991,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1553,6 +1561,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=992,
+        line=996,
     ),
 }

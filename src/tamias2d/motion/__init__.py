@@ -1,21 +1,23 @@
-"""Smooth motion: how bodies move while nothing touches them, or while what touches them lasts.
+"""Smooth motion: how bodies move in free flight, or while a contact lasts.
 
-Service: the path of a body from a state and a time on, as a function of time with bounds on its
-derivatives. Secret: how that path is found (closed form, a scheme, scipy).
+Serves: the path of a body from a state and a time on, as a function of time with bounds on its
+derivatives. Hides: how that path is found (closed form, a scheme, scipy).
 """
 
 from tamias2d.motion.adaptive import StepSizeError
+from tamias2d.motion.legacy import Legacy2018
+from tamias2d.motion.method import Method
 from tamias2d.motion.methods import (
     ClosedForm,
     Dop853,
     DormandPrince5,
     ExplicitEuler,
     ExponentialDrag,
-    Legacy2018,
-    Method,
+    PathMethod,
     Reference,
     RungeKutta4,
     SemiImplicitEuler,
+    Solvable,
     Stepped,
     VelocityVerlet,
     Yoshida4,
@@ -34,10 +36,12 @@ __all__ = [
     "Legacy2018",
     "Method",
     "Motion",
+    "PathMethod",
     "Piece",
     "Reference",
     "RungeKutta4",
     "SemiImplicitEuler",
+    "Solvable",
     "StabilityError",
     "StepSizeError",
     "Stepped",

@@ -17,11 +17,11 @@ import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated.schemes import Pair
-from tamias2d.motion.polynomial import Stretch
-from tamias2d.motion.watched import Watched
+from tamias2d.motion.memoised_field import MemoisedField
+from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
 
-Scheme: TypeAlias = Callable[[float, float, Array, Array, Watched], Pair]
+Scheme: TypeAlias = Callable[[float, float, Array, Array, MemoisedField], Pair]
 
 _SAFETY = 0.9
 _LONGER, _SHORTER = 6.0, 0.2  # a step is to the one before at most and at least
@@ -90,8 +90,8 @@ class Adaptive:
         self._memory: dict[tuple[int, ...], _Memory] = {}
 
     def step(
-        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
-    ) -> Stretch:
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> DenseStep:
         """Take one step, of the length that the tolerance allows.
 
         Raises:
@@ -116,10 +116,10 @@ class Adaptive:
         longer = step * self._growth(error, memory.error, rejected=rejected)
         memory.step = max(longer, wanted) if end == limit and not rejected else longer
         memory.error = max(error, 1e-4)
-        return _stretch(start, end, (position, velocity), pair)
+        return _dense_step(start, end, (position, velocity), pair)
 
     def _trial(
-        self, field: Watched, start: float, step: float, position: Array, velocity: Array
+        self, field: MemoisedField, start: float, step: float, position: Array, velocity: Array
     ) -> tuple[Pair | None, float]:
         """Return a step and its error, the largest of all, in shares of what is allowed."""
         with np.errstate(all="ignore"):
@@ -156,7 +156,7 @@ class Adaptive:
         )
 
     def _first(
-        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
     ) -> float:
         """Return the length of the first step, s (ibid., section II.4, starting step size)."""
         allowed = np.stack(self._tolerance.of(position, velocity))
@@ -190,7 +190,7 @@ def _combined(estimates: Sequence[Array]) -> Array:
     return first * first / size
 
 
-def _stretch(start: float, end: float, first: tuple[Array, Array], pair: Pair) -> Stretch:
+def _dense_step(start: float, end: float, first: tuple[Array, Array], pair: Pair) -> DenseStep:
     """Return the path of a step: the dense velocity, integrated once.
 
     It ends at the position of the pair. What the integral lacks of that, of the order of the
@@ -204,7 +204,7 @@ def _stretch(start: float, end: float, first: tuple[Array, Array], pair: Pair) -
     powers[2] = powers[2] + 3 * lacking
     powers[3] = powers[3] - 2 * lacking
     coefficients = np.tensordot(_centred(len(powers)), np.stack(powers), axes=1)
-    return Stretch(start, end, first, (pair.position, pair.velocity), coefficients)
+    return DenseStep(start, end, first, (pair.position, pair.velocity), coefficients)
 
 
 @cache

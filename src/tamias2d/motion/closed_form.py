@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from tamias2d.generated import rotation, translation
-from tamias2d.motion.bent import Bent
+from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.dragged import Dragged
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.motion import Tally
@@ -30,7 +30,7 @@ class ClosedFormMotion:
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)
-        self._bent = Bent(scene, self.tally)
+        self._constrained = ConstrainedMotion(scene, self.tally)
         self._forms = closed_forms(scene)
 
     def segment(
@@ -75,7 +75,7 @@ class ClosedFormMotion:
 
     def _path(self, body: int, start: float, state: State, end: float, hold: Hold | None) -> Piece:
         if hold and hold.bends:
-            return self._bent.restart(body, start, state, end, hold)
+            return self._constrained.restart(body, start, state, end, hold)
         steady = self._loads.steady(body)
         match self._forms.get(body):
             case "linear drag" | "angular drag":

@@ -6,9 +6,9 @@ Serves: bodies whose supports turn. Hides: the integrator.
 import math
 
 from tamias2d.motion.loads import Loads, coordinates
+from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
 from tamias2d.motion.reference import ScipyDop853
-from tamias2d.motion.watched import Watched
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Hold, State
@@ -17,7 +17,7 @@ _TOLERANCE = 1e-13
 """Relative; as far as float64 goes."""
 
 
-class Bent:
+class ConstrainedMotion:
     """Paths of single bodies that a hold bends, step by step."""
 
     def __init__(self, scene: Scene, tally: Tally) -> None:
@@ -30,7 +30,7 @@ class Bent:
         """Return one step of the path of a body from `start` towards `end`, s."""
         if body not in self._integrators:
             self._integrators[body] = ScipyDop853(_TOLERANCE, self._scale(body, start, state))
-        field = Watched(self._loads.field([body], [hold]), [body], [hold], self._tally)
+        field = MemoisedField(self._loads.field([body], [hold]), [body], [hold], self._tally)
         q, rate = coordinates([state])
         return self._integrators[body].step(field, start, end, q, rate).piece(0)
 

@@ -13,10 +13,10 @@ import numpy as np
 
 from tamias2d.generated import drag, rotation, schemes, translation
 from tamias2d.motion.dragged import Dragged
+from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.loads import Loads, state_of
-from tamias2d.motion.polynomial import Stretch, hermite, sampled
-from tamias2d.motion.stepped import Grid
-from tamias2d.motion.watched import Watched
+from tamias2d.motion.memoised_field import MemoisedField
+from tamias2d.motion.polynomial import DenseStep, hermite, sampled
 from tamias2d.path import Bounds, Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, State
@@ -98,7 +98,7 @@ class _Sum:
 
 
 @dataclass(frozen=True)
-class _Kicked(Stretch):
+class _Kicked(DenseStep):
     """A step of n bodies; the coefficients are those of what the kicks change."""
 
     exact: _Exact
@@ -118,7 +118,7 @@ class _Kicked(Stretch):
         return _Sum(self.paths[body], super().piece(body), first, last)
 
 
-class ExponentialGrid(Grid):
+class ExponentialSteps(FixedSteps):
     """Exponential steps on a grid."""
 
     plain = False
@@ -127,11 +127,11 @@ class ExponentialGrid(Grid):
         super().__init__(schemes.velocity_verlet, duration, time_step)
         self._scene = scene
         self._loads = Loads(scene)
-        self._last: tuple[Watched, _Exact] | None = None
+        self._last: tuple[MemoisedField, _Exact] | None = None
 
     def step(
-        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
-    ) -> Stretch:
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> DenseStep:
         """Step to the next time of the grid; from between two of them by a shorter step."""
         end = self._end(start, limit)
         exact = self._exact(field)
@@ -157,7 +157,7 @@ class ExponentialGrid(Grid):
         )
 
     def advance(
-        self, field: Watched, start: float, time_step: float, position: Array, velocity: Array
+        self, field: MemoisedField, start: float, time_step: float, position: Array, velocity: Array
     ) -> tuple[Array, Array]:
         """Return coordinates and rates (n, 3) after one step from `start`, s."""
         exact = self._exact(field)
@@ -170,12 +170,12 @@ class ExponentialGrid(Grid):
             lambda _, elapsed, q, rate: exact.moved(elapsed, q, rate),
         )
 
-    def _exact(self, field: Watched) -> _Exact:
+    def _exact(self, field: MemoisedField) -> _Exact:
         if self._last is None or self._last[0] is not field:
             self._last = (field, self._solved(field))
         return self._last[1]
 
-    def _solved(self, field: Watched) -> _Exact:
+    def _solved(self, field: MemoisedField) -> _Exact:
         bodies = [self._scene.bodies[i] for i in field.bodies]
         steady = [
             hold(self._loads.steady(i), _ANY) if hold else self._loads.steady(i)

@@ -10,16 +10,16 @@ import numpy as np
 
 from tamias2d.errors import TamiasError
 from tamias2d.motion.loads import Field
-from tamias2d.motion.polynomial import Stretch, hermite
-from tamias2d.motion.strides import Strides
-from tamias2d.motion.watched import Watched
+from tamias2d.motion.memoised_field import MemoisedField
+from tamias2d.motion.polynomial import DenseStep, hermite
+from tamias2d.motion.step_batch import StepBatch
 from tamias2d.state import Array
 
 Scheme: TypeAlias = Callable[[float, float, Array, Array, Field], tuple[Any, Any]]
 """One generated step: time, time step, coordinates, rates, accelerations -> coordinates, rates."""
 
 
-class Grid:
+class FixedSteps:
     """Steps of a scheme that end at the multiples of the time step, and at the end of the run."""
 
     best_at_ends = True
@@ -31,24 +31,24 @@ class Grid:
         self.times = grid(duration, time_step)
 
     def step(
-        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
-    ) -> Stretch:
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> DenseStep:
         """Step to the next time of the grid; from between two of them by a shorter step."""
         end = self._end(start, limit)
         first = (position, velocity, field(start, position, velocity))
         q, rate = self.advance(field, start, end - start, position, velocity)
         return hermite(start, end, first, (q, rate, field(end, q, rate)))
 
-    def march(
+    def batch(
         self,
-        field: Watched,
+        field: MemoisedField,
         start: float,
         limit: float,
         position: Array,
         velocity: Array,
         *,
         most: int,
-    ) -> Strides:
+    ) -> StepBatch:
         """Take several steps at once, fewer where a force has no value further on.
 
         Raises:
@@ -69,13 +69,13 @@ class Grid:
                     raise
                 break
             times.append(end)
-        return Strides(times, np.array(knots))
+        return StepBatch(times, np.array(knots))
 
     def _end(self, start: float, limit: float) -> float:
         return min(limit, float(self.times[np.searchsorted(self.times, start, side="right")]))
 
     def advance(
-        self, field: Watched, start: float, time_step: float, position: Array, velocity: Array
+        self, field: MemoisedField, start: float, time_step: float, position: Array, velocity: Array
     ) -> tuple[Array, Array]:
         """Return coordinates and rates (n, 3) after one step from `start`, s."""
         after: tuple[Array, Array] = self._scheme(start, time_step, position, velocity, field)

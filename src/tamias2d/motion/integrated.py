@@ -9,14 +9,14 @@ from typing import Protocol
 import numpy as np
 
 from tamias2d.errors import TamiasError
-from tamias2d.motion.bent import Bent
+from tamias2d.motion.constrained import ConstrainedMotion
+from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
+from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
-from tamias2d.motion.polynomial import Chain, Stretch
-from tamias2d.motion.stepped import Grid
-from tamias2d.motion.strides import Steps, Strides
+from tamias2d.motion.polynomial import DenseStep, JoinedPath
+from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
-from tamias2d.motion.watched import Watched
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity
@@ -35,8 +35,8 @@ class Integrator(Protocol):
     """Whether velocities between the ends of a step are worse than at them."""
 
     def step(
-        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
-    ) -> Stretch:
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> DenseStep:
         """Step coordinates and rates (n, 3) from `start` towards `limit`, s, and not past it."""
 
 
@@ -50,13 +50,13 @@ class IntegratedMotion:
         self._scene = scene
         self._duration = duration
         self._integrator = integrator
-        self._grid = integrator if isinstance(integrator, Grid) and integrator.plain else None
+        self._grid = integrator if isinstance(integrator, FixedSteps) and integrator.plain else None
         self._since = 0  # steps without an impact
         self.tally = Tally()
         self._loads = Loads(scene)
-        self._bent = Bent(scene, self.tally)
+        self._constrained = ConstrainedMotion(scene, self.tally)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
-        self._fields: dict[tuple[int, ...], Watched] = {}
+        self._fields: dict[tuple[int, ...], MemoisedField] = {}
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
 
     def segment(
@@ -70,10 +70,10 @@ class IntegratedMotion:
         field = self._field(straight, holds)
         now = coordinates([states[i] for i in straight])
         many = 1 if any(holds) else min(self._since // _SHARE, _MOST)
-        stretch = next(self._strides(field, start, self._duration, now, many))
-        self._since += len(stretch.times) - 1 if isinstance(stretch, Strides) else 1
-        end = stretch.end
-        paths: dict[int, Piece] = {body: stretch.piece(k) for k, body in enumerate(straight)}
+        step = next(self._batches(field, start, self._duration, now, many))
+        self._since += len(step.times) - 1 if isinstance(step, StepBatch) else 1
+        end = step.end
+        paths: dict[int, Piece] = {body: step.piece(k) for k, body in enumerate(straight)}
         bent = [i for i in self._moving if i not in paths]
         paths |= self.restart(bent, start, states.__getitem__, end, holds)
         pieces: list[Piece] = [
@@ -101,16 +101,16 @@ class IntegratedMotion:
         for group in groups.values():
             body = group[0]
             if (hold := holds[body]) and hold.bends:
-                pieces[body] = self._bent.restart(body, start, state(body), end, hold)
+                pieces[body] = self._constrained.restart(body, start, state(body), end, hold)
                 continue
             field = self._field(group, holds)
             now = coordinates([state(i) for i in group])
             many = 1 if any(holds[i] for i in group) else _MOST
-            steps = list(_begun(self._strides(field, start, end, now, many)))
+            steps = list(_begun(self._batches(field, start, end, now, many)))
             for k, body in enumerate(group):
                 parts: list[Piece] = [step.piece(k) for step in steps]
                 parts = parts or [_instant(start, state(body))]
-                pieces[body] = parts[0] if len(parts) == 1 else Chain(parts)
+                pieces[body] = parts[0] if len(parts) == 1 else JoinedPath(parts)
         return pieces
 
     def approach(
@@ -133,7 +133,7 @@ class IntegratedMotion:
             if any(_bends(holds[i]) for i in group):
                 continue
             now = path(group[0])
-            start, end = now.around(time) if isinstance(now, Steps) else (now.start, now.end)
+            start, end = now.around(time) if isinstance(now, BatchPath) else (now.start, now.end)
             near = _NEAR * (end - start)
             if start + near < time < end - near:
                 pieces |= self._knotted(group, time, start, path, holds)
@@ -154,8 +154,8 @@ class IntegratedMotion:
         pieces: dict[int, Piece] = {}
         for body in group:
             now = path(body)
-            kept = [now.until(start)] if isinstance(now, Steps) and now.start < start else []
-            pieces[body] = Chain([*kept, before[body], after[body]])
+            kept = [now.until(start)] if isinstance(now, BatchPath) and now.start < start else []
+            pieces[body] = JoinedPath([*kept, before[body], after[body]])
         return pieces
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
@@ -169,51 +169,53 @@ class IntegratedMotion:
         field = self._field(self._moving, [None] * len(self._scene))
         moving = (states[0][self._moving], states[1][self._moving])
         done = int(np.searchsorted(times, 0.0, side="right"))
-        for stretch in self._stretches(field, 0.0, self._duration, *moving):
-            until = int(np.searchsorted(times, stretch.end, side="right"))
+        for step in self._dense_steps(field, 0.0, self._duration, *moving):
+            until = int(np.searchsorted(times, step.end, side="right"))
             for k in range(done, until):
-                rows[k, :, self._moving] = np.stack(stretch.at(float(times[k])), axis=1)
+                rows[k, :, self._moving] = np.stack(step.at(float(times[k])), axis=1)
             done = until
         return history_of(rows)
 
-    def _field(self, bodies: Sequence[int], holds: Sequence[Hold | None]) -> Watched:
+    def _field(self, bodies: Sequence[int], holds: Sequence[Hold | None]) -> MemoisedField:
         """Return the accelerations of some bodies; the same object while the same holds last."""
         held = tuple(holds[i] for i in bodies)
         known = self._fields.get(tuple(bodies))
         if known is None or known.holds != held:
             field = self._loads.field(bodies, held)
-            known = Watched(field, bodies, held, self.tally, felt_velocity=self._felt_velocity)
+            known = MemoisedField(
+                field, bodies, held, self.tally, felt_velocity=self._felt_velocity
+            )
             self._fields[tuple(bodies)] = known
         return known
 
-    def _stretches(
-        self, field: Watched, start: float, end: float, position: Array, velocity: Array
-    ) -> Iterator[Stretch]:
+    def _dense_steps(
+        self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
+    ) -> Iterator[DenseStep]:
         while start < end:
-            stretch = self._integrator.step(field, start, end, position, velocity)
+            step = self._integrator.step(field, start, end, position, velocity)
             self.tally.steps += 1
-            yield stretch
-            start, (position, velocity) = stretch.end, stretch.last
+            yield step
+            start, (position, velocity) = step.end, step.last
 
-    def _strides(
-        self, field: Watched, start: float, end: float, now: tuple[Array, Array], most: int
-    ) -> Iterator[Stretch | Strides]:
+    def _batches(
+        self, field: MemoisedField, start: float, end: float, now: tuple[Array, Array], most: int
+    ) -> Iterator[DenseStep | StepBatch]:
         """Yield steps, up to `most` of them as one where the integrator can do that."""
         if self._grid is None or most <= 1:
-            yield from self._stretches(field, start, end, *now)
+            yield from self._dense_steps(field, start, end, *now)
             return
         while start < end:
-            strides = self._grid.march(field, start, end, *now, most=most)
-            self.tally.steps += len(strides.times) - 1
-            yield strides
-            start, now = strides.end, strides.last
+            batch = self._grid.batch(field, start, end, *now, most=most)
+            self.tally.steps += len(batch.times) - 1
+            yield batch
+            start, now = batch.end, batch.last
 
 
 def _bends(hold: Hold | None) -> bool:
     return hold is not None and hold.bends
 
 
-def _begun(steps: Iterator[Stretch | Strides]) -> Iterator[Stretch | Strides]:
+def _begun(steps: Iterator[DenseStep | StepBatch]) -> Iterator[DenseStep | StepBatch]:
     """Yield steps up to one that cannot be taken, which is no fault but of the first."""
     begun = False
     try:

@@ -1,36 +1,47 @@
-"""The scheme of the 2018 program, kept to reproduce its published tables.
+"""The scheme of the 2018 program, kept to reproduce its published tables."""
 
-Serves: cases that published numbers belong to. Hides: the acceleration that the scheme remembers.
-"""
+from dataclasses import dataclass
 
 import numpy as np
 
 from tamias2d.generated import schemes
+from tamias2d.motion.fixed_steps import grid
 from tamias2d.motion.integrated import history_of
 from tamias2d.motion.loads import Loads, coordinates, start_states
-from tamias2d.motion.stepped import grid
+from tamias2d.motion.method import Method
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History
+from tamias2d.suggestions import suggests
 
 
-def legacy_history(scene: Scene, duration: float, time_step: float) -> tuple[Array, History]:
-    """Return the times (k,) of all steps, s, and the states at them.
+@suggests
+@dataclass(frozen=True)
+class Legacy2018(Method):
+    """What the 2018 program did, wrong as it was: for scenes in which nothing meets.
 
-    The scheme remembers the acceleration of the step before, which is 0 before the first.
+    Its scheme has no path between the ends of steps, so that no impact can be located.
     """
-    times = grid(duration, time_step)
-    moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
-    field = Loads(scene).field(moving, [None] * len(moving))
-    q, rate = coordinates(start_states(scene))
-    rows = np.repeat(np.stack((q, rate))[None], len(times), axis=0)
-    q, rate = q[moving], rate[moving]
-    before = np.zeros_like(q)
-    for k in range(1, len(times)):
-        now = field(float(times[k - 1]), q, rate)
-        q, rate = _step(float(times[k] - times[k - 1]), q, rate, before, now)
-        rows[k, 0, moving], rows[k, 1, moving] = q, rate
-        before = now
-    return times, history_of(rows)
+
+    fixed_step = True
+
+    def history(self, scene: Scene, duration: float, time_step: float) -> tuple[Array, History]:
+        """Return the times (k,) of all steps, s, and the states at them.
+
+        The scheme remembers the acceleration of the step before, which is 0 before the first.
+        """
+        times = grid(duration, time_step)
+        moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+        field = Loads(scene).field(moving, [None] * len(moving))
+        q, rate = coordinates(start_states(scene))
+        rows = np.repeat(np.stack((q, rate))[None], len(times), axis=0)
+        q, rate = q[moving], rate[moving]
+        before = np.zeros_like(q)
+        for k in range(1, len(times)):
+            now = field(float(times[k - 1]), q, rate)
+            q, rate = _step(float(times[k] - times[k - 1]), q, rate, before, now)
+            rows[k, 0, moving], rows[k, 1, moving] = q, rate
+            before = now
+        return times, history_of(rows)
 
 
 def _step(h: float, q: Array, rate: Array, before: Array, now: Array) -> tuple[Array, Array]:

@@ -14,7 +14,7 @@ from tamias2d.state import Array, Hold
 _REMEMBERED = 32  # times; more than any step asks for
 
 
-class Watched:
+class MemoisedField:
     """The accelerations of some bodies, each time and state of which is computed once.
 
     The end of a step is the start of the next, and the path between them asks for both again.

@@ -1,44 +1,37 @@
-"""The ways of finding smooth motion: one small value each, which the user hands to `simulate`.
+"""The methods: one small value each, which the user hands to `simulate`.
 
-Serves: users, who choose one. Hides: which motion a method makes, and how it is made.
+Most find paths along which impacts are located (`PathMethod`). `Legacy2018` gives states at the
+ends of its steps only, and `Stepped` solves contacts within its steps.
 """
 
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import InputError
 from tamias2d.generated import schemes
-from tamias2d.generated.schemes import FACTS, Facts
 from tamias2d.motion.adaptive import Adaptive, Tolerance
 from tamias2d.motion.closed_form import ClosedFormMotion
-from tamias2d.motion.exponential import ExponentialGrid
+from tamias2d.motion.exponential import ExponentialSteps
+from tamias2d.motion.fixed_steps import FixedSteps, Scheme
 from tamias2d.motion.integrated import IntegratedMotion
+from tamias2d.motion.legacy import Legacy2018
 from tamias2d.motion.loads import Loads, coordinates, start_states
+from tamias2d.motion.method import Method
 from tamias2d.motion.motion import Motion
 from tamias2d.motion.reference import ScipyDop853
 from tamias2d.motion.stability import check
-from tamias2d.motion.stepped import Grid, Scheme
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
 from tamias2d.suggestions import suggests
 
 
-class Method(ABC):
-    """A way of finding smooth motion. A `stepped` one needs a time step."""
-
-    stepped: ClassVar[bool] = False
-    scheme: ClassVar[str | None] = None
-    """Its item in the specification, if it has one."""
-
-    @property
-    def facts(self) -> Facts | None:
-        """Order, symplecticity and limits of stability, as the specification proves them."""
-        return FACTS.get(self.scheme or "")
+class PathMethod(Method, ABC):
+    """A method that finds the paths of bodies between impacts."""
 
     @abstractmethod
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
@@ -47,7 +40,7 @@ class Method(ABC):
 
 @suggests
 @dataclass(frozen=True)
-class ClosedForm(Method):
+class ClosedForm(PathMethod):
     """The exact solution, where all bodies have one (IM1, IM2, IM6, IM7)."""
 
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:  # noqa: ARG002
@@ -62,27 +55,27 @@ class ClosedForm(Method):
         return ClosedFormMotion(scene, duration)
 
 
-class _Stepped(Method):
+class _FixedStep(PathMethod):
     """A generated scheme on equal steps."""
 
-    stepped = True
+    fixed_step = True
     scheme: ClassVar[str]
 
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
         """Return motion by the scheme; raise `StabilityError` if the steps are too long for it."""
-        steps = self._grid(scene, duration, time_step)
+        steps = self._steps(scene, duration, time_step)
         length, _ = _scale(scene, duration)
         notes = check(scene, f"{self}", steps, duration=duration, time_step=time_step, scale=length)
         return IntegratedMotion(scene, duration, steps, notes)
 
-    def _grid(self, scene: Scene, duration: float, time_step: float) -> Grid:  # noqa: ARG002
+    def _steps(self, scene: Scene, duration: float, time_step: float) -> FixedSteps:  # noqa: ARG002
         step: Scheme = getattr(schemes, self.scheme)
-        return Grid(step, duration, time_step)
+        return FixedSteps(step, duration, time_step)
 
 
 @suggests
 @dataclass(frozen=True)
-class ExplicitEuler(_Stepped):
+class ExplicitEuler(_FixedStep):
     """Order 1; gains energy on whatever oscillates."""
 
     scheme = "explicit_euler"
@@ -90,7 +83,7 @@ class ExplicitEuler(_Stepped):
 
 @suggests
 @dataclass(frozen=True)
-class SemiImplicitEuler(_Stepped):
+class SemiImplicitEuler(_FixedStep):
     """Order 1, symplectic: what game engines use."""
 
     scheme = "semi_implicit_euler"
@@ -98,7 +91,7 @@ class SemiImplicitEuler(_Stepped):
 
 @suggests
 @dataclass(frozen=True)
-class VelocityVerlet(_Stepped):
+class VelocityVerlet(_FixedStep):
     """Order 2, symplectic; exact under constant force."""
 
     scheme = "velocity_verlet"
@@ -106,7 +99,7 @@ class VelocityVerlet(_Stepped):
 
 @suggests
 @dataclass(frozen=True)
-class RungeKutta4(_Stepped):
+class RungeKutta4(_FixedStep):
     """Order 4."""
 
     scheme = "runge_kutta_4"
@@ -114,7 +107,7 @@ class RungeKutta4(_Stepped):
 
 @suggests
 @dataclass(frozen=True)
-class Yoshida4(_Stepped):
+class Yoshida4(_FixedStep):
     """Order 4, symplectic."""
 
     scheme = "yoshida_4"
@@ -122,16 +115,16 @@ class Yoshida4(_Stepped):
 
 @suggests
 @dataclass(frozen=True)
-class ExponentialDrag(_Stepped):
+class ExponentialDrag(_FixedStep):
     """Order 2; exact under linear drag and constant loads, which set its steps no limit."""
 
     scheme = "exponential_verlet"
 
-    def _grid(self, scene: Scene, duration: float, time_step: float) -> Grid:
-        return ExponentialGrid(scene, duration, time_step)
+    def _steps(self, scene: Scene, duration: float, time_step: float) -> FixedSteps:
+        return ExponentialSteps(scene, duration, time_step)
 
 
-class _Embedded(Method):
+class _Embedded(PathMethod):
     """A generated pair, with steps as long as a tolerance allows."""
 
     scheme: ClassVar[str]
@@ -195,18 +188,6 @@ class Dop853(_Embedded):
 
 @suggests
 @dataclass(frozen=True)
-class Legacy2018(Method):
-    """What the 2018 program did, wrong as it was: for scenes in which nothing meets."""
-
-    stepped = True
-
-    def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
-        """Raise: this scheme has no path between its steps (see `legacy_history`)."""
-        raise NotImplementedError
-
-
-@suggests
-@dataclass(frozen=True)
 class Stepped(Method):
     """Contacts solved in `substeps` of each step: for piles, stacks and all that stays in touch.
 
@@ -215,7 +196,7 @@ class Stepped(Method):
     """
 
     substeps: int = 4
-    stepped = True
+    fixed_step = True
 
     def __post_init__(self) -> None:
         whole = isinstance(self.substeps, int) and not isinstance(self.substeps, bool)
@@ -225,14 +206,10 @@ class Stepped(Method):
                 "(R12). Give one such as 4; more make contacts firmer."
             )
 
-    def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
-        """Raise: contacts are part of its steps, so that there is no motion without them."""
-        raise NotImplementedError
-
 
 @suggests
 @dataclass(frozen=True)
-class Reference(Method):
+class Reference(PathMethod):
     """scipy's DOP853 at a relative tolerance `rtol`, for loads that vary with time."""
 
     rtol: float = 1e-12
@@ -247,6 +224,10 @@ class Reference(Method):
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:  # noqa: ARG002
         """Return motion by adaptive steps."""
         return IntegratedMotion(scene, duration, ScipyDop853(self.rtol, _scale(scene, duration)))
+
+
+Solvable: TypeAlias = PathMethod | Legacy2018 | Stepped
+"""The methods that `simulate` takes."""
 
 
 def _scale(scene: Scene, duration: float) -> tuple[float, float]:

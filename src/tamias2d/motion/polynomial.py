@@ -19,7 +19,7 @@ from tamias2d.state import Acceleration, Array, State
 
 
 @dataclass(frozen=True)
-class Stretch:
+class DenseStep:
     """One step of n bodies: coordinates and rates (n, 3) at both ends, and what lies between.
 
     `coefficients` (m, n, 3) are those of the powers of x, which goes from -1 at the start to 1 at
@@ -61,10 +61,10 @@ def hermite(
     end: float,
     first: tuple[Array, Array, Array],
     last: tuple[Array, Array, Array],
-) -> Stretch:
+) -> DenseStep:
     """Return the quintic with given coordinates, rates and accelerations (n, 3) at both ends."""
     powers = quintic((end - start) / 2, first, last)
-    return Stretch(start, end, first[:2], last[:2], powers)
+    return DenseStep(start, end, first[:2], last[:2], powers)
 
 
 def quintic(half: float | Array, first: tuple[Array, ...], last: tuple[Array, ...]) -> Array:
@@ -156,7 +156,7 @@ class Polynomial:
         return sampled(self, times)
 
 
-class Chain:
+class JoinedPath:
     """Pieces that follow each other, as one."""
 
     def __init__(self, pieces: Sequence[Piece]) -> None:
@@ -200,7 +200,7 @@ def sampled(piece: Piece, times: Array) -> Array:
     return np.array(rows).reshape(-1, 6)
 
 
-def _place(step: "Stretch | Polynomial", time: float) -> tuple[float, float]:
+def _place(step: "DenseStep | Polynomial", time: float) -> tuple[float, float]:
     """Return half the length of a step in s, and the x of a time."""
     half = (step.end - step.start) / 2
     return half, (time - step.start) / half - 1

@@ -9,8 +9,8 @@ from functools import cache
 import numpy as np
 
 from tamias2d.errors import SimulationError
-from tamias2d.motion.polynomial import Stretch
-from tamias2d.motion.watched import Watched
+from tamias2d.motion.memoised_field import MemoisedField
+from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
 
 _NODES = -np.cos(np.pi * np.arange(10) / 9)  # in x from -1 to 1, where the accelerations are taken
@@ -43,13 +43,13 @@ class ScipyDop853:
         self._proposed: dict[int, float] = {}
 
     def step(
-        self, field: Watched, start: float, limit: float, position: Array, velocity: Array
-    ) -> Stretch:
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> DenseStep:
         """Take one step, of the length that the tolerance allows."""
         from scipy.integrate import DOP853
 
         if not position.size:
-            return _stretch(start, limit, position, velocity, np.zeros((10, *position.shape)))
+            return _dense_step(start, limit, position, velocity, np.zeros((10, *position.shape)))
         shape = position.shape
         size = position.size
 
@@ -89,7 +89,7 @@ class ScipyDop853:
         times = start + (end - start) * (_NODES + 1) / 2
         states = [between(time) for time in times]
         second = np.stack([rate(t, y)[size:] for t, y in zip(times, states, strict=True)])
-        return _stretch(start, end, position, velocity, second.reshape(-1, *shape))
+        return _dense_step(start, end, position, velocity, second.reshape(-1, *shape))
 
     def _tolerance(self, bodies: int) -> Array:
         length, time = self._scale
@@ -97,9 +97,9 @@ class ScipyDop853:
         return self._rtol * np.concatenate((position, position / time))
 
 
-def _stretch(
+def _dense_step(
     start: float, end: float, position: Array, velocity: Array, accelerations: Array
-) -> Stretch:
+) -> DenseStep:
     """Return the path from a state on with given accelerations (10, n, 3) at the nodes."""
     half = (end - start) / 2
     second = np.tensordot(_fit(), accelerations, axes=1)
@@ -108,11 +108,11 @@ def _stretch(
     sign = (-1.0) ** power
     slope = half * velocity + (bend * (power + 2) * sign).sum(axis=0)
     value = position + slope - (bend * sign).sum(axis=0)
-    stretch = Stretch(
+    step = DenseStep(
         start, end, (position, velocity), (position, velocity), np.stack((value, slope, *bend))
     )
-    last = (stretch.coefficients.sum(axis=0), (slope + (bend * (power + 2)).sum(axis=0)) / half)
-    return replace(stretch, last=last)
+    last = (step.coefficients.sum(axis=0), (slope + (bend * (power + 2)).sum(axis=0)) / half)
+    return replace(step, last=last)
 
 
 @cache

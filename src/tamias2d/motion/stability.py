@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.errors import SimulationError, TamiasError
+from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.loads import Field, Loads, coordinates, start_states
+from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
-from tamias2d.motion.stepped import Grid
-from tamias2d.motion.watched import Watched
 from tamias2d.scene import Scene
 from tamias2d.state import Array
 
@@ -75,7 +75,7 @@ class Linear:
 
 
 def check(
-    scene: Scene, what: str, steps: Grid, *, duration: float, time_step: float, scale: float
+    scene: Scene, what: str, steps: FixedSteps, *, duration: float, time_step: float, scale: float
 ) -> tuple[str, ...]:
     """Return notes on growth that a run survives; `scale` is a length that is not small, m.
 
@@ -107,10 +107,10 @@ def check(
     return ()
 
 
-def _excess(linear: Linear, steps: Grid, time_step: float) -> float:
+def _excess(linear: Linear, steps: FixedSteps, time_step: float) -> float:
     """Return by how much a step grows more than the motion does, or than 1."""
     count = 3 * len(linear.bodies)
-    field = Watched(linear, linear.bodies, [None] * len(linear.bodies), Tally())
+    field = MemoisedField(linear, linear.bodies, [None] * len(linear.bodies), Tally())
 
     def after(state: Array) -> Array:
         q, rate = state.reshape(2, -1, 3)

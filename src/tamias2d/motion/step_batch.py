@@ -14,7 +14,7 @@ from tamias2d.path import Bounds, Piece
 from tamias2d.state import Acceleration, Array, State
 
 
-class Strides:
+class StepBatch:
     """Steps of n bodies from each of the `times` (k + 1,), s, to the next.
 
     `knots` (k + 1, 3, n, 3) are coordinates, rates and accelerations at these times.
@@ -32,7 +32,7 @@ class Strides:
 
     def piece(self, body: int) -> Piece:
         """Return the path of one of the bodies."""
-        return Steps(self, body, 0, len(self.times) - 1)
+        return BatchPath(self, body, 0, len(self.times) - 1)
 
     @cached_property
     def half(self) -> Array:
@@ -41,7 +41,7 @@ class Strides:
 
     @cached_property
     def coefficients(self) -> Array:
-        """(6, k, n, 3), as those of a `Stretch`."""
+        """(6, k, n, 3), as those of a `DenseStep`."""
         first, last = np.moveaxis(self.knots[:-1], 1, 0), np.moveaxis(self.knots[1:], 1, 0)
         return quintic(self.half[:, None, None], tuple(first), tuple(last))
 
@@ -63,10 +63,10 @@ class Strides:
         return np.stack(columns, axis=-1)
 
 
-class Steps:
+class BatchPath:
     """The path of one body over some of the steps of all."""
 
-    def __init__(self, all_steps: Strides, body: int, first: int, last: int) -> None:
+    def __init__(self, all_steps: StepBatch, body: int, first: int, last: int) -> None:
         self.start = all_steps.times[first]
         self.end = all_steps.times[last]
         self._all = all_steps
@@ -79,10 +79,10 @@ class Steps:
         k = self._index(time)
         return self._all.times[k], self._all.times[k + 1]
 
-    def until(self, time: float) -> "Steps":
+    def until(self, time: float) -> "BatchPath":
         """Return the path up to one of its times between steps, s."""
         first, _ = self._span
-        return Steps(self._all, self._body, first, bisect_left(self._all.times, time))
+        return BatchPath(self._all, self._body, first, bisect_left(self._all.times, time))
 
     def at(self, time: float) -> State:
         """Return the state at a time in s, to the bit between two steps."""

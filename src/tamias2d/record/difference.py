@@ -17,7 +17,7 @@ from tamias2d.record import history
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
 _SYMBOL_OF = {"point": "position"}  # where a quantity of an impact has no symbol of its own
 
@@ -42,13 +42,13 @@ class Difference:
         return f"at {self.time!r} s, {self.of}, {self.quantity}: {values}{unit}"
 
 
-def first_difference(recorded: Run, recomputed: Run) -> Difference | None:
+def first_difference(recorded: RunData, recomputed: RunData) -> Difference | None:
     """Return the earliest number that differs, or None if the runs are identical."""
     found = [*_of_samples(recorded, recomputed), *_of_impacts(recorded, recomputed)]
     return min(found, key=lambda difference: difference.time, default=None)
 
 
-def _of_samples(recorded: Run, recomputed: Run) -> Iterator[Difference]:
+def _of_samples(recorded: RunData, recomputed: RunData) -> Iterator[Difference]:
     names = [body.name for body in recorded.scene.bodies]
     yield from _counts("samples", recorded.times, recomputed.times)
     for quantity in ("times", *history.OF_BODIES, *history.TOTALS):
@@ -62,7 +62,7 @@ def _of_samples(recorded: Run, recomputed: Run) -> Iterator[Difference]:
             )
 
 
-def _of_impacts(recorded: Run, recomputed: Run) -> Iterator[Difference]:
+def _of_impacts(recorded: RunData, recomputed: RunData) -> Iterator[Difference]:
     a, b = recorded.impacts, recomputed.impacts
     unseen = len(b) > len(a) and b.time[len(a)] > recorded.times[-1]
     if not unseen:  # as they are to a run that was interrupted

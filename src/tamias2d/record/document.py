@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 from tamias2d.record import header as headers
 
 if TYPE_CHECKING:
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
 
-def about(run: Run) -> str:
+def about(run: RunData) -> str:
     """Return what was run and how: the scene, the way that was taken, bodies and versions."""
     scene = run.scene
     step = "" if run.time_step is None else f", time step {run.time_step:g} s"
@@ -34,7 +34,7 @@ def about(run: Run) -> str:
     return "\n\n".join(line for line in lines if line)
 
 
-def _certificate(run: Run) -> str:
+def _certificate(run: RunData) -> str:
     if run.certificate is None:
         return "No certificate: `tamias2d run --tolerance` or `--certify` gives one."
     claims = [f"- claims {text}" for text in run.certificate.claims]
@@ -42,7 +42,7 @@ def _certificate(run: Run) -> str:
     return "\n".join([f"{run.certificate}", f"Measured: {run.certificate.measure}.", "", *claims])
 
 
-def _bodies(run: Run) -> str:
+def _bodies(run: RunData) -> str:
     rows = ["| body | shape | mass | inertia |", "| --- | --- | --- | --- |"]
     for body in run.scene.bodies:
         shape = type(body.shape).__name__ if body.shape else "particle"
@@ -74,7 +74,7 @@ def _equations(equations: dict[str, str]) -> str:
     return f"```\n{lines}\n```"
 
 
-def impact_line(run: Run, k: int) -> str:
+def impact_line(run: RunData, k: int) -> str:
     """Return one impact as a line of text."""
     impacts = run.impacts
     a, b = (run.scene.bodies[i].name for i in impacts.bodies[k])

@@ -18,7 +18,7 @@ from tamias2d.scene import Box, Capsule, Disc, HalfPlane, pieces_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
     from tamias2d.scene import Body, Part
 
     Points = NDArray[np.float64]
@@ -50,7 +50,7 @@ class View:
         return math.hypot(*self.half)
 
 
-def colours(run: Run) -> list[Colour]:
+def colours(run: RunData) -> list[Colour]:
     """Red, green and blue of each body, 0 to 255; all static bodies have one, and all kinematic."""
     bodies, moving = run.scene.bodies, iter(range(len(run.scene.bodies)))
     still = {False: STATIC_COLOUR, True: KINEMATIC_COLOUR}
@@ -178,7 +178,7 @@ def placed(points: Points, position: Points, orientation: float) -> Points:
     return points @ rotation(orientation).T + position
 
 
-def view_of(run: Run) -> View:
+def view_of(run: RunData) -> View:
     """The view that holds every bounded body during the whole run, with a margin of 8 %."""
     low, high = _extent(run)
     span = float((high - low).max()) or 2.0  # one particle at rest: 2 m around it
@@ -187,7 +187,7 @@ def view_of(run: Run) -> View:
     return View((float(center[0]), float(center[1])), (float(half[0]), float(half[1])))
 
 
-def _extent(run: Run) -> tuple[Points, Points]:
+def _extent(run: RunData) -> tuple[Points, Points]:
     """Lower left and upper right corner (2,) of where bounded bodies have been, in metres."""
     boxes = []
     for index, body in enumerate(run.scene.bodies):

@@ -16,10 +16,10 @@ from tamias2d.record.aside import refuse_place
 if TYPE_CHECKING:
     from tamias2d.record.header import Header
     from tamias2d.record.history import Arrays
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
 
-def save(run: Run, path: str | Path) -> None:
+def save(run: RunData, path: str | Path) -> None:
     """Write a run as a recording to look at (`.rrd`) or as its exact history (`.npz`).
 
     Raises:
@@ -35,7 +35,7 @@ def refuse_file(path: Path) -> None:
     refuse_place(path)
 
 
-def load(path: str | Path) -> Run:
+def load(path: str | Path) -> RunData:
     """Read the run back, to the last bit, from a recording of either kind.
 
     Raises:
@@ -74,8 +74,8 @@ def _kind(path: Path) -> Any:
     if path.suffix == ".rrd":
         return rerun(path)
     raise InputError(
-        f"{path}: suffix {path.suffix!r}: a recording is .rrd (to look at) or .npz (exact). "
-        "Give it a name that ends so."
+        f"{path}: suffix {path.suffix!r}: a run is saved as .rrd or .npz (R5). "
+        "Give the name one of these endings."
     )
 
 

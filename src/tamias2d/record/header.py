@@ -15,12 +15,12 @@ from dataclasses import asdict, dataclass, fields, replace
 from importlib import metadata, resources
 from typing import TYPE_CHECKING, Any
 
+from tamias2d import motion
 from tamias2d.errors import RecordingError
-from tamias2d.motion import methods
 from tamias2d.scene import scene_text
 
 if TYPE_CHECKING:
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
 FORMAT = 2
 UNCOVERED = 1
@@ -28,18 +28,18 @@ UNCOVERED = 1
 METHODS: dict[str, Any] = {
     kind.__name__: kind
     for kind in (
-        methods.ClosedForm,
-        methods.ExplicitEuler,
-        methods.SemiImplicitEuler,
-        methods.VelocityVerlet,
-        methods.RungeKutta4,
-        methods.Yoshida4,
-        methods.ExponentialDrag,
-        methods.DormandPrince5,
-        methods.Dop853,
-        methods.Legacy2018,
-        methods.Reference,
-        methods.Stepped,
+        motion.ClosedForm,
+        motion.ExplicitEuler,
+        motion.SemiImplicitEuler,
+        motion.VelocityVerlet,
+        motion.RungeKutta4,
+        motion.Yoshida4,
+        motion.ExponentialDrag,
+        motion.DormandPrince5,
+        motion.Dop853,
+        motion.Legacy2018,
+        motion.Reference,
+        motion.Stepped,
     )
 }
 
@@ -82,7 +82,7 @@ class Header:
         return json.dumps(asdict(self), sort_keys=True)
 
 
-def header_of(run: Run) -> Header:
+def header_of(run: RunData) -> Header:
     """Describe a run: its inputs, its size, the programs that made it, and its digest."""
     header = Header(
         scene=scene_text(run.scene),
@@ -100,7 +100,7 @@ def header_of(run: Run) -> Header:
     return replace(header, digest=digest(header, run))
 
 
-def digest(header: Header, run: Run) -> str:
+def digest(header: Header, run: RunData) -> str:
     """Return the SHA-256 of a header and of all numbers of its run."""
     numbers = run.digest()
     if header.format == UNCOVERED:

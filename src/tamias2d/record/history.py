@@ -18,7 +18,7 @@ from tamias2d.certificate import Certificate, from_json
 from tamias2d.errors import RecordingError, TamiasError
 from tamias2d.record import header as headers
 from tamias2d.record.aside import aside
-from tamias2d.run import Impacts, Run
+from tamias2d.run_data import Impacts, RunData
 from tamias2d.scene import Scene
 from tamias2d.scene.reading import read_scene
 
@@ -40,7 +40,7 @@ OF_IMPACTS = {
 """Quantities of each impact."""
 
 
-def arrays_of(run: Run) -> Arrays:
+def arrays_of(run: RunData) -> Arrays:
     """Name all arrays of a run: `times`, `position`, ..., `impacts.time`, ...; shapes as in Run."""
     of_run = {name: getattr(run, name) for name in ("times", *OF_BODIES, *TOTALS)}
     return of_run | {f"impacts.{name}": getattr(run.impacts, name) for name in OF_IMPACTS}
@@ -56,7 +56,7 @@ def shapes_of(header: headers.Header) -> dict[str, tuple[int, ...]]:
     return shapes
 
 
-def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where: str) -> Run:
+def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where: str) -> RunData:
     """Put a run together from its header and arrays; raise `RecordingError` if they do not fit."""
     for name, shape in shapes_of(header).items():
         _check_array(name, arrays.get(name), shape, where)
@@ -68,7 +68,7 @@ def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where:
             "Record the run again."
         )
     stored: dict[str, Any] = {name: arrays[name] for name in ("times", *OF_BODIES, *TOTALS)}
-    return Run(
+    return RunData(
         scene=scene,
         method=headers.method_of(header, where=where),
         duration=header.duration,
@@ -122,7 +122,7 @@ def _scene(header: headers.Header, where: str) -> Scene:
     return scene
 
 
-def write(run: Run, path: Path) -> None:
+def write(run: RunData, path: Path) -> None:
     """Write a run as `.npz`; raise `RecordingError` if that cannot be done."""
     store(headers.header_of(run), arrays_of(run), path)
 

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tamias2d.balance import kinetic_energy
 from tamias2d.errors import InputError, RecordingError
 from tamias2d.record import drawing
 from tamias2d.record.aside import aside, refuse_place
-from tamias2d.record.kinetic import kinetic_energy
 from tamias2d.scene import HalfPlane
 
 if TYPE_CHECKING:
     from tamias2d.record.drawing import View
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
 INSTANTS = 6
 """How many times each body is drawn, the last one strongest."""
@@ -26,7 +26,7 @@ NAMED = 10
 """So many bodies have their names in the legend; more would hide the picture."""
 
 
-def plot(run: Run, path: str | Path) -> None:
+def plot(run: RunData, path: str | Path) -> None:
     """Draw a run: paths and bodies at a few instants, heights over time, and energy over time.
 
     The kind of picture follows from the suffix: `.png`, `.svg`, `.pdf`.
@@ -78,7 +78,7 @@ def _figure(path: Path) -> Any:
     return figure
 
 
-def draw_world(axes: Any, run: Run) -> None:
+def draw_world(axes: Any, run: RunData) -> None:
     """Draw paths, the bodies at a few instants, and where they met."""
     view = drawing.view_of(run)
     (x, y), (width, height) = view.center, view.half
@@ -102,7 +102,7 @@ def draw_world(axes: Any, run: Run) -> None:
 
 
 def _body(
-    axes: Any, run: Run, k: int, index: int, view: View, colour: Any, strength: float
+    axes: Any, run: RunData, k: int, index: int, view: View, colour: Any, strength: float
 ) -> None:
     """Draw a body at sample k; earlier ones are paler."""
     body = run.scene.bodies[index]
@@ -116,13 +116,13 @@ def _body(
         axes.plot(*line.T, color=colour, alpha=strength, linewidth=1.0)
 
 
-def _ground(axes: Any, run: Run, index: int, view: View) -> None:
+def _ground(axes: Any, run: RunData, index: int, view: View) -> None:
     body = run.scene.bodies[index]
     for stroke in drawing.strokes(body, view):
         axes.plot(*stroke.T, color=_colours(run)[index], linewidth=0.8)
 
 
-def _heights(axes: Any, run: Run) -> None:
+def _heights(axes: Any, run: RunData) -> None:
     for index, colour in enumerate(_colours(run)):
         body = run.scene.bodies[index]
         if body.dynamic:
@@ -135,8 +135,8 @@ def _heights(axes: Any, run: Run) -> None:
         axes.legend(frameon=False, fontsize="small")
 
 
-def _energy(axes: Any, run: Run) -> None:
-    kinetic = kinetic_energy(run, slice(None))
+def _energy(axes: Any, run: RunData) -> None:
+    kinetic = kinetic_energy(run.scene, run.velocity, run.angular_velocity)
     series = {"energy": run.energy, "kinetic": kinetic, "potential": run.energy - kinetic}
     for (name, values), colour in zip(series.items(), drawing.PALETTE, strict=False):
         axes.plot(run.times, values, label=name, color=_unit(colour), linewidth=1.2)
@@ -145,7 +145,7 @@ def _energy(axes: Any, run: Run) -> None:
     axes.legend(frameon=False, fontsize="small")
 
 
-def _colours(run: Run) -> list[tuple[float, ...]]:
+def _colours(run: RunData) -> list[tuple[float, ...]]:
     return [_unit(colour) for colour in drawing.colours(run)]
 
 

@@ -1,7 +1,4 @@
-"""What a run is asked for, checked: the way, the step, the samples.
-
-Serves: `simulate`. Hides: how arguments are checked, and what is taken where nothing is asked.
-"""
+"""The inputs of a run, checked: the method, the step, the samples."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -10,8 +7,8 @@ import numpy as np
 
 from tamias2d.contact import steps_because
 from tamias2d.errors import InputError
-from tamias2d.motion import ClosedForm, Method, Reference, Stepped
-from tamias2d.motion.stepped import grid
+from tamias2d.motion import ClosedForm, Method, Reference, Solvable, Stepped
+from tamias2d.motion.fixed_steps import grid
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
@@ -28,7 +25,7 @@ class Plan(NamedTuple):
     """A run before it is run; times (k,), duration and time step in s."""
 
     scene: Scene
-    method: Method
+    method: Solvable
     duration: float
     time_step: float | None
     times: Array
@@ -58,9 +55,9 @@ def planned(
     duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
     chosen, note, usual = _method(scene, method, duration)
     time_step = usual if time_step is None else time_step
-    if chosen.stepped != (time_step is not None):
-        need = "needs" if chosen.stepped else "chooses its own steps and takes no"
-        remedy = "Give time_step in s." if chosen.stepped else "Leave time_step out."
+    if chosen.fixed_step != (time_step is not None):
+        need = "needs" if chosen.fixed_step else "chooses its own steps and takes no"
+        remedy = "Give time_step in s." if chosen.fixed_step else "Leave time_step out."
         raise InputError(f"time_step {time_step!r}: {chosen} {need} time step (R5). {remedy}")
     if time_step is not None:
         time_step = number(time_step, "time_step", "the run", "Give it in s.", at=("time_step",))
@@ -92,13 +89,13 @@ def _refuse_endless(scene: Scene, duration: float, time_step: float | None, *, k
 
 def _method(
     scene: Scene, method: Method | None, duration: float
-) -> tuple[Method, str, float | None]:
+) -> tuple[Solvable, str, float | None]:
     """Return the way with the reason for it, and the step that it takes if none is asked for."""
     if method is None:
         if reason := steps_because(scene, duration):
             return Stepped(), f"{Stepped()}: {reason}", 1 / FRAMES
         return *_located(scene), None
-    if not isinstance(method, Method):
+    if not isinstance(method, Solvable):
         raise InputError(
             f"method {method!r}: must be a method of motion (R5). Give one such as ClosedForm() "
             "or VelocityVerlet(), with its brackets."
@@ -106,7 +103,7 @@ def _method(
     return method, f"{method}: as asked", None
 
 
-def _located(scene: Scene) -> tuple[Method, str]:
+def _located(scene: Scene) -> tuple[Solvable, str]:
     solved = closed_forms(scene)
     for body, why in varying_loads(scene).items():
         if body not in solved:

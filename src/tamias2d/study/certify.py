@@ -20,7 +20,7 @@ from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import MEASURE, apart, radii, scale
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.penetration import Penetration, crowded, penetrations
-from tamias2d.study.twin import LOST, MOVED, growth, horizon, rounded_apart
+from tamias2d.study.perturbed import LOST, MOVED, growth, horizon, rounded_apart
 from tamias2d.suggestions import suggests
 
 _EPSILON = 2.0**-52
@@ -95,7 +95,7 @@ def _way(method: Method) -> Callable[[Run, Array | None], _Bound]:
         raise _NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     if isinstance(method, Stepped):
         return _shorter_steps
-    if method.stepped:
+    if method.fixed_step:
         return _step_doubling
     return _embedded
 

@@ -8,7 +8,7 @@ from typing import Any
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.simulate import Interrupted, simulate
+from tamias2d.solve import Interrupted, solve
 
 
 class RefusedError(Exception):
@@ -18,7 +18,7 @@ class RefusedError(Exception):
 def companion(scene: Scene, **inputs: Any) -> Run:
     """Return a run as `simulate` does; raise `RefusedError` where that refuses one."""
     try:
-        return simulate(scene, **inputs)
+        return solve(scene, **inputs)
     except Interrupted:
         raise
     except (SimulationError, SceneError) as fault:

@@ -16,7 +16,7 @@ import numpy as np
 from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.scene import Disc, HalfPlane, Scene
-from tamias2d.simulate import simulate
+from tamias2d.solve import solve
 from tamias2d.state import Array
 from tamias2d.study.phases import started
 
@@ -63,9 +63,7 @@ def orbit_drift(method: Method, steps: int) -> Drift:
     starts = np.linspace(0, steps - _ROUND, min(_ROUNDS, steps // _ROUND)).astype(int)
     rows = starts[:, None] + np.arange(0, _ROUND, _APART)
     duration = float(grid[-1])
-    run = simulate(
-        scene, duration=duration, method=method, time_step=step, times=grid[rows.ravel()]
-    )
+    run = solve(scene, duration=duration, method=method, time_step=step, times=grid[rows.ravel()])
     distance = np.linalg.norm(run.position[:, 0], axis=-1)
     energy = (run.velocity[:, 0] ** 2).sum(axis=-1) / 2 - 1 / distance
     off = (energy / energy[0] - 1).reshape(rows.shape)
@@ -97,8 +95,8 @@ def _chunks(scene: Scene, method: Method, steps: int) -> Iterator[Run]:
     """Run on and on from where the last run ended, so that no history grows without limit."""
     for first in range(0, steps, _CHUNK):
         duration = min(_CHUNK, steps - first) / _STEPS_OF_BOUNCE
-        step = 1 / _STEPS_OF_BOUNCE if method.stepped else None
-        run = simulate(scene, duration=duration, method=method, time_step=step, times=[duration])
+        step = 1 / _STEPS_OF_BOUNCE if method.fixed_step else None
+        run = solve(scene, duration=duration, method=method, time_step=step, times=[duration])
         yield run
         scene = started(run, -1)
 

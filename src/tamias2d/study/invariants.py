@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from tamias2d.balance import kinetic_energy, uniform_potential_energy
 from tamias2d.generated import definitions
 from tamias2d.run import Run
 from tamias2d.scene import Scene
@@ -23,12 +24,8 @@ def energy_drift(run: Run) -> float | None:
     if not _conserves_energy(run.scene):
         return None
     impacts = run.impacts
-    lost = [
-        (1 - run.scene.restitution(a, b)) * impulse * -rate / 2
-        for (a, b), impulse, rate in zip(
-            impacts.bodies.tolist(), impacts.impulse, impacts.normal_velocity, strict=True
-        )
-    ]
+    restitution = np.array([run.scene.restitution(a, b) for a, b in impacts.bodies.tolist()])
+    lost = definitions.energy_loss(restitution, impacts.impulse, impacts.normal_velocity)
     before = np.searchsorted(impacts.time, run.times, side="right")
     left = run.energy[0] - np.concatenate(([0.0], np.cumsum(lost)))[before]
     largest = float(_kinetic(run).max())
@@ -51,10 +48,7 @@ def energy_rise(run: Run) -> float | None:
 
 def energy_rounding(run: Run) -> float:
     """Return how much of what `energy_drift` says may be the rounding of its own terms."""
-    moving = [i for i, body in enumerate(run.scene.bodies) if body.dynamic]
-    mass = np.array([run.scene.bodies[i].mass for i in moving])
-    position = (run.position[:, moving, 0], run.position[:, moving, 1])
-    uniform = definitions.potential_energy(mass, run.scene.gravity, position)
+    uniform = uniform_potential_energy(run.scene, run.position)
     kinetic = _kinetic(run)
     between = run.energy - kinetic - uniform.sum(axis=-1)
     size = kinetic + np.abs(uniform).sum(axis=-1) + np.abs(between)
@@ -78,11 +72,4 @@ def _gives_energy(scene: Scene) -> bool:
 
 
 def _kinetic(run: Run) -> Array:
-    moving = [i for i, body in enumerate(run.scene.bodies) if body.dynamic]
-    mass = np.array([run.scene.bodies[i].mass for i in moving])
-    inertia = np.array([run.scene.bodies[i].inertia for i in moving])
-    inertia[~np.isfinite(inertia)] = 0.0  # it cannot turn
-    velocity = (run.velocity[:, moving, 0], run.velocity[:, moving, 1])
-    energy = definitions.kinetic_energy(mass, velocity, inertia, run.angular_velocity[:, moving])
-    total: Array = energy.sum(axis=-1)
-    return total
+    return kinetic_energy(run.scene, run.velocity, run.angular_velocity)

@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 
 from tamias2d.balance import balance
 from tamias2d.cost import Cost
-from tamias2d.errors import InputError
-from tamias2d.motion import Method, Motion
+from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History
@@ -26,11 +25,7 @@ from tamias2d.study.pymunk_world import Push, World, version
 class Pymunk(Method):
     """Stands in a run for the engine that made it."""
 
-    stepped = True
-
-    def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:  # noqa: ARG002
-        """Raise: it is no way of finding paths that impacts could be located on."""
-        raise InputError("method Pymunk(): is for comparison only. Use `study.peers.simulate`.")
+    fixed_step = True
 
 
 def simulate(

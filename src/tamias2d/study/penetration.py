@@ -18,7 +18,7 @@ import numpy as np
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
 from tamias2d.scene.filters import may_touch
-from tamias2d.simulate import sampler
+from tamias2d.solve import sampler
 from tamias2d.state import Array, History
 from tamias2d.study.separation import Flags, Piece, View, divided, joined, pieces, view
 

@@ -15,7 +15,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import timed_loads
 from tamias2d.scene.restart import restarted
-from tamias2d.simulate import simulate
+from tamias2d.solve import solve
 from tamias2d.state import State
 
 LEAST = 32  # phases that the measure of a scene with impacts rests on
@@ -35,7 +35,7 @@ def phases(scene: Scene, duration: float, count: int, *, first_impact: float) ->
         return [scene]
     shares = np.sort((np.arange(1, count) * _GOLDEN) % 1)
     starts = np.concatenate(([0.0], shares * min(first_impact, duration) / 2))
-    run = simulate(scene, duration=duration, times=starts)
+    run = solve(scene, duration=duration, times=starts)
     return [scene, *(started(run, k) for k in range(1, count))]
 
 

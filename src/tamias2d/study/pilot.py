@@ -19,7 +19,7 @@ import numpy as np
 from tamias2d.motion import Dop853, Method
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.simulate import simulate
+from tamias2d.solve import solve
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import apart, scale
 
@@ -69,7 +69,7 @@ class Pilot:
         self._exact = self._witness()
         self.scale = scale(self._exact)
 
-    def stepped(self, method: Method, most: float) -> Estimate:
+    def fixed_step(self, method: Method, most: float) -> Estimate:
         """Return the step with which a scheme meets the tolerance; give up above a cost."""
         order = float(method.facts.order) if method.facts else 1.0
         count = _FEWEST
@@ -179,7 +179,7 @@ class Pilot:
         return (error if math.isfinite(error) else math.inf), run
 
     def _run(self, method: Method) -> Run:
-        return self._counted(simulate, method, None)
+        return self._counted(solve, method, None)
 
     def _counted(self, go: Callable[..., Run], method: Method, time_step: float | None) -> Run:
         run = go(

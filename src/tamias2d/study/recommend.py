@@ -131,7 +131,7 @@ def _weighed(scene: Scene, pilot: Pilot) -> list[Estimate]:
     found.append(pilot.adaptive(DormandPrince5, found[0].force_evaluations))
     for method in schemes_for(scene):
         best = min(estimate.force_evaluations for estimate in found)
-        found.append(pilot.stepped(method, best))
+        found.append(pilot.fixed_step(method, best))
     found.sort(key=lambda estimate: estimate.force_evaluations)
     best = found[0].force_evaluations
     reasons = ["the cheapest", *(one.why or _lost(one, best) for one in found[1:])]

@@ -9,7 +9,7 @@ from dataclasses import asdict
 from importlib import resources
 from typing import Any
 
-from tamias2d.study.hybrid import Errors
+from tamias2d.study.event_errors import Errors
 from tamias2d.study.work_precision import Point, Study
 
 _VERSION = 1

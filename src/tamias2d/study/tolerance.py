@@ -9,7 +9,7 @@ from dataclasses import replace
 from tamias2d.certificate import Certificate
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.simulate import simulate
+from tamias2d.solve import solve
 from tamias2d.state import Array
 from tamias2d.study.certify import certify
 from tamias2d.study.pilot import Estimate
@@ -39,7 +39,7 @@ def within(
             if not math.isfinite(estimate.force_evaluations):
                 break
             run = certify(
-                simulate(
+                solve(
                     scene,
                     duration=duration,
                     method=estimate.method,

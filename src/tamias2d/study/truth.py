@@ -10,9 +10,9 @@ import numpy as np
 from tamias2d.motion import ClosedForm, Dop853, Method, Reference
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms
-from tamias2d.simulate import simulate
+from tamias2d.solve import solve
 from tamias2d.state import Array
-from tamias2d.study.hybrid import errors
+from tamias2d.study.event_errors import errors
 from tamias2d.study.sampled import Sampled, sampled
 
 SAMPLES = 1000
@@ -54,9 +54,9 @@ def floor_of(truth: Truth) -> float:
 
 
 def _history(scene: Scene, duration: float, method: Method) -> Sampled:
-    first = simulate(scene, duration=duration, method=method, times=[duration])
+    first = solve(scene, duration=duration, method=method, times=[duration])
     return sampled(
-        lambda wanted: simulate(scene, duration=duration, method=method, times=wanted),
+        lambda wanted: solve(scene, duration=duration, method=method, times=wanted),
         common_times(duration),
         first.impacts,
     )

@@ -23,13 +23,13 @@ from tamias2d.motion import (
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms
-from tamias2d.simulate import simulate
+from tamias2d.solve import solve
 from tamias2d.study.peers import simulate as simulate_by_pymunk
 
 Go: TypeAlias = Callable[[Scene, float, Iterable[float]], Run]
 """From a scene, a duration in s and times of samples, s, to a run."""
 
-STEPPED: tuple[Method, ...] = (
+FIXED_STEP: tuple[Method, ...] = (
     ExplicitEuler(),
     SemiImplicitEuler(),
     VelocityVerlet(),
@@ -59,7 +59,7 @@ def ways(scene: Scene, *, rungs: Iterable[int]) -> Iterator[Way]:
     if len(closed_forms(scene)) == len(moving):
         yield Way("ClosedForm", "", _own(ClosedForm(), None))
     dragged = (ExponentialDrag(),) if any(body.linear_drag for body in moving) else ()
-    for method in (*STEPPED, *dragged):
+    for method in (*FIXED_STEP, *dragged):
         for count in counts:
             yield Way(type(method).__name__, f"{count} steps", _own(method, count), count)
     for adaptive in (DormandPrince5(1.0e-3), Dop853(1.0e-3), Reference(1.0e-3)):
@@ -73,7 +73,7 @@ def ways(scene: Scene, *, rungs: Iterable[int]) -> Iterator[Way]:
 def _own(method: Method, steps: int | None) -> Go:
     def go(scene: Scene, duration: float, times: Iterable[float]) -> Run:
         step = None if steps is None else duration / steps
-        return simulate(scene, duration=duration, method=method, time_step=step, times=times)
+        return solve(scene, duration=duration, method=method, time_step=step, times=times)
 
     return go
 

@@ -17,9 +17,9 @@ import numpy as np
 from tamias2d.cost import Cost
 from tamias2d.errors import TamiasError
 from tamias2d.scene import Scene
-from tamias2d.simulate import Interrupted
+from tamias2d.solve import Interrupted
+from tamias2d.study.event_errors import NAMES, Errors, errors
 from tamias2d.study.front import front
-from tamias2d.study.hybrid import NAMES, Errors, errors
 from tamias2d.study.phases import LEAST, phases
 from tamias2d.study.sampled import sampled
 from tamias2d.study.truth import Truth, common_times, floor_of, truth_of

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from tamias2d.motion.methods import Legacy2018
+from tamias2d.motion import Legacy2018
 from tamias2d.run import Run
 from tamias2d.simulate import simulate
 from tamias2d.verify.case import Case

@@ -13,18 +13,18 @@ from typing import Any
 import numpy as np
 
 from tamias2d.generated import schemes
+from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.methods import (
     ExplicitEuler,
     ExponentialDrag,
-    Method,
+    PathMethod,
     RungeKutta4,
     SemiImplicitEuler,
     VelocityVerlet,
     Yoshida4,
 )
 from tamias2d.motion.motion import Motion
-from tamias2d.motion.stepped import Grid
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.simulate import simulate
@@ -35,7 +35,7 @@ from tamias2d.verify.items import items
 from tamias2d.verify.outcome import Outcome
 
 HALVINGS = 4
-METHODS: dict[str, Method] = {
+METHODS: dict[str, PathMethod] = {
     "explicit_euler": ExplicitEuler(),
     "semi_implicit_euler": SemiImplicitEuler(),
     "velocity_verlet": VelocityVerlet(),
@@ -46,11 +46,11 @@ METHODS: dict[str, Method] = {
 
 
 @dataclass(frozen=True)
-class FixedSteps(Method):
+class EqualSteps(PathMethod):
     """The step of any scheme of the specification, of one length."""
 
     item: str
-    stepped = True
+    fixed_step = True
 
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:
         """Return motion by the scheme; what a pair says of its error is not asked for."""
@@ -60,7 +60,7 @@ class FixedSteps(Method):
             position, velocity = step(*state)[:2]
             return position, velocity
 
-        return IntegratedMotion(scene, duration, Grid(plain, duration, time_step))
+        return IntegratedMotion(scene, duration, FixedSteps(plain, duration, time_step))
 
 
 Errors = dict[tuple[str, str], Array]
@@ -156,7 +156,7 @@ def run_by(
 
     It lasts as long as the case and is sampled at each step, where nothing else is asked, in s.
     """
-    method = METHODS.get(scheme, FixedSteps(scheme))
+    method = METHODS.get(scheme, EqualSteps(scheme))
     duration = duration or case.duration
     step = duration / steps
     return simulate(case.scene, duration=duration, method=method, time_step=step, times=times)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tamias2d.record.drawing import Colour, View
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
     Times = Callable[[slice], list[rr.TimeColumn]]
 
@@ -54,7 +54,7 @@ class _Batch:
 Key = tuple[bool, str, int]  # whether it stands still, its layer, and its number of points
 
 
-def draw(stream: rr.RecordingStream, run: Run, view: View, times: Times) -> None:
+def draw(stream: rr.RecordingStream, run: RunData, view: View, times: Times) -> None:
     """Send all bodies: those that stand still once, the others at each sample."""
     for key, batch in sorted(_batches(run, view).items()):
         still, layer, size = key
@@ -70,7 +70,7 @@ def draw(stream: rr.RecordingStream, run: Run, view: View, times: Times) -> None
             stream.send_columns(entity, [] if still else times(part), columns.partition(lengths))
 
 
-def _look(kind: Any, run: Run, batch: _Batch, *, layer: str, still: bool) -> Any:
+def _look(kind: Any, run: RunData, batch: _Batch, *, layer: str, still: bool) -> Any:
     return kind.from_fields(
         radii=batch.radii,
         colors=batch.colours,
@@ -80,7 +80,7 @@ def _look(kind: Any, run: Run, batch: _Batch, *, layer: str, still: bool) -> Any
     )
 
 
-def _placed(run: Run, batch: _Batch, points: NDArray[Any], part: slice) -> NDArray[Any]:
+def _placed(run: RunData, batch: _Batch, points: NDArray[Any], part: slice) -> NDArray[Any]:
     """World coordinates (samples, parts, v, 2) of a batch, in m."""
     angle = run.orientation[part, batch.bodies][..., None]
     x, y = points[..., 0], points[..., 1]
@@ -90,7 +90,7 @@ def _placed(run: Run, batch: _Batch, points: NDArray[Any], part: slice) -> NDArr
     return np.asarray(turned + run.position[part, batch.bodies][:, :, None, :])
 
 
-def _batches(run: Run, view: View) -> dict[Key, _Batch]:
+def _batches(run: RunData, view: View) -> dict[Key, _Batch]:
     found: dict[Key, _Batch] = defaultdict(_Batch)
     crowd = sum(not body.static for body in run.scene.bodies) > CROWD
     for k, (body, colour) in enumerate(zip(run.scene.bodies, drawing.colours(run), strict=True)):

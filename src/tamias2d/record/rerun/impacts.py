@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tamias2d.record.drawing import Colour, View
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
 COLOUR: Colour = (235, 200, 60)
 LONGEST = 0.25
@@ -26,7 +26,7 @@ ARM = 2.0
 """Of the largest impulse, at most, in radii of a body: else arrows hide a crowd."""
 
 
-def draw(stream: rr.RecordingStream, run: Run, view: View, times: list[rr.TimeColumn]) -> None:
+def draw(stream: rr.RecordingStream, run: RunData, view: View, times: list[rr.TimeColumn]) -> None:
     """Send an arrow for each impact, from where the bodies meet along the impulse.
 
     It is the impulse on body B or, where that is static, its opposite on body A.
@@ -44,7 +44,7 @@ def draw(stream: rr.RecordingStream, run: Run, view: View, times: list[rr.TimeCo
     stream.send_columns(layout.IMPACTS, times, [*arrows, *columns])
 
 
-def _vectors(run: Run, view: View) -> NDArray[np.float64]:
+def _vectors(run: RunData, view: View) -> NDArray[np.float64]:
     impacts = run.impacts
     largest = float(impacts.impulse.max()) or 1.0
     moved = np.array([body.dynamic for body in run.scene.bodies])[impacts.bodies[:, 1]]
@@ -52,7 +52,7 @@ def _vectors(run: Run, view: View) -> NDArray[np.float64]:
     return np.asarray(impacts.normal * (share * _longest(run, view))[:, None])
 
 
-def _longest(run: Run, view: View) -> float:
+def _longest(run: RunData, view: View) -> float:
     """The length of the longest arrow, m."""
     shapes = [body.shape for body in run.scene.bodies if body.dynamic and body.shape]
     if not shapes:

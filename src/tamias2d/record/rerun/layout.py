@@ -12,7 +12,7 @@ import rerun.blueprint as rrb
 
 if TYPE_CHECKING:
     from tamias2d.record.drawing import View
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
 RECORDING = "/recording"
 WORLD = "/world"
@@ -42,7 +42,7 @@ def speed_path(name: str) -> str:
     return str(rr.new_entity_path([*SPEED.split("/")[1:], name]))
 
 
-def blueprint(run: Run, view: View, *, timeline: str) -> rrb.Blueprint:
+def blueprint(run: RunData, view: View, *, timeline: str) -> rrb.Blueprint:
     """Return what the viewer shows at once: the world at the left, plots and text at the right."""
     plots = rrb.Vertical(
         _plot("Energy, J", ENERGY),
@@ -72,7 +72,7 @@ def blueprint(run: Run, view: View, *, timeline: str) -> rrb.Blueprint:
     )
 
 
-def _world(run: Run, view: View) -> rrb.Spatial2DView:
+def _world(run: RunData, view: View) -> rrb.Spatial2DView:
     """The world; its bounds are those of the picture, in which y points down."""
     (x, y), (width, height) = view.center, view.half
     memory = rrb.TimeRangeBoundary.cursor_relative(seconds=-_memory(run))
@@ -89,7 +89,7 @@ def _world(run: Run, view: View) -> rrb.Spatial2DView:
     )
 
 
-def _memory(run: Run) -> float:
+def _memory(run: RunData) -> float:
     """For how long an impact is shown, s: of many, on average one for each body at a time."""
     moving = sum(body.dynamic for body in run.scene.bodies)
     return run.duration * min(1 / 20, moving / max(len(run.impacts), 1))

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import rerun as rr
 
+from tamias2d.balance import kinetic_energy
 from tamias2d.errors import RecordingError
 from tamias2d.record import document, drawing, header as headers, history
 from tamias2d.record.aside import aside, refuse_place
-from tamias2d.record.kinetic import kinetic_energy
 from tamias2d.record.rerun import bodies, exact, impacts, layout
 from tamias2d.scene import scene_text
 
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tamias2d.record.drawing import Colour, View
-    from tamias2d.run import Run
+    from tamias2d.run_data import RunData
 
 NAMED = 12
 """So many bodies have lines of their own in the plot of speeds; of more, two lines tell."""
 
 
-def write(run: Run, path: Path) -> None:
+def write(run: RunData, path: Path) -> None:
     """Write a run as `.rrd`; raise `RecordingError` if that cannot be done.
 
     While it is written it takes about ten times the memory of its positions and velocities.
@@ -79,7 +79,7 @@ def _nanoseconds(times: NDArray[np.float64], path: Path) -> NDArray[np.int64]:
     return np.rint(times * 1e9).astype(np.int64)
 
 
-def _texts(stream: rr.RecordingStream, run: Run, header: headers.Header) -> None:
+def _texts(stream: rr.RecordingStream, run: RunData, header: headers.Header) -> None:
     line = rr.DynamicArchetype(layout.HEADER, components={"header": header.dumps()})
     stream.log(layout.RECORDING, line, static=True)
     scene = f"```yaml\n{scene_text(run.scene)}```"
@@ -114,8 +114,8 @@ def _times(clock: NDArray[np.int64], steps: NDArray[np.int64]) -> list[rr.TimeCo
     ]
 
 
-def _plots(stream: rr.RecordingStream, run: Run, times: list[rr.TimeColumn]) -> None:
-    kinetic = kinetic_energy(run, slice(None))
+def _plots(stream: rr.RecordingStream, run: RunData, times: list[rr.TimeColumn]) -> None:
+    kinetic = kinetic_energy(run.scene, run.velocity, run.angular_velocity)
     energies = np.column_stack([run.energy, kinetic, run.energy - kinetic])
     values = {layout.ENERGY: energies, layout.MOMENTUM: run.momentum}
     values[layout.SPIN] = run.angular_momentum
@@ -146,7 +146,7 @@ def _plot(
     stream.send_columns(path, times, rr.Scalars.columns(scalars=values))
 
 
-def _history(stream: rr.RecordingStream, run: Run, times: bodies.Times) -> None:
+def _history(stream: rr.RecordingStream, run: RunData, times: bodies.Times) -> None:
     """What a recomputation is compared with: float64."""
     totals = {name: exact.column(getattr(run, name)) for name in ("times", *history.TOTALS)}
     columns = rr.DynamicArchetype.columns(layout.SAMPLE, components=totals)

@@ -1,0 +1,12 @@
+"""From a scene to its run, by the method that suits it or that was asked for (R5, R6, R8).
+
+Serves: `simulate` and the studies. Hides: how a method is chosen, and how each kind of method makes
+a run.
+"""
+
+from tamias2d.solve.following import Interrupted
+from tamias2d.solve.plan import FRAMES, planned
+from tamias2d.solve.sampling import sampler
+from tamias2d.solve.solution import solve
+
+__all__ = ["FRAMES", "Interrupted", "planned", "sampler", "solve"]

@@ -1,0 +1,59 @@
+"""A run put together from its plan and its history, with its balance and its cost."""
+
+import numpy as np
+
+from tamias2d.balance import balance
+from tamias2d.cost import Cost
+from tamias2d.motion import Tally
+from tamias2d.run import Impacts, Run
+from tamias2d.solve.finite import refuse_infinite
+from tamias2d.solve.plan import Plan
+from tamias2d.state import History
+
+NO_IMPACTS = Impacts(
+    time=np.zeros(0),
+    bodies=np.zeros((0, 2), np.int64),
+    point=np.zeros((0, 2)),
+    normal=np.zeros((0, 2)),
+    impulse=np.zeros(0),
+    normal_velocity=np.zeros(0),
+)
+
+
+def run_of(
+    plan: Plan, history: History, impacts: Impacts, notes: tuple[str, ...], tally: Tally
+) -> Run:
+    """Return the run; raise `RangeError` if its energy or a momentum is not finite."""
+    energy, momentum, angular_momentum = balance(plan.scene, history)
+    refuse_infinite(plan.times, energy, momentum, angular_momentum)
+    return Run(
+        scene=plan.scene,
+        method=plan.method,
+        duration=plan.duration,
+        time_step=plan.time_step,
+        times=plan.times,
+        **history._asdict(),
+        impacts=impacts,
+        energy=energy,
+        momentum=momentum,
+        angular_momentum=angular_momentum,
+        notes=plan.notes + notes,
+        cost=cost_of(impacts, tally),
+    )
+
+
+def cost_of(impacts: Impacts, tally: Tally, *, contacts: int = 0) -> Cost:
+    """Return the cost of a run; an impact with a whole side counts once."""
+    met = zip(impacts.time.tolist(), *impacts.bodies.T.tolist(), strict=True)
+    return Cost(**vars(tally), impacts=len(set(met)), contacts=contacts)
+
+
+def start_of(plan: Plan) -> History:
+    """Return the states of all bodies at the start, as a history of one sample."""
+    bodies = plan.scene.bodies
+    return History(
+        np.array([[body.position for body in bodies]]).reshape(1, -1, 2),
+        np.array([[body.orientation for body in bodies]]),
+        np.array([[body.velocity for body in bodies]]).reshape(1, -1, 2),
+        np.array([[body.angular_velocity for body in bodies]]),
+    )

@@ -1,0 +1,43 @@
+"""The states of a run at any times, not only at its samples."""
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+
+import numpy as np
+
+from tamias2d.contact import Located, Refusal
+from tamias2d.motion import PathMethod
+from tamias2d.motion.reference import NoStepError
+from tamias2d.motion.track import sample
+from tamias2d.run import Run
+from tamias2d.solve.solution import solve
+from tamias2d.state import Array, History
+
+
+def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
+    """Return a function from sorted times (k,), s, and bodies to their states.
+
+    The run is simulated once more. Where it is stepped, the states change linearly between the
+    ends of steps.
+    """
+    scene, method, step = run.scene, run.method, run.time_step
+    if not isinstance(method, PathMethod):
+        steps = solve(scene, duration=run.duration, method=method, time_step=step)
+        return lambda times, bodies: _interpolated(steps, times, bodies)
+    located = Located(scene, method.motion(scene, run.duration, step or run.duration))
+    with np.errstate(all="ignore"), suppress(Refusal, NoStepError):  # as far as the run went
+        located.go(run.duration)
+    return lambda times, bodies: sample([located.tracks[k] for k in bodies], times)
+
+
+def _interpolated(run: Run, times: Array, bodies: Sequence[int]) -> History:
+    """Return states that change linearly between the samples of a run."""
+    after = np.clip(np.searchsorted(run.times, times, side="right"), 1, len(run.times) - 1)
+    before = after - 1
+    share = (times - run.times[before]) / (run.times[after] - run.times[before])
+    known = (run.position, run.orientation, run.velocity, run.angular_velocity)
+    rows = (
+        part[before] + share.reshape(-1, *[1] * (part.ndim - 1)) * (part[after] - part[before])
+        for part in (whole[:, list(bodies)] for whole in known)
+    )
+    return History(*rows)

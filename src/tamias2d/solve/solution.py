@@ -1,0 +1,77 @@
+"""A scene solved by one method; contacts are stepped where locating them decides nothing."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from tamias2d.balance import balance
+from tamias2d.contact import (
+    MEANT_TO_TOUCH,
+    LastingContactError,
+    OverlapError,
+    SimultaneousImpactsError,
+    UndecidedContactError,
+)
+from tamias2d.motion import Legacy2018, Method, PathMethod, Stepped
+from tamias2d.motion.loads import Loads, coordinates, start_states
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.solve.assembly import start_of
+from tamias2d.solve.finite import refuse_infinite, within_range
+from tamias2d.solve.legacy import run_by_legacy
+from tamias2d.solve.located import run_by_paths
+from tamias2d.solve.plan import Plan, planned
+from tamias2d.solve.stepped import run_by_steps
+
+_UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError)
+
+
+def solve(
+    scene: Scene,
+    *,
+    duration: float,
+    method: Method | None = None,
+    time_step: float | None = None,
+    times: Iterable[float] | None = None,
+    progress: bool = False,
+) -> Run:
+    """Return the history of a scene: `tamias2d.simulate` without a tolerance.
+
+    Arguments and errors are those of `simulate`, except `ToleranceError`.
+    """
+    plan = planned(scene, duration, method, time_step, times)
+    with within_range(plan.duration):
+        try:
+            return _run(plan, progress)
+        except _UNDECIDED as refusal:
+            if method is not None:
+                raise
+            reason = f"impacts could be located up to {refusal.time:.6g} s. {refusal}"
+        except OverlapError as refusal:
+            if method is not None or refusal.share > MEANT_TO_TOUCH:
+                raise
+            reason = (
+                f"bodies touch at the start; {refusal.bodies} overlap by {refusal.depth:.2g} m, "
+                "as rounding does it"
+            )
+        return _run(plan.by_steps(reason), progress)
+
+
+def _run(plan: Plan, progress: bool) -> Run:
+    _refuse_singular(plan.scene)
+    refuse_infinite(np.zeros(1), *balance(plan.scene, start_of(plan)))
+    match plan.method:
+        case PathMethod() as method:
+            return run_by_paths(plan, method, progress=progress)
+        case Stepped() as method:
+            return run_by_steps(plan, method, progress=progress)
+        case Legacy2018() as method:
+            return run_by_legacy(plan, method)
+
+
+def _refuse_singular(scene: Scene) -> None:
+    """Raise an error that names the force, where one has no finite value at the start."""
+    moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+    start = start_states(scene)
+    states = [start[i] for i in moving]
+    Loads(scene).field(moving, [None] * len(moving))(0.0, *coordinates(states))

@@ -1,0 +1,79 @@
+"""Runs step by step through their contacts (R12)."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from tamias2d.errors import InputError, SimulationError
+from tamias2d.motion import Stepped, Tally
+from tamias2d.run import Impacts, Run
+from tamias2d.simulator import Frames, Overlap
+from tamias2d.solve.assembly import cost_of, run_of
+from tamias2d.solve.finite import range_error
+from tamias2d.solve.following import Interrupted, follow
+from tamias2d.solve.plan import Plan
+
+
+def run_by_steps(plan: Plan, method: Stepped, *, progress: bool) -> Run:
+    """Return the run of a scene whose contacts are stepped.
+
+    Raises as `solve` does; the error's `run` is the history up to there.
+    """
+    frames = Frames(
+        plan.scene,
+        time_step=plan.time_step or plan.duration,
+        substeps=method.substeps,
+        times=plan.times,
+    )
+    try:
+        follow(frames, plan.duration, progress=progress)
+    except InputError:  # the plan is sound: a number went beyond float64 on the way
+        raise range_error(f"run at {frames.time!r} s: a number", frames.time) from None
+    except SimulationError as fault:
+        fault.run = _reached(plan, frames)  # type: ignore[attr-defined]
+        raise
+    except KeyboardInterrupt:
+        raise Interrupted(_reached(plan, frames)) from None
+    return _reached(plan, frames)
+
+
+def _reached(plan: Plan, frames: Frames) -> Run:
+    """Return the run up to the step that was reached, with what is known of its error."""
+    history = frames.history()
+    plan = plan._replace(times=plan.times[: len(history.position)])
+    tally = Tally(steps=frames.steps, force_evaluations=frames.steps)
+    run = run_of(plan, history, _impacts(frames), (), tally)
+    names = [body.name for body in plan.scene.bodies]
+    notes = (
+        f"contacts: told at the ends of steps; {frames.contacts} points pushed, over all steps",
+        _overlap(frames.deepest, names),
+        f"energy: {run.energy[0]:.6g} J at first, {run.energy[-1]:.6g} J at last, "
+        f"never more than {run.energy.max():.6g} J",
+        "error: not bounded; `certify` finds how much shorter steps change",
+    )
+    cost = cost_of(run.impacts, tally, contacts=frames.contacts)
+    return replace(run, notes=run.notes + notes, cost=cost)
+
+
+def _overlap(deepest: Overlap | None, names: Sequence[str]) -> str:
+    if deepest is None:
+        return "overlap: none"
+    a, b = (names[k] for k in deepest.bodies)
+    return (
+        f"overlap: at most {deepest.share:.2g} of the size of the smaller body, "
+        f"{deepest.depth:.2g} m of '{a}' and '{b}' at {deepest.time:.4g} s"
+    )
+
+
+def _impacts(frames: Frames) -> Impacts:
+    """Return the pairs that began to touch, at the end of the step in which they did."""
+    met = [one.contacts for one in frames.met]
+    return Impacts(
+        time=np.repeat([one.time for one in frames.met], [len(one) for one in met]),
+        bodies=np.concatenate([np.zeros((0, 2), np.int64), *(one.bodies for one in met)]),
+        point=np.concatenate([np.zeros((0, 2)), *(one.point for one in met)]),
+        normal=np.concatenate([np.zeros((0, 2)), *(one.normal for one in met)]),
+        impulse=np.concatenate([np.zeros(0), *(one.impulse for one in met)]),
+        normal_velocity=np.concatenate([np.zeros(0), *(one.normal_velocity for one in frames.met)]),
+    )
