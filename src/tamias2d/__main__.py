@@ -1,7 +1,4 @@
-"""`python -m tamias2d` is the `tamias2d` command.
-
-Serves: the command where no script is installed. Hides: nothing; it calls `tamias2d.cli`.
-"""
+"""`python -m tamias2d` runs the `tamias2d` command, where no script is installed."""
 
 from tamias2d.cli import main
 

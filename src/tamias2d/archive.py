@@ -1,9 +1,4 @@
-"""Arrays in an `.npz` that somebody else may have made: read only if it holds what it claims.
-
-Serves: recordings and saved simulators. Hides: the container, and how sizes are checked before
-memory is taken for them. What this package writes is not compressed, so nothing that is read can be
-larger than its file.
-"""
+"""Arrays in an `.npz` that somebody else may have made: read only if it holds what it claims."""
 
 import math
 import zipfile

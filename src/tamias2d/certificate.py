@@ -1,8 +1,4 @@
-"""What a run says of its own error: how large it is at most, how that is known, and what is not.
-
-Serves: whoever must state how wrong a run is. Hides: how a certificate is written as JSON and as
-one line.
-"""
+"""The certificate of a run: a bound on its error, how it was reached, and what it leaves out."""
 
 import hashlib
 import json

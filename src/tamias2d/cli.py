@@ -1,8 +1,7 @@
-"""The `tamias2d` command: what may be typed, and what comes back when that is wrong.
+"""The `tamias2d` command: what may be typed, and its exit codes (0 good, 1 failed, 2 bad input).
 
-Serves: the commands, their options and exit codes (0 good, 1 a check failed, 2 bad input).
-Hides: the library that reads the command line. What a command does is in `tamias2d.commands`,
-imported only when it is called, so that `--help` comes at once.
+What a command does is in `tamias2d.commands`, which is imported only when a command is called, so
+that `--help` comes at once.
 """
 
 import sys

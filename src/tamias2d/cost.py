@@ -1,7 +1,4 @@
-"""What a run cost, in numbers that are the same on every machine.
-
-Serves: runs, and whoever compares methods. Hides: nothing but how few numbers that takes.
-"""
+"""The cost of a run, in numbers that are the same on every machine."""
 
 from dataclasses import dataclass
 

@@ -1,8 +1,5 @@
 """Every error that a user of the library can meet.
 
-Serves: whoever wants to catch what goes wrong. Hides: nothing but the wording, which each raising
-module chooses.
-
 Each message is complete in one line: *where: what was found: which rule (its id). What to do.*
 """
 

@@ -1,7 +1,4 @@
-"""The path of a body between two times, and whoever makes such paths.
-
-Serves: contact, which asks; motion, which answers. Hides: what kind of path it is.
-"""
+"""The path of a body between two times, and the protocol of motions that make such paths."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple, Protocol

@@ -1,8 +1,4 @@
-"""How a file is replaced whole: written beside it, then renamed.
-
-Serves: everything that writes a file. Hides: the draft's name, and the drafts of writers that were
-killed.
-"""
+"""How a file is replaced whole: written beside it, then renamed."""
 
 import errno
 import os

@@ -1,7 +1,4 @@
-"""Where bodies are and how they move: at one instant, and over a run.
-
-Serves: motion, contact and runs. Hides: the layout of the arrays.
-"""
+"""Positions and velocities of bodies: at one instant, and over a run."""
 
 from typing import NamedTuple, Protocol, TypeAlias
 

@@ -1,9 +1,4 @@
-"""Where results and compiled code live on this machine.
-
-Serves: a directory that can be written, the path of the verification results, and a directory that
-nobody else can write. Hides: the order in which places are tried, and how two checkouts are kept
-apart.
-"""
+"""Directories on this machine: for results, and for compiled code that nobody else can write."""
 
 import hashlib
 import logging

@@ -1,8 +1,4 @@
-"""What a user probably meant by a name that does not exist.
-
-Serves: the public functions and classes, scene files and the command line. Hides: the names that
-other engines use, and how near two words are.
-"""
+"""What a user probably meant by a name that does not exist."""
 
 import difflib
 import functools

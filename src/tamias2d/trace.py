@@ -1,8 +1,6 @@
 """Traceability: from a requirement to models, code, cases and their last results, and back.
 
-Service: each item of the specification with its links, generated functions, cases and verdict;
-what an item rests on and what depends on it; the table of the verification plan. Secret: how
-verdicts are rolled up.
+The verdict of an item rolls up those of the cases that verify it and of the items it rests on.
 """
 
 from collections.abc import Callable, Iterable, Mapping

@@ -1,4 +1,4 @@
-"""The module guide has a service and a secret for each module."""
+"""The module guide has a sentence for each module, and a service and a secret for each package."""
 
 import ast
 import re
@@ -19,8 +19,17 @@ def written_by_hand() -> list[object]:
     return [m for m in EVERY if ".generated" not in m.name]
 
 
+def packages() -> list[object]:
+    return [module for module in written_by_hand() if module.path.name == "__init__.py"]
+
+
 @pytest.mark.parametrize("module", written_by_hand(), ids=lambda module: module.name)
-def test_a_module_says_what_it_serves_and_what_it_hides(module: object) -> None:
+def test_a_module_says_what_it_is(module: object) -> None:
+    assert module.summary.endswith("."), f"{module.name}: its docstring needs a first sentence"
+
+
+@pytest.mark.parametrize("module", packages(), ids=lambda module: module.name)
+def test_a_package_says_what_it_serves_and_what_it_hides(module: object) -> None:
     service, secret = module.service_and_secret
     assert service, f"{module.name}: its docstring needs a sentence 'Serves: ...'"
     assert secret, f"{module.name}: its docstring needs a sentence 'Hides: ...'"

@@ -3,7 +3,7 @@
 import pytest
 
 from tamias2d.scene import Disc, HalfPlane, Scene
-from tamias2d.study import ways, work_precision
+from tamias2d.study import candidates, work_precision
 from tamias2d.study.work_precision import Study, study
 
 
@@ -28,5 +28,5 @@ def spring() -> Scene:
 @pytest.fixture
 def studied(spring: Scene, monkeypatch: pytest.MonkeyPatch) -> Study:
     monkeypatch.setattr(work_precision, "_RUNGS", 5)
-    monkeypatch.setattr(ways, "TOLERANCES", (1e-4,))
+    monkeypatch.setattr(candidates, "TOLERANCES", (1e-4,))
     return study(spring, duration=2.0, timed=False)

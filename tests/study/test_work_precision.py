@@ -15,12 +15,12 @@ from tamias2d.errors import InputError
 from tamias2d.motion import RungeKutta4
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
-from tamias2d.study import ways, work_precision
+from tamias2d.study import candidates, work_precision
+from tamias2d.study.candidates import Candidate
 from tamias2d.study.event_errors import Errors
 from tamias2d.study.plot import plot
 from tamias2d.study.report import as_json, schema
 from tamias2d.study.truth import truth_of
-from tamias2d.study.ways import Way
 from tamias2d.study.work_precision import Point, Study, study
 
 
@@ -51,7 +51,7 @@ def test_errors_fall_at_the_order_of_the_scheme(
 ) -> None:
     monkeypatch.setattr(work_precision, "_FIRST", 128)
     monkeypatch.setattr(work_precision, "_RUNGS", 2)
-    monkeypatch.setattr(ways, "TOLERANCES", (1e-4,))
+    monkeypatch.setattr(candidates, "TOLERANCES", (1e-4,))
     found = study(spring, duration=0.2, timed=False)
     for method, order in (("SemiImplicitEuler", 1), ("VelocityVerlet", 2), ("RungeKutta4", 4)):
         coarse, fine = (point.error for point in points_of(found, method))
@@ -106,7 +106,7 @@ def test_other_engines_are_shown_but_never_on_the_front(studied: Study) -> None:
 
 def test_phases_give_median_and_worst(bounce: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(work_precision, "_RUNGS_OF_IMPACTS", 2)
-    monkeypatch.setattr(ways, "TOLERANCES", (1e-4,))
+    monkeypatch.setattr(candidates, "TOLERANCES", (1e-4,))
     found = study(bounce, duration=1.5, phases_asked=4, timed=False)
     assert found.phases == 4
     point = points_of(found, "SemiImplicitEuler")[1]
@@ -131,7 +131,7 @@ def test_a_stopped_study_keeps_what_it_has(spring: Scene) -> None:
 
 def test_a_scene_of_other_loads_has_a_reference(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(work_precision, "_RUNGS", 1)
-    monkeypatch.setattr(ways, "TOLERANCES", (1e-4,))
+    monkeypatch.setattr(candidates, "TOLERANCES", (1e-4,))
     found = study(catalogue.load("kepler"), duration=1.0, timed=False)
     assert found.truth == "Reference(rtol=1e-13)"
     assert found.floor < 1e-11
@@ -158,12 +158,12 @@ def test_a_study_is_drawn_with_its_failures(studied: Study, tmp_path: Path) -> N
 
 
 def test_a_method_that_is_not_finite_has_an_error_without_limit(spring: Scene) -> None:
-    def go(scene: Scene, duration: float, times: Any) -> Any:
+    def run(scene: Scene, duration: float, times: Any) -> Any:
         run = simulate(scene, duration=duration, method=RungeKutta4(), time_step=0.01, times=times)
         return replace(run, position=run.position * np.nan)
 
     point = work_precision.point_of(
-        Way("Broken", "", go), [spring], [truth_of(spring, 1.0)], timed=False
+        Candidate("Broken", "", run), [spring], [truth_of(spring, 1.0)], timed=False
     )
     assert point.error is not None
     assert point.error.size == math.inf

@@ -14,11 +14,11 @@ from rich.progress import track
 
 from tamias2d.run import Run
 from tamias2d.scene import Disc, Scene, catalogue
+from tamias2d.study.candidates import Candidate, candidates
 from tamias2d.study.front import front
 from tamias2d.study.peers import simulate
 from tamias2d.study.phases import LEAST, phases
 from tamias2d.study.truth import floor_of, truth_of
-from tamias2d.study.ways import Way, ways
 from tamias2d.study.work_precision import Point, point_of
 
 _RATES = (60, 240, 960, 3840)  # steps in a second
@@ -86,19 +86,19 @@ def _row(name: str, scene: Scene, duration: float) -> dict[str, Any]:
     }
 
 
-def _tried(scene: Scene, duration: float) -> list[Way]:
-    every = list(ways(scene, rungs=[round(rate * duration) for rate in _RATES]))
+def _tried(scene: Scene, duration: float) -> list[Candidate]:
+    every = list(candidates(scene, rungs=[round(rate * duration) for rate in _RATES]))
     exact = any(way.name == "ClosedForm" for way in every)
     own = {"ClosedForm": ("",)} if exact else _OWN
     return [way for way in every if way.peer or way.setting in own.get(way.name, ())]
 
 
-def _by_hand(way: Way) -> Way:
-    def go(scene: Scene, duration: float, times: Iterable[float]) -> Run:
-        steps = way.steps or 1
+def _by_hand(candidate: Candidate) -> Candidate:
+    def run(scene: Scene, duration: float, times: Iterable[float]) -> Run:
+        steps = candidate.steps or 1
         return simulate(scene, duration=duration, steps=steps, times=times, push=_kepler)
 
-    return replace(way, go=go)
+    return replace(candidate, run=run)
 
 
 def _kepler(body: Any) -> tuple[float, float, float]:

@@ -91,10 +91,10 @@ def _study(name: str) -> Any:
 
 
 def _ways(scene: Any) -> Iterator[Any]:
-    from tamias2d.study.ways import ways
+    from tamias2d.study.candidates import candidates
 
     peers = find_spec("pymunk") is not None
-    return (way for way in ways(scene, rungs=_RUNGS) if peers or not way.peer)
+    return (way for way in candidates(scene, rungs=_RUNGS) if peers or not way.peer)
 
 
 class FrontDirective(WovenDirective):

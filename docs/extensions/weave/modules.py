@@ -24,11 +24,11 @@ PARTS = (
     "motion",
     "contact",
     "kernels",
-    "stepped",
     "engine",
     "simulator",
-    "study",
     "record",
+    "solve",
+    "study",
     "verify",
     "spec",
     "generated",
@@ -85,15 +85,17 @@ def _place(path: Path) -> tuple[int, str]:
 
 
 def guide(package: Path) -> str:
-    """A table of services and secrets for each part of the package."""
-    parts: dict[str, list[list[str]]] = {}
+    """For each part of the package what it serves and hides, and a table of its modules."""
+    heads: dict[str, str] = {}
+    rows: dict[str, list[list[str]]] = {}
     for module in modules(package):
-        says = [
-            text[:1].upper() + text[1:] for text in (module.summary, *module.service_and_secret)
-        ]
+        service, secret = module.service_and_secret
+        if service and module.name == module.part:
+            heads[module.part] = as_markdown(f"Serves: {service} Hides: {secret}")
         link = f"{{module}}`{module.name}`"
-        parts.setdefault(module.part, []).append([link, *map(as_markdown, says)])
+        rows.setdefault(module.part, []).append([link, as_markdown(module.summary)])
     return "\n".join(
-        f"**{name}**\n\n" + table(["module", "what it is", "serves", "hides"], rows, style="guide")
-        for name, rows in parts.items()
+        f"**{name}**\n\n{heads.get(name, '')}\n\n"
+        + table(["module", "what it is"], found, style="guide")
+        for name, found in rows.items()
     )

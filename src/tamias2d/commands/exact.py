@@ -1,7 +1,4 @@
-"""How far a run is from the exact answers that the specification knows for its scene.
-
-Serves: the errors that `run` prints. Hides: which cases fit a run.
-"""
+"""The errors of a run against the exact answers that the specification knows for its scene."""
 
 import math
 from dataclasses import dataclass

@@ -1,7 +1,4 @@
-"""`tamias2d explain`: the physics that a scene needs, and why the rest is left out.
-
-Serves: the command `explain`. Hides: how the reasons are laid out.
-"""
+"""`tamias2d explain`: the physics that a scene needs, and why the rest is left out."""
 
 from collections.abc import Sequence
 from dataclasses import asdict, replace

@@ -1,7 +1,4 @@
-"""What a user types, turned into what the library takes: scenes, methods and times.
-
-Serves: the commands that take a scene. Hides: how a name is told from a file, and a time is read.
-"""
+"""Words typed by a user, turned into scenes, methods and times."""
 
 import difflib
 import math

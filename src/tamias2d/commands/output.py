@@ -1,7 +1,4 @@
-"""How commands print: tables for people, JSON for machines.
-
-Serves: one look for all commands. Hides: which library draws it, and how wide the screen is.
-"""
+"""Output of the commands: tables for people, JSON for machines."""
 
 import errno
 import io

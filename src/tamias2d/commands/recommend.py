@@ -1,7 +1,4 @@
-"""`tamias2d recommend`: which method and step meet a tolerance, and why the others lost.
-
-Serves: the command `recommend`. Hides: the form of its answer, for people and as JSON.
-"""
+"""`tamias2d recommend`: which method and step meet a tolerance, and why the others lost."""
 
 import math
 from typing import Any
@@ -9,7 +6,7 @@ from typing import Any
 from tamias2d.commands.names import find_scene, share, span_of
 from tamias2d.commands.output import command, print_json, print_table, say
 from tamias2d.study.pilot import Estimate
-from tamias2d.study.recommend import Plan, recommend
+from tamias2d.study.recommend import Recommendation, recommend
 
 
 def recommend_way(name: str, *, tolerance: str, duration: str | None, as_json: bool) -> None:
@@ -42,13 +39,13 @@ def _way(one: Estimate) -> str:
     return f"{one.method}" + (f", steps of {one.time_step:.4g} s" if one.time_step else "")
 
 
-def _spent(plan: Plan) -> str:
+def _spent(plan: Recommendation) -> str:
     own = plan.choice.force_evaluations
     times = f", {plan.pilot / own:.2g} times as many as the run needs" if own else ""
     return f"Finding this took {plan.pilot} force evaluations of pilot runs{times}."
 
 
-def _as_json(name: str, plan: Plan) -> dict[str, Any]:
+def _as_json(name: str, plan: Recommendation) -> dict[str, Any]:
     return {
         "scene": name,
         "tolerance": plan.tolerance,

@@ -1,7 +1,4 @@
-"""`tamias2d replay`: look at a recording, or compute it again and compare every bit.
-
-Serves: the command `replay`. Hides: which part of the recorder answers.
-"""
+"""`tamias2d replay`: look at a recording, or compute it again and compare every bit."""
 
 from pathlib import Path
 

@@ -1,7 +1,4 @@
-"""`tamias2d run`: simulate a scene, print the answer and how wrong it is, keep the run.
-
-Serves: the command `run`. Hides: the form of its answer, for people and as JSON.
-"""
+"""`tamias2d run`: simulate a scene, print the answer and how wrong it is, keep the run."""
 
 import math
 import shlex

@@ -1,7 +1,4 @@
-"""`tamias2d scenes`: what the catalogue holds.
-
-Serves: the command `scenes`. Hides: how the list is laid out.
-"""
+"""`tamias2d scenes`: what the catalogue holds."""
 
 from tamias2d.commands.output import figure, print_json, print_table
 from tamias2d.scene import catalogue

@@ -1,7 +1,4 @@
-"""`tamias2d trace`: from requirement to model, code, cases and results, or around one item.
-
-Serves: the command `trace`. Hides: how the graph is laid out as rows.
-"""
+"""`tamias2d trace`: from requirement to model, code, cases and results, or around one item."""
 
 import sys
 from collections.abc import Iterable, Iterator

@@ -1,7 +1,4 @@
-"""`tamias2d tradeoff`: what accuracy costs on a scene, by every method that there is.
-
-Serves: the command `tradeoff`. Hides: the form of its answer, for people and as JSON.
-"""
+"""`tamias2d tradeoff`: the accuracy and the cost of every method on a scene."""
 
 import sys
 from collections.abc import Iterator

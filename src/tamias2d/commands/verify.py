@@ -1,7 +1,4 @@
-"""`tamias2d verify`: a row per comparison, and whether all of them hold.
-
-Serves: the command `verify`. Hides: how the rows are laid out.
-"""
+"""`tamias2d verify`: a row per comparison, and whether all of them hold."""
 
 from collections.abc import Sequence
 

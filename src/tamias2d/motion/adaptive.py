@@ -1,10 +1,8 @@
-"""Steps as long as a tolerance allows, by pairs that know their error.
+"""Adaptive steps: an embedded pair estimates its error, which sets the length of the next step.
 
-Serves: the adaptive methods. Hides: how the next step follows from the errors of the last ones.
-
-The error of a step is compared with what is allowed for each coordinate and rate, and the next
-step is as long as the error of this one and of the last suggests (Hairer, Norsett and Wanner,
-Solving Ordinary Differential Equations I, section II.4).
+The error of a step is compared with the tolerance for each coordinate and rate, and the next step
+is as long as the errors of this step and of the last suggest (Hairer, Norsett and Wanner, Solving
+Ordinary Differential Equations I, section II.4).
 """
 
 import math

@@ -1,7 +1,4 @@
-"""Exact motion: the closed forms of IM1 and IM2, of IM6 and of IM7.
-
-Serves: runs in which every body has a closed form. Hides: the closed forms' arguments.
-"""
+"""Exact motion: the closed forms of IM1 and IM2, of IM6 and of IM7."""
 
 from collections.abc import Iterable, Sequence
 

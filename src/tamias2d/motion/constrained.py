@@ -1,6 +1,6 @@
-"""Motion along a lasting contact whose normal turns: integrated, whatever the method of the run.
+"""Motion along a lasting contact whose normal turns.
 
-Serves: bodies whose supports turn. Hides: the integrator.
+The contact's force depends on the state, so that the path is integrated whatever the method.
 """
 
 import math

@@ -1,7 +1,4 @@
-"""Exact paths under linear and angular drag and otherwise constant loads: the closed form of IM6.
-
-Serves: the closed form. Hides: how the path and its bounds are found.
-"""
+"""Exact paths under linear and angular drag and constant loads: the closed form of IM6."""
 
 import math
 from typing import Any

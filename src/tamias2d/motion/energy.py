@@ -1,7 +1,4 @@
-"""Energy that a scene holds in its springs (IM7) and in the attraction of its bodies (IM5).
-
-Serves: the balance of a run. Hides: which pairs and springs there are, and the order of the sum.
-"""
+"""Energy in the springs of a scene (IM7) and in the attraction between its bodies (IM5)."""
 
 import numpy as np
 

@@ -1,6 +1,4 @@
-"""Steps that solve linear drag and constant loads exactly, and are kicked by all else.
-
-Serves: the method of that name. Hides: how the exact motion and the kicks share a path.
+"""Exponential steps: linear drag and constant loads are solved exactly, all other loads by kicks.
 
 Between the ends of a step the path is the exact one, plus a polynomial for what the kicks change.
 """

@@ -1,7 +1,4 @@
-"""Motion by the generated schemes, on a grid of equal steps.
-
-Serves: the schemes on equal steps. Hides: the grid, and how the last step meets the end.
-"""
+"""Steps of a generated scheme, all of one length but for the last and those around impacts."""
 
 from collections.abc import Callable
 from typing import Any, TypeAlias

@@ -1,7 +1,4 @@
-"""Motion by integration: paths from whatever steps an integrator takes.
-
-Serves: the schemes and the reference. Hides: how steps become a path.
-"""
+"""Motion by integration: the steps of an integrator as paths of bodies."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Protocol

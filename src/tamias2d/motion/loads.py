@@ -1,8 +1,4 @@
-"""What accelerates the bodies of a scene: gravity, and the sum of all forces and torques.
-
-Serves: whoever needs the accelerations of one body, or of many as a function for the schemes (IM1,
-IM2, GD6). Hides: which terms there are; a scene pays for no others.
-"""
+"""The accelerations of a scene's bodies, from gravity and the sum of all loads (IM1, IM2, GD6)."""
 
 from collections.abc import Callable, Sequence
 from typing import TypeAlias

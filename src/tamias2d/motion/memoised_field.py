@@ -1,7 +1,4 @@
-"""Accelerations that are counted, and not computed twice for one time and state.
-
-Serves: all integrators. Hides: which times are remembered.
-"""
+"""Accelerations that are counted, and computed only once for one time and state."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""What every method says of itself, whatever kind it is of."""
+"""What every method says of itself, whatever its kind."""
 
 from typing import ClassVar
 

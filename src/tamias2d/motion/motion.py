@@ -1,7 +1,4 @@
-"""One way of finding paths, and what it has cost.
-
-Serves: simulate; the methods, which are such ways. Hides: which way it is.
-"""
+"""The protocol of a motion: it makes the paths of a scene's bodies, and counts their cost."""
 
 from dataclasses import dataclass
 from typing import Protocol

@@ -1,7 +1,4 @@
-"""Exact paths on a spring of no length to a point: the closed form of IM7.
-
-Serves: the closed form. Hides: how the path and its bounds are found.
-"""
+"""Exact paths on a spring of no length to a point: the closed form of IM7."""
 
 import math
 from typing import Any

@@ -1,9 +1,7 @@
-"""Paths as polynomials of time, through what a scheme says at the ends of its step.
+"""Paths as polynomials of time through the states at both ends of a step.
 
-Serves: schemes and reference. Hides: the basis of the polynomials.
-
-The coordinates are x, y and orientation. The polynomial of the coordinates is the one truth: the
-velocity is its derivative, so that what touches and how fast it meets cannot disagree.
+The coordinates are x, y and orientation. The velocity is the derivative of the coordinates'
+polynomial, so that the place of a contact and the speed of its approach cannot disagree.
 """
 
 import math

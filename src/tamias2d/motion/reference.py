@@ -1,6 +1,6 @@
-"""The reference: scipy's DOP853, as tight as asked. The one place that imports scipy here.
+"""The reference: scipy's DOP853, as tight as asked.
 
-Serves: answers that others are measured by. Hides: scipy, and how its steps become paths.
+Only this module of `motion` imports scipy.
 """
 
 from dataclasses import replace

@@ -1,6 +1,4 @@
-"""Whether a scheme at a time step grows what the motion itself does not, told before it runs.
-
-Serves: the stepped methods. Hides: how the fastest motion of a scene is found.
+"""Whether a scheme is stable at a time step, found before it runs.
 
 The accelerations are made linear at the start of the run, by differences. One step of the scheme
 is then a matrix for each group of bodies that act on each other, and no eigenvalue of it may be

@@ -1,7 +1,4 @@
-"""Many steps of a scheme as one path: whoever looks for contacts looks once for all of them.
-
-Serves: schemes on equal steps, between impacts. Hides: into which step a time falls.
-"""
+"""A batch of steps as one path, so that contacts are searched for once and not step by step."""
 
 from bisect import bisect_left, bisect_right
 from functools import cached_property

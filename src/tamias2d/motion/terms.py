@@ -1,10 +1,7 @@
 """The forces that follow from the state of the bodies, each a term of the sum GD6.
 
-Serves: the loads. Hides: how all bodies of a term are computed at once.
-
-A term knows in which rows of the arrays its bodies stand, and adds what it does to all of them at
-once to the loads (n, 3): both components of the force, N, and the torque, N m. All equations are
-the generated ones.
+A term knows the rows of its bodies in the arrays, and adds its forces, N, and torques, N m, to the
+loads (n, 3) of all of them at once. All equations are the generated ones.
 """
 
 from collections.abc import Callable, Sequence

@@ -1,7 +1,4 @@
-"""The whole path of each body, from the pieces that it went through.
-
-Serves: runs, which sample it. Hides: where one piece ends and the next begins.
-"""
+"""The whole path of each body, sampled from its pieces."""
 
 from collections.abc import Sequence
 

@@ -1,7 +1,4 @@
-"""Exact paths under constant force and torque: the closed forms of IM1 and IM2.
-
-Serves: the closed form, and whatever stands still. Hides: the formulas of the path and its bounds.
-"""
+"""Exact paths under constant force and torque: the closed forms of IM1 and IM2."""
 
 import math
 

@@ -1,7 +1,4 @@
-"""A recording appears whole or not at all.
-
-Serves: everything that writes a recording. Hides: what can be in the way, told in one line.
-"""
+"""A recording appears whole or not at all."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Where two histories of one run first differ, to the last bit.
-
-Serves: replay. Hides: the order in which arrays are compared.
-"""
+"""The first number, to the last bit, in which two histories of one run differ."""
 
 from __future__ import annotations
 

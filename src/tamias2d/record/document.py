@@ -1,7 +1,4 @@
-"""What a recording says in words: the run, and the equations that it rests on, as Markdown.
-
-Serves: the viewer's pages of text. Hides: the layout of the Markdown.
-"""
+"""The text of a recording: the run, and the equations that it rests on, as Markdown."""
 
 from __future__ import annotations
 

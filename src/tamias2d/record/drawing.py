@@ -1,6 +1,4 @@
-"""What a body looks like: its lines in its own frame, its colour, and the view that holds a run.
-
-Serves: the viewer and the plots. Hides: colours, hatching and margins.
+"""The look of a body: its lines in its own frame, its colour, and the view that holds a run.
 
 The viewer and the plots draw from here, so that a body has one look everywhere.
 """

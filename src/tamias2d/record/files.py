@@ -1,7 +1,4 @@
-"""Which kind of recording a file is, by its suffix.
-
-Serves: saving and loading. Hides: which module knows which kind of file.
-"""
+"""The kinds of recording, told apart by the suffix of the file."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""What a recording says of itself: all that it takes to compute its run once more.
-
-Serves: recordings of every kind, and replay. Hides: the form of the line.
+"""The header of a recording: all that it takes to compute its run once more.
 
 The header is one line of JSON, the same in every kind of recording. Floats are printed so that
 they read back to the same bits.

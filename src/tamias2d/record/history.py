@@ -1,7 +1,5 @@
 """The exact history of a run: every float64 of it, as named arrays, and as an `.npz` file.
 
-Serves: exact recordings, and replay. Hides: names and order of the arrays.
-
 The file holds plain arrays (never pickles, which could run code) and the header as text.
 """
 

@@ -1,7 +1,4 @@
-"""A picture of a run: where the bodies went, how high, and what became of the energy.
-
-Serves: `--plot`, the gallery. Hides: matplotlib.
-"""
+"""A picture of a run: the paths of its bodies, their heights, and the energy over time."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""What acts on which bodies: whose loads vary, and who moves only together with others.
-
-Serves: motion, contact and `needs`. Hides: how what is stated for bodies, springs and fields is
-collected.
-"""
+"""The loads on each body, those that vary, and the groups of bodies that act on each other."""
 
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias

@@ -1,8 +1,4 @@
-"""What a body is, and where and how it starts.
-
-Serves: scenes and all that moves bodies. Hides: how an inverse mass of zero stands for a static
-body.
-"""
+"""A body: its shape, its mass and inertia, and the state in which it starts."""
 
 import math
 from dataclasses import dataclass

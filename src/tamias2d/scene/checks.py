@@ -1,7 +1,4 @@
-"""The checks of a scene's and a body's values, one function a value (R2, R3, R4).
-
-Serves: scenes and their reader. Hides: how each value is converted and judged.
-"""
+"""The checks of a scene's and a body's values, one function a value (R2, R3, R4)."""
 
 import math
 from typing import get_args

@@ -1,7 +1,4 @@
-"""Bodies of several shapes that move as one.
-
-Serves: bodies, contacts and pictures. Hides: where the common centre of mass lies.
-"""
+"""Bodies of several shapes that move as one."""
 
 import math
 from dataclasses import dataclass, field

@@ -1,7 +1,4 @@
-"""Which bodies have a closed form: their motion between impacts is a formula of time.
-
-Serves: the closed form, and the choice of it. Hides: what rules a closed form out.
-"""
+"""Which bodies have a closed form: their motion between impacts is a formula of time."""
 
 from typing import Literal
 

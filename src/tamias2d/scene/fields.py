@@ -1,7 +1,4 @@
-"""Force fields: a law of a user's own, for all bodies that move or for some (IM8).
-
-Serves: scenes with laws of a user's own. Hides: how a field is checked.
-"""
+"""Force fields: a law of a user's own, for all bodies that move or for some (IM8)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

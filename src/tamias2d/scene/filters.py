@@ -1,7 +1,5 @@
 """Which bodies may touch at all: category, mask and group (R3).
 
-Serves: scenes, and all that looks for contacts. Hides: the rule, and how its numbers are checked.
-
 A category and a mask are whole numbers whose bits stand for kinds of bodies. Two bodies may touch
 if each one's category shares a bit with the other's mask. Two of the same group, if that is not 0,
 do not look at that: they always touch where the group is positive, and never where it is negative.

@@ -1,7 +1,4 @@
-"""The forms that the parts of a scene file take: mappings with known keys, lists, two names.
-
-Serves: the readers of scene files. Hides: the wording of what is wrong with a form.
-"""
+"""The forms of the parts of a scene file: mappings with known keys, lists, pairs of names."""
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Forces and torques: a plain number, or a law in the language of the specification.
 
-Serves: bodies and fields whose loads vary. Hides: how an expression is read, checked and evaluated.
-
 A law says how a load follows from the time and from the state of the body that feels it.
 """
 

@@ -1,6 +1,4 @@
-"""What a scene needs: states, terms, models and methods, each with the reason for or against it.
-
-Serves: `explain`, and the choice of a way. Hides: how each reason is found.
+"""The needs of a scene: states, terms, models and methods, each with the reason for or against it.
 
 A scene pays only for the physics that it needs, and can say why.
 """

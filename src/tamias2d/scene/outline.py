@@ -1,7 +1,5 @@
 """The outline of a polygon: the check that it is convex, and its centre.
 
-Serves: polygons. Hides: the test of convexity and how the centre is found.
-
 An outline is accepted only if it turns the same way at every vertex, and once around in all.
 """
 

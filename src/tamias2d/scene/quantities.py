@@ -1,8 +1,6 @@
 """Values of a scene file: text with units, turned into numbers in SI units.
 
-Serves: the reader of scene files. Hides: the language of units and expressions.
-
-Every function raises `RuleError` with the path of the value; its place is the caller's to add.
+Every function raises `RuleError` with the path of the value; the caller adds its place.
 """
 
 import re

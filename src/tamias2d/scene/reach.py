@@ -1,7 +1,5 @@
 """Which bodies can meet: the bounds that their free motion sweeps within a duration.
 
-Serves: `needs`, and the check of restitutions. Hides: the shape of the bounds.
-
 A pair whose swept bounds stay apart cannot be the first to meet. If no bounds meet, nothing does,
 and all motion is free to the end. Bounds may be too large, never too small: a pair too many costs
 time, a pair too few an impact.

@@ -1,7 +1,4 @@
-"""Scenes from YAML files: what each key means, and where it stands when it is wrong.
-
-Serves: `load`, the catalogue. Hides: the keys of the file and the order in which they are read.
-"""
+"""Scenes from YAML files: what each key means, and where it stands when it is wrong."""
 
 import stat
 from collections.abc import Mapping

@@ -1,7 +1,4 @@
-"""What acts on the bodies of a scene file: springs, attraction and fields.
-
-Serves: `load`. Hides: the keys of springs, attraction and fields.
-"""
+"""What acts on the bodies of a scene file: springs, attraction and fields."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -1,7 +1,4 @@
-"""The shape of a body in a scene file.
-
-Serves: `load`. Hides: the keys of each shape.
-"""
+"""The shape of a body in a scene file."""
 
 from collections.abc import Callable
 from typing import Any

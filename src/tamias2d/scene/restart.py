@@ -1,8 +1,4 @@
-"""A scene that starts otherwise: the same laws, for bodies in other states.
-
-Serves: twins and phases of a run. Hides: which facts of a scene stay when its bodies start
-elsewhere.
-"""
+"""A scene that starts in another state: the same laws for bodies moved elsewhere."""
 
 from collections.abc import Sequence
 from copy import copy

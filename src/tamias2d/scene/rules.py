@@ -1,9 +1,7 @@
-"""The rules that every value of a scene has to keep (R2, R3, R4).
+"""The rules for values of a scene, and the errors that name them (R2, R3, R4).
 
-Serves: every check of a value. Hides: the wording of a message.
-
-One wording serves Python arguments and YAML files: a `RuleError` says what is wrong and
-which argument it was, and the reader of files puts the place before it.
+One wording serves Python arguments and YAML files: a `RuleError` says which argument is wrong and
+why, and the reader of files puts the place before it.
 """
 
 import math

@@ -1,6 +1,6 @@
-"""What a scene holds: its bodies, what acts on them, and what they do when they meet (R1 to R3).
+"""The data of a scene: bodies, what acts on them, and how they part when they meet (R1 to R3).
 
-Scenes are built by `Scene`, which adds to it.
+`Scene` adds to it.
 """
 
 from collections.abc import Iterator

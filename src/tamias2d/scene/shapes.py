@@ -1,11 +1,9 @@
 """The shapes of one piece that a body can have; `compound` joins several.
 
-Serves: bodies, contacts and pictures. Hides: how vertices are kept and inertia is found.
-
 Every shape is given about its centre of mass, which the body's position then puts into the world.
-A shape is its `core`, corners in m (counter-clockwise where there are three), and all that is no
-farther from it than its `rounding`, m. It knows the radius of the circle that holds it at any
-orientation, and its area and its inertia by the formulas of the specification. A half-plane has
+A shape is its `core`, corners in m (counter-clockwise where there are three), and all points no
+farther from the core than its `rounding`, m. A shape knows the radius of the circle that holds it
+at any orientation, its area, and its inertia by the formulas of the specification. A half-plane has
 neither core nor area.
 """
 

@@ -1,7 +1,4 @@
-"""Springs, perhaps with a damper beside them: between two bodies, or a body and a point (IM7).
-
-Serves: scenes with springs, and the forces that follow. Hides: how a spring is checked.
-"""
+"""Springs, perhaps with a damper beside them: between two bodies, or a body and a point (IM7)."""
 
 import math
 from collections.abc import Sequence

@@ -1,7 +1,4 @@
-"""A scene as YAML text that loads back to the same scene, bit for bit (`repr` of a float does).
-
-Serves: recordings, and scenes made in Python. Hides: the layout of the text.
-"""
+"""A scene as YAML text that loads back to the same scene, bit for bit (`repr` of a float does)."""
 
 import json
 import re

@@ -1,8 +1,4 @@
-"""A certificate for a run: what bounds its error, found by companion runs of the same scene.
-
-Serves: `simulate` with a tolerance, and users who ask afterwards. Hides: which companion runs bound
-which kind of run.
-"""
+"""A certificate for a run, from companion runs of the same scene that bound its error."""
 
 import math
 from collections.abc import Callable
@@ -20,12 +16,12 @@ from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import MEASURE, apart, radii, scale
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.penetration import Penetration, crowded, penetrations
-from tamias2d.study.perturbed import LOST, MOVED, growth, horizon, rounded_apart
+from tamias2d.study.perturbed import LOST, MOVED, growth, horizon, rounding_spread
 from tamias2d.suggestions import suggests
 
 _EPSILON = 2.0**-52
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
-_TWINS = 3.0  # times as far away as twins one rounding apart the exact answer may be
+_SPREADS = 3.0  # times as far as runs perturbed by one rounding the exact answer may be
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (after Roache's index)
 _ORDER = 0.3  # within which the observed order is that of the scheme
 _COARSEST = 16  # steps of a grid that is trusted to show the order
@@ -68,7 +64,7 @@ def certify(run: Run) -> Run:
     The scene is simulated some times more: in closed form twice, by a stepped scheme on two coarser
     grids (together three quarters of the run's cost, and a finer one if they disagree about the
     order), by an adaptive one at a tighter tolerance, through contacts by steps of a half and of a
-    quarter (six times the run's cost); once more for the twin, and once to look for bodies that
+    quarter (six times the run's cost); once more, perturbed, and once to look for bodies that
     overlap or pass through each other.
     """
     if not isinstance(run, Run):
@@ -164,22 +160,22 @@ def _of_energy(run: Run, reason: str, lost_at: float | None) -> Certificate:
 
 
 def _exact(run: Run, grown: Array | None) -> _Bound:
-    """Bound what rounding does, from the sizes of the terms and, with impacts, from twins.
+    """Bound what rounding does, from the sizes of the terms and, with impacts, from perturbed runs.
 
     An impact is located within the rounding of its gap, which moves its instant by that over the
-    normal velocity, and all that follows. Twins that start one rounding away show that.
+    normal velocity, and all that follows. Runs perturbed by one rounding show that.
     """
     value = _ROUNDINGS * rounding(run)
     if not len(run.impacts):
         return _Bound("exact", value, "closed form, bounded from the rounding of its terms")
-    strayed = rounded_apart(run)
+    strayed = rounding_spread(run)
     if strayed is None or grown is None:
         raise _NoBoundError("a scene that differs by rounding ends in a refusal")
     how = (
-        f"closed form and {len(run.impacts)} located impacts, bounded from twins that start one "
-        f"rounding away; a small change grows to {float(grown.max()):.3g} times its size"
+        f"closed form and {len(run.impacts)} located impacts, bounded from runs perturbed "
+        f"by one rounding; a small change grows to {float(grown.max()):.3g} times its size"
     )
-    return _Bound("exact", value + _TWINS * strayed, how)
+    return _Bound("exact", value + _SPREADS * strayed, how)
 
 
 def rounding(run: Run) -> float:

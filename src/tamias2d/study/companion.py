@@ -1,7 +1,4 @@
-"""Runs beside the one that is asked for: they may be refused, which says something, too.
-
-Serves: certificates and pilots. Hides: how a refusal becomes an answer.
-"""
+"""Companion runs: made beside a run to judge it; a refusal of one is an answer, too."""
 
 from typing import Any
 

@@ -1,11 +1,9 @@
-"""Energy over very many steps: whether it only swings, or goes somewhere.
+"""Energy over very many steps: whether it only swings, or drifts.
 
-Serves: the measurement of long runs. Hides: how a swing is told from a trend.
-
-A planet on an ellipse, whose energy is a formula here, and a disc that bounces without loss. The
-energy of the planet swings within each round, so that means over rounds are looked at. The trend is
-that of a straight line through them; it is none if it is small beside the first swing and nothing
-ever gets far beyond that, or if all is no more than the random walk of rounding.
+Measured are a planet on an ellipse, whose energy is a formula here, and a disc that bounces without
+loss. The planet's energy swings within each round, so the trend is that of a straight line through
+the means of rounds. There is no trend if it is small beside the first swing and no later value goes
+far beyond that, or if all of it is no more than the random walk of rounding.
 """
 
 from collections.abc import Iterator

@@ -1,7 +1,4 @@
-"""How far apart two histories of one scene are: the measure in which errors are stated.
-
-Serves: certificates and studies alike. Hides: the scale that makes an error relative.
-"""
+"""How far apart two histories of one scene are: the measure in which errors are stated."""
 
 import math
 

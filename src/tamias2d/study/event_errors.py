@@ -1,10 +1,8 @@
-"""The errors of a run with impacts, each in a measure that falls as the run gets better.
+"""Event-aware errors: measures of a run with impacts that fall as the run gets better.
 
-Serves: studies of scenes with impacts. Hides: how impacts of two runs are matched.
-
-Between the instants at which a run and the truth put one impact, velocities differ by a whole
-jump, however good the run is. So impacts are compared one by one, in the order of each pair, and
-histories as graphs over time, in which jumps are lines.
+Two runs put one impact at slightly different instants, between which their velocities differ by a
+whole jump, however good they are. So impacts are compared one by one, in the order of each pair,
+and histories as graphs over time, in which jumps are lines.
 """
 
 import math

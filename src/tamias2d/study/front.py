@@ -1,7 +1,4 @@
-"""The Pareto front: the points that no other beats in both error and cost.
-
-Serves: studies. Hides: how points are compared.
-"""
+"""The Pareto front: the points that no other beats in both error and cost."""
 
 from collections.abc import Sequence
 

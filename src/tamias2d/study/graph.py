@@ -1,9 +1,7 @@
-"""How far apart the graphs of two histories are, over time and all coordinates of the state.
+"""The distance between the graphs of two histories, over time and all coordinates of the state.
 
-Serves: the hybrid errors. Hides: the search for the nearest point.
-
-A graph does not mind that two runs put a jump at slightly different instants: it only gets as far
-away as these are. So it tells a run that is late from one that is wrong.
+If two runs put a jump at slightly different instants, their graphs are only as far apart as these
+are. So the distance tells a run that is late from one that is wrong.
 """
 
 from typing import TypeAlias

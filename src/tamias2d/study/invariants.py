@@ -1,7 +1,4 @@
-"""What a run leaves as it was, where no more than that can be said of it.
-
-Serves: certificates past the horizon. Hides: how the energy that impacts take is accounted for.
-"""
+"""The balance of energy over a run: all that a certificate can claim past the horizon."""
 
 import math
 

@@ -1,9 +1,7 @@
-"""Pymunk as one more way of running a scene: an independent engine that many would take instead.
+"""Pymunk as one more candidate: an independent engine that many would take instead.
 
-Serves: studies, as one more way of running a scene. Hides: how Pymunk is stepped and asked.
-
-It steps as a game does, by equal steps; between two of them its places are taken on a straight
-line. An impact happens for it at the end of the step that finds it.
+It takes equal steps, as a game does; between two of them positions are interpolated linearly. An
+impact happens for it at the end of the step that finds it.
 """
 
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """Whether bodies of a run overlap or pass through each other, looked for along the whole run.
 
-Serves: certificates. Hides: how the look is made sure between samples.
-
 It shares nothing with the search for impacts. Over an interval of time one direction must separate
 two pieces at both ends and in the middle, by more than what the motion between these can bend;
 otherwise the interval is halved. The directions that separate what does not pass follow from one

@@ -1,9 +1,7 @@
-"""The twin of a run: one that starts a little elsewhere, and shows how small errors grow.
+"""Perturbed runs: they start a little elsewhere, and so show how small errors grow.
 
-Serves: horizons and certificates of exact runs. Hides: how a start is moved.
-
-It is moved by 1e-12 of what changes during the run, as rounding would do; what stays as it is, and
-what is zero throughout, rounding leaves alone, and so does the twin.
+Each coordinate and rate is moved by a share of its largest size in the run. Those that stay the
+same throughout are left alone, as rounding leaves them alone.
 """
 
 import math
@@ -21,40 +19,40 @@ from tamias2d.study.error import apart, scale
 
 MOVED = 1e-12
 _ROUNDING = 2.0**-52
-LOST = 1e-2  # of the scale: a twin that far away says nothing any more
+LOST = 1e-2  # of the scale: so far away a perturbed run says nothing any more
 
 
-def rounded_apart(run: Run) -> float | None:
-    """Return how far twins end up that start one rounding away, m: what rounding does to a run.
+def rounding_spread(run: Run) -> float | None:
+    """Return how far runs perturbed by one rounding end up from a run, m.
 
-    Unlike what is scaled from a larger change, it has in it the rounding of each impact. None if a
-    twin could not go all the way.
+    A larger perturbation, scaled down, would leave out the rounding of each impact. None if a
+    perturbed run is refused before its end.
     """
     try:
-        twins = [
-            _history(_twin(run, _ROUNDING, phase), run, {"method": run.method})
+        perturbed = [
+            _history(_perturbed(run, _ROUNDING, phase), run, {"method": run.method})
             for phase in (1.0, 2.0)
         ]
     except RefusedError:
         return None
-    return max(float(apart(twin, run).max()) for twin in twins)
+    return max(float(apart(one, run).max()) for one in perturbed)
 
 
 def growth(run: Run) -> Array | None:
-    """Return (k,): how far the twin is from the run, relative to how far it was moved.
+    """Return (k,): how far a perturbed run is from the run, relative to its perturbation.
 
-    None if the twin could not go all the way. The motion is that of the run where it is exact or
-    goes through contacts by steps, and else that of a scheme on as many steps as the run took, for
-    both.
+    None if it is refused before its end. Runs that are exact or step through contacts are compared
+    with perturbed runs by their own method; others are made anew, like the perturbed run, by a
+    scheme on as many steps as they took.
     """
-    twin = _twin(run, MOVED, 1.0)
+    perturbed = _perturbed(run, MOVED, 1.0)
     like_it = isinstance(run.method, ClosedForm | Stepped)
     method: dict[str, object] = {"method": run.method, "time_step": run.time_step}
     if not like_it:
         steps = max(run.cost.steps if run.cost else 0, 64)
         method = {"method": RungeKutta4(), "time_step": run.duration / steps}
     try:
-        other = _history(twin, run, method)
+        other = _history(perturbed, run, method)
         own = run if like_it else _history(run.scene, run, method)
     except RefusedError:
         return None
@@ -64,7 +62,7 @@ def growth(run: Run) -> Array | None:
 
 
 def horizon(run: Run, grown: Array | None) -> float | None:
-    """Return the time in s at which the twin is lost; None if that is not within the run."""
+    """Return the time in s at which a perturbed run is lost; None if it is not within the run."""
     if grown is None:
         return None
     lost = np.flatnonzero(~(grown * MOVED < LOST))
@@ -75,7 +73,7 @@ def _history(scene: Scene, run: Run, method: dict[str, object]) -> Run:
     return companion(scene, duration=run.duration, times=run.times, **method)
 
 
-def _twin(run: Run, moved: float, phase: float) -> Scene:
+def _perturbed(run: Run, moved: float, phase: float) -> Scene:
     parts = (
         run.position[..., 0],
         run.position[..., 1],

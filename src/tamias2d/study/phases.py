@@ -1,7 +1,5 @@
 """An ensemble of one scene: the same motion, started at instants spread over its first flight.
 
-Serves: studies of scenes with impacts. Hides: how far a start may be shifted.
-
 How a step falls about an impact is chance; one run says little. A later start shifts heights and
 velocities of all bodies together, so that they neither overlap nor meet in another order.
 """

@@ -1,12 +1,10 @@
 """Pilot runs: how fast the error of each method falls with its cost, in this very scene.
 
-Serves: recommendations. Hides: how an error model is fitted.
-
-Errors are differences from one run that is far tighter than what is asked for, at times spread over
-the whole run: short horizons would not show how errors grow. From two grids on which the error
-falls at the order of the scheme follows its constant C, and from error = C h^p the step for a
-tolerance. Everything is counted, nothing is timed, so that the same scene gives the same answer.
-A method is given up as soon as its own order says that it will cost more than the best one.
+Errors are differences from one run at a far tighter tolerance, at times spread over the whole run:
+short horizons would not show how errors grow. Two grids on which the error falls at the order of
+the scheme give its constant C, and error = C h^p gives the step for a tolerance. Costs are counted,
+not timed, so that the same scene gives the same answer. A method is given up as soon as its own
+order says that it will cost more than the best one.
 """
 
 import math
@@ -181,8 +179,8 @@ class Pilot:
     def _run(self, method: Method) -> Run:
         return self._counted(solve, method, None)
 
-    def _counted(self, go: Callable[..., Run], method: Method, time_step: float | None) -> Run:
-        run = go(
+    def _counted(self, solver: Callable[..., Run], method: Method, time_step: float | None) -> Run:
+        run = solver(
             self._scene,
             duration=self._duration,
             method=method,

@@ -1,9 +1,7 @@
 """A picture of a study: error against cost, in seconds and in force evaluations.
 
-Serves: `tradeoff --plot`. Hides: matplotlib.
-
-Each method is a line, the front is marked, other engines are grey, and what failed or is off by
-more than everything is a cross on the rim. The one place that draws by matplotlib here.
+Each method is a line and the front is marked. Other engines are grey; candidates that failed, or
+whose error is off the scale, are crosses on the rim. Only this module of `study` draws.
 """
 
 import io

@@ -1,7 +1,4 @@
-"""What pushes bodies in Pymunk: the loads of a scene, as it wants them.
-
-Serves: the world in Pymunk. Hides: how laws are evaluated between its steps.
-"""
+"""The loads of a scene as Pymunk takes them: a force and a torque for each body and step."""
 
 from collections.abc import Callable
 from typing import TypeAlias

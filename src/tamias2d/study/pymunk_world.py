@@ -1,7 +1,5 @@
 """A scene in Pymunk, with settings that are kind to it.
 
-Serves: Pymunk as a way. Hides: how shapes and settings are translated.
-
 Floors are thick, the slop is small for the scene's lengths, and the iterations are its own default.
 """
 

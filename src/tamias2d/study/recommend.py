@@ -1,7 +1,5 @@
 """Which method and step meet a tolerance at the least cost, and why the others lost.
 
-Serves: users with a tolerance. Hides: the order in which methods are asked.
-
 The scene says which methods can be asked: the closed form where every body has one, which costs
 nothing; else all schemes that suit its forces. A pilot finds what each would cost.
 """
@@ -44,7 +42,7 @@ class ToleranceError(SimulationError):
 
 
 @dataclass(frozen=True)
-class Plan:
+class Recommendation:
     """What to do for a tolerance, and all that was weighed, the cheapest first."""
 
     tolerance: float
@@ -59,7 +57,7 @@ class Plan:
 
 
 @suggests
-def recommend(scene: Scene, *, duration: float, tolerance: float) -> Plan:
+def recommend(scene: Scene, *, duration: float, tolerance: float) -> Recommendation:
     """Return how to simulate a scene for a duration in s within a tolerance.
 
     The tolerance bounds the distance of any point of any body from its exact place, at any time,
@@ -82,14 +80,14 @@ def recommend(scene: Scene, *, duration: float, tolerance: float) -> Plan:
         )
     if solved(scene):
         why = "costs nothing more than its impacts"
-        return Plan(tolerance, (Estimate(ClosedForm(), None, 0.0, 0.0, None, why),), 0)
+        return Recommendation(tolerance, (Estimate(ClosedForm(), None, 0.0, 0.0, None, why),), 0)
     pilot = Pilot(scene, duration, tolerance)
     if pilot.reachable > tolerance:
         raise refusal(tolerance, pilot.reachable)
     found = _weighed(scene, pilot)
     if not math.isfinite(found[0].force_evaluations):
         raise refusal(tolerance, min(estimate.error for estimate in found))
-    return Plan(tolerance, tuple(found), pilot.spent)
+    return Recommendation(tolerance, tuple(found), pilot.spent)
 
 
 def solved(scene: Scene) -> bool:

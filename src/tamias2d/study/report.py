@@ -1,7 +1,4 @@
-"""A study as JSON, for machines; `tradeoff.schema.json` says what stands in it.
-
-Serves: machines that read a study. Hides: the layout of the JSON.
-"""
+"""A study as JSON, for machines, in the form that `tradeoff.schema.json` says."""
 
 import json
 import math

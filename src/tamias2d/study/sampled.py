@@ -1,7 +1,4 @@
-"""A run at the times that comparisons need: common ones, and its own around its impacts.
-
-Serves: errors. Hides: which instants are asked for.
-"""
+"""A run sampled at the times that comparisons need: common ones, and its own impacts."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
@@ -13,7 +10,7 @@ import numpy as np
 from tamias2d.run import Impacts, Run
 from tamias2d.state import Array
 
-Go: TypeAlias = Callable[[Iterable[float]], Run]
+Sampler: TypeAlias = Callable[[Iterable[float]], Run]
 """Simulates, and samples at some sorted times, s."""
 
 
@@ -45,12 +42,12 @@ class Sampled:
         return found
 
 
-def sampled(go: Go, shared: Array, impacts: Impacts) -> Sampled:
+def sampled(simulate_at: Sampler, shared: Array, impacts: Impacts) -> Sampled:
     """Run again, at common times and around the impacts that are known from a first run."""
     after = impacts.time[impacts.time <= shared[-1]]
     before = np.nextafter(after, -np.inf)
     times = np.unique(np.concatenate((shared, after, before[before >= 0])))
-    return Sampled(go(times), shared)
+    return Sampled(simulate_at(times), shared)
 
 
 def _instants(impacts: Impacts) -> set[tuple[float, int, int]]:

@@ -1,7 +1,5 @@
 """Which directions separate two convex pieces of bodies, at many times at once.
 
-Serves: the search for overlaps and passages. Hides: which directions are tried.
-
 A direction w from A to B separates them by the least of w . b over the points b of B, less the
 largest of w . a over those of A. Convex pieces are apart where one of these does: a normal of a
 side or, where one of the two is a line or a point, a line between corners. Of directions that are

@@ -1,7 +1,4 @@
-"""Runs within a tolerance: planned, run, certified, and taken again where that fell short.
-
-Serves: `simulate` with a tolerance. Hides: how often it is tried again.
-"""
+"""Runs within a tolerance: planned, run, certified, and made again with finer steps if need be."""
 
 import math
 from dataclasses import replace

@@ -1,7 +1,4 @@
-"""What a run is compared with: the closed form if the scene has one, else a far tighter run.
-
-Serves: errors. Hides: where the truth comes from, and how far it can be trusted.
-"""
+"""The run that others are compared with: the closed form, or else a far tighter run."""
 
 from dataclasses import dataclass
 

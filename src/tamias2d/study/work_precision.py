@@ -1,9 +1,7 @@
-"""Work and precision: the methods on their ladders, the error of each point, and what it cost.
+"""Work and precision: the error and the cost of each candidate.
 
-Serves: `tradeoff`. Hides: in which order points are run.
-
-A way that fails or refuses is a point too, with its reason. Where there are impacts, the errors are
-medians over an ensemble of phases, with the worst beside them.
+A candidate that fails or refuses is a point too, with its reason. Where there are impacts, errors
+are medians over an ensemble of phases, with the worst beside them.
 """
 
 import math
@@ -18,12 +16,12 @@ from tamias2d.cost import Cost
 from tamias2d.errors import TamiasError
 from tamias2d.scene import Scene
 from tamias2d.solve import Interrupted
+from tamias2d.study.candidates import Candidate, candidates
 from tamias2d.study.event_errors import NAMES, Errors, errors
 from tamias2d.study.front import front
 from tamias2d.study.phases import LEAST, phases
 from tamias2d.study.sampled import sampled
 from tamias2d.study.truth import Truth, common_times, floor_of, truth_of
-from tamias2d.study.ways import Way, ways
 
 _FIRST = 16  # steps
 _RUNGS, _RUNGS_OF_IMPACTS = 9, 7  # each of twice the steps of the one before
@@ -51,7 +49,7 @@ class Point:
     peer: bool
     """Whether it is another engine: shown, but not on the front."""
     error: Errors | None = None
-    """The median of each measure over the phases; None if the way failed."""
+    """The median of each measure over the phases; None if the candidate failed."""
     worst: Errors | None = None
     """The largest of each measure over the phases."""
     cost: Cost | None = None
@@ -111,7 +109,7 @@ def study(
     told: Told = lambda of, done, what: None,  # noqa: ARG005
     timed: bool = True,
 ) -> Study:
-    """Compare all ways of running a scene over a duration in s.
+    """Compare all methods and settings on a scene over a duration in s.
 
     Ctrl-C ends it early; what is there by then is returned.
 
@@ -150,26 +148,30 @@ def _points(
     scenes: Sequence[Scene], truths: Sequence[Truth], floor: float, told: Told, timed: bool
 ) -> Iterator[Point]:
     rungs = _RUNGS_OF_IMPACTS if len(truths[0].history.run.impacts) else _RUNGS
-    tried = list(ways(scenes[0], rungs=[_FIRST * 2**k for k in range(rungs)]))
+    tried = list(candidates(scenes[0], rungs=[_FIRST * 2**k for k in range(rungs)]))
     exact = set()
-    for done, way in enumerate(tried):
-        if way.name in exact:
+    for done, candidate in enumerate(tried):
+        if candidate.name in exact:
             continue
-        told(len(tried), done, f"{way.name} {way.setting}".strip())
-        point = point_of(way, scenes, truths, timed=timed)
+        told(len(tried), done, f"{candidate.name} {candidate.setting}".strip())
+        point = point_of(candidate, scenes, truths, timed=timed)
         if point.worst and point.worst.size <= max(10 * floor, _ROUNDING):
-            exact.add(way.name)
+            exact.add(candidate.name)
         yield point
 
 
-def point_of(way: Way, scenes: Sequence[Scene], truths: Sequence[Truth], *, timed: bool) -> Point:
-    """Run one way on all phases of a scene, and time it on the first."""
+def point_of(
+    candidate: Candidate, scenes: Sequence[Scene], truths: Sequence[Truth], *, timed: bool
+) -> Point:
+    """Run one candidate on all phases of a scene, and time it on the first."""
     duration = truths[0].history.run.duration
-    bare = Point(method=way.name, setting=way.setting, peer=way.peer)
+    bare = Point(method=candidate.name, setting=candidate.setting, peer=candidate.peer)
     try:
         with np.errstate(all="ignore"):  # what leaves float64 is a failure with its reason
-            looked = [_look(way, scene, truth) for scene, truth in zip(scenes, truths, strict=True)]
-            seconds = _timed(way, scenes[0], duration) if timed else None
+            looked = [
+                _look(candidate, scene, truth) for scene, truth in zip(scenes, truths, strict=True)
+            ]
+            seconds = _timed(candidate, scenes[0], duration) if timed else None
     except Interrupted:
         raise KeyboardInterrupt from None
     except (TamiasError, ArithmeticError) as fault:
@@ -184,21 +186,21 @@ def point_of(way: Way, scenes: Sequence[Scene], truths: Sequence[Truth], *, time
     )
 
 
-def _look(way: Way, scene: Scene, truth: Truth) -> tuple[Errors, Cost | None]:
+def _look(candidate: Candidate, scene: Scene, truth: Truth) -> tuple[Errors, Cost | None]:
     duration = truth.history.run.duration
-    first = way.go(scene, duration, [duration])
+    first = candidate.run(scene, duration, [duration])
     run = sampled(
-        lambda times: way.go(scene, duration, times), common_times(duration), first.impacts
+        lambda times: candidate.run(scene, duration, times), common_times(duration), first.impacts
     )
     return errors(run, truth.history), first.cost
 
 
-def _timed(way: Way, scene: Scene, duration: float) -> Seconds:
+def _timed(candidate: Candidate, scene: Scene, duration: float) -> Seconds:
     """Time runs that are sampled at their end only; the errors have warmed them up."""
     times: list[float] = []
     while len(times) < _REPEATS and sum(times) < _LONG:
         began = perf_counter()
-        way.go(scene, duration, [duration])
+        candidate.run(scene, duration, [duration])
         times.append(perf_counter() - began)
     return Seconds(median(times), min(times), len(times))
 

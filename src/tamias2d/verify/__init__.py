@@ -1,7 +1,7 @@
 """Verification: the cases of srs/verification run and judged.
 
-Service: `verify` gives an outcome for every comparison of every case. Secret: the ways of
-comparing, one small module each. No exact answer comes from the code that it judges.
+Serves: `verify`, which gives an outcome for every comparison of every case. Hides: the comparisons,
+one small module each. No exact answer comes from the code that it judges.
 """
 
 from tamias2d.verify.engine import cases, verify

@@ -1,7 +1,4 @@
-"""A verification case: what srs/verification says, with the scene and run that belong to it.
-
-Serves: the comparisons. Hides: where a case's scene comes from.
-"""
+"""A verification case: what srs/verification says, with the scene and run that belong to it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

@@ -1,7 +1,4 @@
-"""Compare what certificates claim with exact answers.
-
-Serves: cases that ask for tolerances. Hides: how an error is related to the size of a motion.
-"""
+"""Compare the bounds of certificates with exact errors."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any

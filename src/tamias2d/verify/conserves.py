@@ -1,7 +1,4 @@
-"""Check what must stay the same over a run: momenta and energy.
-
-Serves: cases that name a law. Hides: the scale that a drift is measured by.
-"""
+"""Check the quantities that stay the same over a run: momenta and energy."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any

@@ -1,7 +1,4 @@
-"""Which cases there are, and what is done with each.
-
-Serves: `verify`. Hides: the order of the cases and which comparison belongs to which key.
-"""
+"""All cases, run and judged by the comparisons that they ask for."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping

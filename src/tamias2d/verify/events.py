@@ -1,10 +1,9 @@
-"""An independent simulation: scipy integrates, finds the impacts, and solves for what follows.
+"""An independent simulation: scipy integrates, finds the impacts, and solves for the velocities.
 
-Service: times and bodies of all impacts of a scene, its state at the end, and the separation of
-each contact that could come about. Secret: distances from geometry, motion from Newton's law, and
-the velocities after an impact from a system of linear equations (both momentum balances and
-Newton's law of restitution). It shares no formula with the generated models, so that it can judge
-them. Discs against discs and half-planes, polygons against half-planes.
+It shares no formula with the generated models, so that it can judge them: distances come from
+geometry, motion from Newton's law, and the velocities after an impact from a system of linear
+equations (both momentum balances and Newton's law of restitution). It knows discs against discs and
+half-planes, and polygons against half-planes.
 """
 
 import math

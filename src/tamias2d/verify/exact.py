@@ -1,7 +1,4 @@
-"""Compare a history, or its end, or some moments of it, with exact answers.
-
-Serves: cases that state an exact answer. Hides: how an error is measured.
-"""
+"""Compare a history, or its end, or some moments of it, with exact answers."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple

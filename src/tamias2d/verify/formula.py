@@ -1,8 +1,6 @@
-"""Exact answers, from the text of a case.
+"""Exact answers, from the text of a case: an expression evaluated at given times.
 
-Service: the values of an expression at given times, with unit and shape checked. Nothing here
-knows the models: an answer comes from the case alone. Secret: how a text is parsed and its unit
-checked.
+Nothing here knows the models, and each expression's unit and shape are checked.
 """
 
 from collections.abc import Mapping

@@ -1,7 +1,4 @@
-"""Compare the impacts of a run: how many, when, how strong.
-
-Serves: cases that state their impacts. Hides: how impacts are matched.
-"""
+"""Compare the impacts of a run: how many, when, how strong."""
 
 import math
 from collections.abc import Iterator, Mapping

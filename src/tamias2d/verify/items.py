@@ -1,8 +1,4 @@
-"""The items of the specification, as the generator wrote them down.
-
-Service: items by id. Secret: the file they are in, and
-what a verdict rests on.
-"""
+"""The items of the specification, as the generator wrote them down."""
 
 import difflib
 import hashlib

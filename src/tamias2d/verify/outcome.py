@@ -1,7 +1,4 @@
-"""What a comparison found: one quantity of one case, its error and the verdict.
-
-Serves: reports and results. Hides: how an outcome is written as JSON.
-"""
+"""The outcome of a comparison: one quantity of one case, its error and the verdict."""
 
 import math
 from dataclasses import asdict, dataclass

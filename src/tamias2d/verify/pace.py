@@ -1,7 +1,4 @@
-"""Measure how long a scene takes.
-
-Serves: the case of performance. Hides: how the clock is read.
-"""
+"""Measure how long a scene takes."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace

@@ -1,7 +1,4 @@
-"""Judgements that only people can make: shown as open until some have made them.
-
-Serves: cases that are a survey. Hides: how many answers there are.
-"""
+"""Judgements that only people can make, shown as open until some have made them."""
 
 from collections.abc import Iterator, Mapping
 from math import inf

@@ -1,8 +1,4 @@
-"""The tables that the V&V plan of 2018 printed, reproduced by its program's scheme.
-
-Service: a verdict for each table, and the numbers side by side: published, reproduced, exact.
-Secret: how a printed table is matched with steps.
-"""
+"""The tables printed in the V&V plan of 2018, reproduced by its program's scheme."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,4 @@
-"""Compare runs with an independent search for events.
-
-Serves: the case of independent programs. Hides: how scipy's events are compared with impacts.
-"""
+"""Compare runs with an independent search for events."""
 
 import math
 from collections.abc import Iterator, Mapping

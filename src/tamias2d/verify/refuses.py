@@ -1,7 +1,4 @@
-"""Check that inputs which break a rule are refused, by name.
-
-Serves: cases of bad input. Hides: how a message is matched.
-"""
+"""Check that inputs which break a rule are refused, by name."""
 
 import math
 from collections.abc import Iterator, Mapping

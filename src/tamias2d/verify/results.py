@@ -1,7 +1,4 @@
-"""The verdicts of the last verification, kept between commands.
-
-Service: outcomes of each case, read and written. Secret: the file and its form.
-"""
+"""The verdicts of the last verification, kept between commands."""
 
 import json
 from collections.abc import Iterable

@@ -1,7 +1,6 @@
 """Measure the order of a scheme, and its error constant where that is known.
 
-Service: a scene is stepped with n, 2n, 4n, 8n and 16n steps. Secret: how a scheme steps that is
-offered to users only with steps that adapt themselves.
+A scene is run with n, 2n, 4n, 8n and 16n steps.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence

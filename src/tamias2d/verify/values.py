@@ -1,7 +1,4 @@
-"""Compare generated functions, called with plain numbers, with values worked out by hand.
-
-Serves: cases of single formulas. Hides: how arguments are read.
-"""
+"""Compare generated functions, called with plain numbers, with values worked out by hand."""
 
 import math
 from collections.abc import Iterator, Mapping

@@ -1,7 +1,5 @@
 """Bodies as the viewer draws them: parts of one kind of all bodies are one entity.
 
-Serves: writing. Hides: how a body is taken apart, and the world coordinates of its parts.
-
 An entity appears with all that it holds. A body for itself would be shown as soon as its shape is
 loaded, wherever that is, and of a thousand bodies the viewer shows the last after a minute.
 """

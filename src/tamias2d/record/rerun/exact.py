@@ -1,8 +1,4 @@
-"""Numbers as columns of a recording, and back.
-
-Serves: writing and unpacking. Hides: that rerun takes vectors only as lists of fixed length, and
-how much is sent at once.
-"""
+"""Numbers as columns of a recording, and back."""
 
 from __future__ import annotations
 

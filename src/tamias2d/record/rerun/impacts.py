@@ -1,7 +1,4 @@
-"""Impacts as the viewer shows them: an arrow each, and a line of text.
-
-Serves: writing. Hides: how long an arrow is.
-"""
+"""Impacts as the viewer shows them: an arrow each, and a line of text."""
 
 from __future__ import annotations
 

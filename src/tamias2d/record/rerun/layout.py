@@ -1,7 +1,4 @@
-"""Where things stand in a recording, and how the viewer lays them out.
-
-Serves: the viewer's window. Hides: paths and views.
-"""
+"""The entities of a recording, and the layout of the viewer's window."""
 
 from __future__ import annotations
 

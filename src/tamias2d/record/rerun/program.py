@@ -1,7 +1,4 @@
-"""Rerun's own program: the viewer, and a check of files.
-
-Serves: replay, and reading. Hides: how the program is started and watched.
-"""
+"""Rerun's own program: the viewer, and a check of files."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Reading an `.rrd` in a process of its own, which hands over what an `.npz` would hold.
 
-Serves: replay. Hides: the other process, since rerun's reader aborts at some damages and takes the
-process along.
+Rerun's reader aborts at some damaged files and takes its process along.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""The header and the exact history of an `.rrd`, written as the `.npz` of the same run.
-
-Serves: reading, which runs this module as a process. Hides: how rows of the file become arrays.
-"""
+"""The process that unpacks an `.rrd` into the `.npz` of the same run."""
 
 from __future__ import annotations
 

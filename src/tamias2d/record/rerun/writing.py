@@ -1,7 +1,4 @@
-"""Writing a run as `.rrd`: words first, then what is drawn, then the exact history.
-
-Serves: `Run.save`. Hides: which archetypes draw what.
-"""
+"""Writing a run as `.rrd`: words first, then what is drawn, then the exact history."""
 
 from __future__ import annotations
 

@@ -1,7 +1,5 @@
 """Scenes of a thousand bodies: poured, tumbled, and in flight.
 
-Serves: the catalogue. Hides: how they are spread.
-
 Where sizes and places should look random they follow multiples of the golden ratio, which are the
 same on every machine.
 """

@@ -1,8 +1,6 @@
 """Scenes in which bodies stand on each other: pyramids, columns, cards, stones and a wall.
 
-Serves: the catalogue. Hides: where each body stands.
-
-All touch their neighbours at the start, or stand a little apart from them.
+All bodies touch their neighbours at the start, or stand a little apart from them.
 """
 
 import math

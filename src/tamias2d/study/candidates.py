@@ -1,7 +1,4 @@
-"""The ways of running a scene that a study compares: methods, each on a ladder of settings.
-
-Serves: studies. Hides: the ladders of steps and tolerances.
-"""
+"""The candidates that a study compares: methods, each with a ladder of settings."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -26,7 +23,7 @@ from tamias2d.scene.exact import closed_forms
 from tamias2d.solve import solve
 from tamias2d.study.peers import simulate as simulate_by_pymunk
 
-Go: TypeAlias = Callable[[Scene, float, Iterable[float]], Run]
+Runner: TypeAlias = Callable[[Scene, float, Iterable[float]], Run]
 """From a scene, a duration in s and times of samples, s, to a run."""
 
 FIXED_STEP: tuple[Method, ...] = (
@@ -40,46 +37,46 @@ TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
 
 
 @dataclass(frozen=True)
-class Way:
+class Candidate:
     """One method with its setting."""
 
     name: str
     setting: str
-    go: Go
+    run: Runner
     steps: int | None = None
     """How many are asked for; None where the method chooses them."""
     peer: bool = False
     """Whether it is another engine, for comparison only."""
 
 
-def ways(scene: Scene, *, rungs: Iterable[int]) -> Iterator[Way]:
+def candidates(scene: Scene, *, rungs: Iterable[int]) -> Iterator[Candidate]:
     """Yield what can be tried on a scene; ladders of steps have the given `rungs`."""
     counts = list(rungs)
     moving = [body for body in scene.bodies if body.dynamic]
     if len(closed_forms(scene)) == len(moving):
-        yield Way("ClosedForm", "", _own(ClosedForm(), None))
+        yield Candidate("ClosedForm", "", _own(ClosedForm(), None))
     dragged = (ExponentialDrag(),) if any(body.linear_drag for body in moving) else ()
     for method in (*FIXED_STEP, *dragged):
         for count in counts:
-            yield Way(type(method).__name__, f"{count} steps", _own(method, count), count)
+            yield Candidate(type(method).__name__, f"{count} steps", _own(method, count), count)
     for adaptive in (DormandPrince5(1.0e-3), Dop853(1.0e-3), Reference(1.0e-3)):
         for rtol in TOLERANCES:
             method = replace(adaptive, rtol=rtol)
-            yield Way(type(method).__name__, f"rtol {rtol:g}", _own(method, None))
+            yield Candidate(type(method).__name__, f"rtol {rtol:g}", _own(method, None))
     for count in counts:
-        yield Way("Pymunk", f"{count} steps", _peer(count), count, peer=True)
+        yield Candidate("Pymunk", f"{count} steps", _peer(count), count, peer=True)
 
 
-def _own(method: Method, steps: int | None) -> Go:
-    def go(scene: Scene, duration: float, times: Iterable[float]) -> Run:
+def _own(method: Method, steps: int | None) -> Runner:
+    def run(scene: Scene, duration: float, times: Iterable[float]) -> Run:
         step = None if steps is None else duration / steps
         return solve(scene, duration=duration, method=method, time_step=step, times=times)
 
-    return go
+    return run
 
 
-def _peer(steps: int) -> Go:
-    def go(scene: Scene, duration: float, times: Iterable[float]) -> Run:
+def _peer(steps: int) -> Runner:
+    def run(scene: Scene, duration: float, times: Iterable[float]) -> Run:
         return simulate_by_pymunk(scene, duration=duration, steps=steps, times=times)
 
-    return go
+    return run
