@@ -54,10 +54,12 @@ def test_scenes_of_the_catalogue(tmp_path: Path, scene: str) -> None:
 
 def test_one_sample_is_enough(tmp_path: Path) -> None:
     scene = t2.Scene(gravity=(0.0, 0.0))
-    scene.add_body(None, mass=1.0, position=(5.0, 5.0))
+    scene.add_body(t2.Disc(radius=1.0), mass=1.0, position=(5.0, 5.0))
     path = tmp_path / "plot.png"
     plot(t2.simulate(scene, duration=1.0, times=[0.0]), path)
-    assert shown(pixels(path), 0) > 30
+    picture = pixels(path)
+    world = picture[:, : picture.shape[1] // 2]  # without the curves, which have its colour too
+    assert shown(world, 0) > 30
 
 
 def test_a_suffix_that_is_no_picture(run: t2.Run, tmp_path: Path) -> None:
