@@ -5,7 +5,8 @@ from typing import NamedTuple, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-Vector: TypeAlias = tuple[float, float]
+from tamias2d.scene.rules import Vector as Vector
+
 Array: TypeAlias = NDArray[np.float64]
 Acceleration: TypeAlias = tuple[float, float, float]
 """Both components in m/s^2, and the angular one in rad/s^2."""

@@ -55,7 +55,7 @@ def batch() -> tuple[IntegratedMotion, BatchPath]:
     )
     scene.add_spring(0, (0.0, 0.0), stiffness=30.0, rest_length=0.4, anchor=(0.1, 0.0))
     motion = IntegratedMotion(scene, 2.0, FixedSteps(schemes.runge_kutta_4, 2.0, 0.05))
-    motion._since = 60
+    motion._steps_since_impact = 60
     end, (path,) = motion.segment(0.0, start_states(scene), [None])
     assert end == pytest.approx(30 * 0.05)
     assert isinstance(path, BatchPath)

@@ -9,7 +9,7 @@ from tamias2d.commands.names import find_scene, seconds
 from tamias2d.commands.output import error_text, figure, print_json, print_table, say
 from tamias2d.errors import InputError
 from tamias2d.study.report import as_json as report
-from tamias2d.study.work_precision import Study, Told, study
+from tamias2d.study.work_precision import ProgressHook, Study, study
 
 
 def show_tradeoff(
@@ -65,7 +65,7 @@ def show_tradeoff(
 
 
 @contextmanager
-def _progress() -> Iterator[Told]:
+def _progress() -> Iterator[ProgressHook]:
     """Show on standard error which point is being computed, where somebody looks."""
     if not sys.stderr.isatty():
         yield lambda of, done, what: None  # noqa: ARG005

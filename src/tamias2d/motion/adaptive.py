@@ -19,7 +19,7 @@ from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
 
-Scheme: TypeAlias = Callable[[float, float, Array, Array, MemoisedField], Pair]
+EmbeddedScheme: TypeAlias = Callable[[float, float, Array, Array, MemoisedField], Pair]
 
 _SAFETY = 0.9
 _LONGER, _SHORTER = 6.0, 0.2  # a step is to the one before at most and at least
@@ -71,7 +71,7 @@ class Adaptive:
     def __init__(
         self,
         name: str,
-        scheme: Scheme,
+        scheme: EmbeddedScheme,
         *,
         orders: Sequence[int],
         tolerance: Tolerance,

@@ -47,8 +47,10 @@ class IntegratedMotion:
         self._scene = scene
         self._duration = duration
         self._integrator = integrator
-        self._grid = integrator if isinstance(integrator, FixedSteps) and integrator.plain else None
-        self._since = 0  # steps without an impact
+        self._fixed_steps = (
+            integrator if isinstance(integrator, FixedSteps) and integrator.plain else None
+        )
+        self._steps_since_impact = 0  # steps without an impact
         self.tally = Tally()
         self._loads = Loads(scene)
         self._constrained = ConstrainedMotion(scene, self.tally)
@@ -63,16 +65,16 @@ class IntegratedMotion:
 
         Where nothing is held and nothing has met for a while, several steps are taken at once.
         """
-        straight = [i for i in self._moving if not _bends(holds[i])]
-        field = self._field(straight, holds)
-        now = coordinates([states[i] for i in straight])
-        many = 1 if any(holds) else min(self._since // _SHARE, _MOST)
+        free = [i for i in self._moving if not _state_dependent(holds[i])]
+        field = self._field(free, holds)
+        now = coordinates([states[i] for i in free])
+        many = 1 if any(holds) else min(self._steps_since_impact // _SHARE, _MOST)
         step = next(self._batches(field, start, self._duration, now, many))
-        self._since += len(step.times) - 1 if isinstance(step, StepBatch) else 1
+        self._steps_since_impact += len(step.times) - 1 if isinstance(step, StepBatch) else 1
         end = step.end
-        paths: dict[int, Piece] = {body: step.piece(k) for k, body in enumerate(straight)}
-        bent = [i for i in self._moving if i not in paths]
-        paths |= self.restart(bent, start, states.__getitem__, end, holds)
+        paths: dict[int, Piece] = {body: step.piece(k) for k, body in enumerate(free)}
+        constrained = [i for i in self._moving if i not in paths]
+        paths |= self.restart(constrained, start, states.__getitem__, end, holds)
         pieces: list[Piece] = [
             paths.get(i) or Uniform(start=start, end=end, state=state, acceleration=_STILL)
             for i, state in enumerate(states)
@@ -94,7 +96,7 @@ class IntegratedMotion:
         """
         groups = {min(group): group for group in map(self._loads.group_of.__getitem__, bodies)}
         pieces: dict[int, Piece] = {}
-        self._since *= not groups
+        self._steps_since_impact *= not groups
         for group in groups.values():
             body = group[0]
             if (hold := holds[body]) and hold.bends:
@@ -127,16 +129,16 @@ class IntegratedMotion:
         groups = {min(group): group for group in map(self._loads.group_of.get, bodies) if group}
         pieces: dict[int, Piece] = {}
         for group in groups.values():
-            if any(_bends(holds[i]) for i in group):
+            if any(_state_dependent(holds[i]) for i in group):
                 continue
             now = path(group[0])
             start, end = now.around(time) if isinstance(now, BatchPath) else (now.start, now.end)
             near = _NEAR * (end - start)
             if start + near < time < end - near:
-                pieces |= self._knotted(group, time, start, path, holds)
+                pieces |= self._split_at(group, time, start, path, holds)
         return pieces
 
-    def _knotted(
+    def _split_at(
         self,
         group: Sequence[int],
         time: float,
@@ -198,17 +200,17 @@ class IntegratedMotion:
         self, field: MemoisedField, start: float, end: float, now: tuple[Array, Array], most: int
     ) -> Iterator[DenseStep | StepBatch]:
         """Yield steps, up to `most` of them as one where the integrator can do that."""
-        if self._grid is None or most <= 1:
+        if self._fixed_steps is None or most <= 1:
             yield from self._dense_steps(field, start, end, *now)
             return
         while start < end:
-            batch = self._grid.batch(field, start, end, *now, most=most)
+            batch = self._fixed_steps.batch(field, start, end, *now, most=most)
             self.tally.steps += len(batch.times) - 1
             yield batch
             start, now = batch.end, batch.last
 
 
-def _bends(hold: Hold | None) -> bool:
+def _state_dependent(hold: Hold | None) -> bool:
     return hold is not None and hold.bends
 
 

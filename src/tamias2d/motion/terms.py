@@ -18,9 +18,9 @@ from tamias2d.scene.springs import arm
 from tamias2d.state import Array
 
 Rows: TypeAlias = NDArray[np.intp]
-Pair: TypeAlias = tuple[Any, Any]
+Components: TypeAlias = tuple[Any, Any]
 """A vector: two floats or two arrays."""
-_DRAGS: dict[str, Callable[[Any, Pair], Pair]] = {
+_DRAGS: dict[str, Callable[[Any, Components], Components]] = {
     "linear_drag": drag.linear_drag_force,
     "quadratic_drag": drag.quadratic_drag_force,
 }
@@ -98,7 +98,11 @@ class Drag:
     """Drag of one kind, `linear_drag` or `quadratic_drag` (IM6)."""
 
     def __init__(
-        self, scene: Scene, bodies: Sequence[int], says: str, force: Callable[[Any, Pair], Pair]
+        self,
+        scene: Scene,
+        bodies: Sequence[int],
+        says: str,
+        force: Callable[[Any, Components], Components],
     ) -> None:
         self.says = says
         drags = np.array([getattr(scene.bodies[body], says) for body in bodies])
@@ -216,13 +220,13 @@ def _row(
     return len(row_of) + len(fixed) - 1
 
 
-def _end(q: Array, rate: Array, anchor: Pair) -> tuple[Pair, Pair, Pair]:
+def _end(q: Array, rate: Array, anchor: Components) -> tuple[Components, Components, Components]:
     """Return arm, place and velocity of the points at which springs hold bodies."""
     reach = arm(anchor, q[:, 2])
     place = (q[:, 0] + reach[0], q[:, 1] + reach[1])
     return reach, place, definitions.point_velocity(_vector(rate), rate[:, 2], reach)
 
 
-def _vector(rows: Array) -> Pair:
+def _vector(rows: Array) -> Components:
     """Return the first two columns as a vector of arrays."""
     return rows[:, 0], rows[:, 1]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tamias2d.generated import definitions
 from tamias2d.scene.rules import RuleError, Vector, sequence, vector
 
-Points = tuple[NDArray[np.float64], NDArray[np.float64]]
+Columns = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 _OF = "a polygon"
 _REMEDY = "Give at least three corners of a convex outline in m, e.g. [(0, 0), (1, 0), (0, 1)]."
@@ -93,11 +93,11 @@ def centred(outline: tuple[Vector, ...]) -> tuple[tuple[Vector, ...], Vector]:
     return tuple((p, q) for p, q in relative[:: 1 if area > 0 else -1]), (x, y)
 
 
-def edges(vertices: tuple[Vector, ...]) -> tuple[Points, Points]:
+def edges(vertices: tuple[Vector, ...]) -> tuple[Columns, Columns]:
     """Return the start and the end of every edge, each as a pair of arrays (x, y)."""
     corners = np.array(vertices)
     return _columns(corners), _columns(np.roll(corners, -1, axis=0))
 
 
-def _columns(points: NDArray[np.float64]) -> Points:
+def _columns(points: NDArray[np.float64]) -> Columns:
     return points[:, 0], points[:, 1]

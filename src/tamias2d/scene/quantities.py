@@ -18,10 +18,10 @@ _ZERO = re.compile(r"[+-]?0*\.?0*")
 _EXPRESSION = re.compile(rf"[\[(]|\b({'|'.join((*VARYING, 'mass'))})\b")
 _SYMBOL = {"anchor": "arm", "other_anchor": "arm", "point": "position"}
 
-Path = tuple[str | int, ...]
+KeyPath = tuple[str | int, ...]
 
 
-def read_value(raw: object, key: str, path: Path) -> Any:
+def read_value(raw: object, key: str, path: KeyPath) -> Any:
     """Return the value of a body's key as `Scene` takes it: number, pair, law or list of pairs."""
     if key in ("category", "mask", "group"):
         return _whole(raw, path)
@@ -34,7 +34,7 @@ def read_value(raw: object, key: str, path: Path) -> Any:
     return _pair(raw, symbol, path) if symbol.shape == "vector" else _component(raw, symbol, path)
 
 
-def scalar_text(raw: object, path: Path) -> str:
+def scalar_text(raw: object, path: KeyPath) -> str:
     """Return a scalar's text, or raise `RuleError` for a list, a mapping or nothing."""
     if isinstance(raw, str) and raw:
         return raw
@@ -42,7 +42,7 @@ def scalar_text(raw: object, path: Path) -> str:
     raise RuleError(f"{label(path[-1:])}: found {found}: must be one value (R2). Write one.", *path)
 
 
-def _whole(raw: object, path: Path) -> int:
+def _whole(raw: object, path: KeyPath) -> int:
     """Return a whole number, which may be written like 0b101 or 0xff."""
     text = scalar_text(raw, path)
     try:
@@ -55,7 +55,7 @@ def _whole(raw: object, path: Path) -> int:
         ) from None
 
 
-def _truth(raw: object, path: Path) -> bool:
+def _truth(raw: object, path: KeyPath) -> bool:
     text = scalar_text(raw, path)
     if text not in ("true", "false"):
         raise RuleError(
@@ -65,7 +65,7 @@ def _truth(raw: object, path: Path) -> bool:
     return text == "true"
 
 
-def _items(raw: object, wanted: str, path: Path) -> list[object]:
+def _items(raw: object, wanted: str, path: KeyPath) -> list[object]:
     if isinstance(raw, list):
         return raw
     found = "a mapping" if isinstance(raw, dict) else shown(raw) if raw else "nothing"
@@ -75,7 +75,7 @@ def _items(raw: object, wanted: str, path: Path) -> list[object]:
     )
 
 
-def _pair(raw: object, symbol: Symbol, path: Path) -> tuple[object, object]:
+def _pair(raw: object, symbol: Symbol, path: KeyPath) -> tuple[object, object]:
     items = _items(raw, "a list of two, x and y", path)
     if len(items) != 2:
         raise RuleError(
@@ -87,14 +87,14 @@ def _pair(raw: object, symbol: Symbol, path: Path) -> tuple[object, object]:
     return x, y
 
 
-def _component(raw: object, symbol: Symbol, path: Path) -> object:
+def _component(raw: object, symbol: Symbol, path: KeyPath) -> object:
     text = scalar_text(raw, path)
     if symbol.name in ("force", "torque") and _EXPRESSION.search(text):
         return text
     return read_quantity(text, symbol.name, path)
 
 
-def read_quantity(raw: object, name: str, path: Path) -> float:
+def read_quantity(raw: object, name: str, path: KeyPath) -> float:
     """Return a number in SI units from ``848.5 m/s``; a bare zero fits any unit."""
     text, symbol = " ".join(scalar_text(raw, path).split()), SYMBOLS[name]
     if _ZERO.fullmatch(text) and "0" in text:
@@ -121,7 +121,7 @@ def read_quantity(raw: object, name: str, path: Path) -> float:
     return quantity.value
 
 
-def _named(path: Path) -> Path:
+def _named(path: KeyPath) -> KeyPath:
     """Return the end of a path that starts with a word: ``("velocity", 1)``."""
     start = max(k for k, step in enumerate(path) if isinstance(step, str))
     return path[start:]

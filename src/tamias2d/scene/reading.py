@@ -3,12 +3,12 @@
 import stat
 from collections.abc import Mapping
 from os import PathLike
-from pathlib import Path as FilePath
+from pathlib import Path
 from typing import Any
 
 from tamias2d.errors import SceneError
 from tamias2d.scene.forms import SECTIONS, listed, mapping, two_names, within
-from tamias2d.scene.quantities import Path, read_quantity, read_value, scalar_text
+from tamias2d.scene.quantities import KeyPath, read_quantity, read_value, scalar_text
 from tamias2d.scene.reading_acting import add_acting
 from tamias2d.scene.reading_shapes import read_shape, shape_keys
 from tamias2d.scene.rules import RuleError, shown
@@ -38,7 +38,7 @@ _WHAT = {"bodies": "body", "kinematics": "kinematic body", "statics": "static bo
 
 
 @suggests
-def load(source: str | FilePath) -> Scene:
+def load(source: str | Path) -> Scene:
     """Return the scene of a YAML file, or of YAML text (a text has more than one line).
 
     Raises:
@@ -50,11 +50,11 @@ def load(source: str | FilePath) -> Scene:
         )
     if isinstance(source, str) and "\n" in source:
         return read_scene(source, file="scene")
-    path = FilePath(source)
+    path = Path(source)
     return read_scene(_file_text(path), file=str(path), name=path.stem)
 
 
-def _file_text(path: FilePath) -> str:
+def _file_text(path: Path) -> str:
     content = _file_bytes(path)
     try:
         return content.decode()
@@ -66,7 +66,7 @@ def _file_text(path: FilePath) -> str:
         ) from None
 
 
-def _file_bytes(path: FilePath) -> bytes:
+def _file_bytes(path: Path) -> bytes:
     where = shown(str(path)) if not str(path).isprintable() else str(path)
     try:
         status = path.stat()
@@ -104,7 +104,7 @@ def read_scene(text: str, *, file: str, name: str = "", longest: float = MAX_SIZ
         raise SceneError(f"{file}:{line}:{column}: {error}") from None
 
 
-def _place(marks: Mapping[Path, Place], path: Path) -> Place:
+def _place(marks: Mapping[KeyPath, Place], path: KeyPath) -> Place:
     """Return the place of the value at a path, or of the nearest thing around it."""
     if path in marks:
         return marks[path]

@@ -1,6 +1,6 @@
 """Energy over very many steps: whether it only swings, or drifts.
 
-Measured are a planet on an ellipse, whose energy is a formula here, and a disc that bounces without
+Measured are a planet on an ellipse, whose pull is a law that has no potential of its own, and a disc that bounces without
 loss. The planet's energy swings within each round, so the trend is that of a straight line through
 the means of rounds. There is no trend if it is small beside the first swing and no later value goes
 far beyond that, or if all of it is no more than the random walk of rounding.
@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tamias2d.balance import kinetic_energy, uniform_potential_energy
+from tamias2d.generated import gravitation
 from tamias2d.motion import Method
 from tamias2d.run import Run
 from tamias2d.scene import Disc, HalfPlane, Scene
@@ -62,8 +64,8 @@ def orbit_drift(method: Method, steps: int) -> Drift:
     rows = starts[:, None] + np.arange(0, _ROUND, _APART)
     duration = float(grid[-1])
     run = solve(scene, duration=duration, method=method, time_step=step, times=grid[rows.ravel()])
-    distance = np.linalg.norm(run.position[:, 0], axis=-1)
-    energy = (run.velocity[:, 0] ** 2).sum(axis=-1) / 2 - 1 / distance
+    bound = gravitation.gravitational_energy(1.0, 1.0, 1.0, (0.0, 0.0), run.position[:, 0].T)
+    energy = kinetic_energy(scene, run.velocity, run.angular_velocity) + bound
     off = (energy / energy[0] - 1).reshape(rows.shape)
     return _drift("orbit", method, steps, 0, starts / steps, off)
 
@@ -77,7 +79,8 @@ def bounce_drift(method: Method, steps: int) -> Drift:
     disc = Disc(radius=0.5)
     scene.add_body(disc, mass=1.0, position=(0.0, 1.5), restitution=1.0, name="disc")
     scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), name="floor")
-    times, energy, impacts = [0.0], [9.81 * 1.5], 0
+    height = uniform_potential_energy(scene, np.array([[b.position for b in scene.bodies]]))
+    times, energy, impacts = [0.0], [float(height.sum())], 0
     for run in _chunks(scene, method, steps):
         times.append(times[-1] + run.duration)
         energy.append(float(run.energy[-1]))

@@ -13,7 +13,7 @@ from tamias2d.run import Run
 from tamias2d.state import Array
 from tamias2d.study.error import radii, scale
 
-Places: TypeAlias = NDArray[np.int64]
+VertexIndices: TypeAlias = NDArray[np.int64]
 
 _NEAREST = 4  # vertices whose segments are looked at: the nearest segment ends at one of these
 _LONGEST = 0.02  # of a segment: longer ones are divided, so that the nearest vertex is near
@@ -81,15 +81,15 @@ def _farthest(points: Array, graph: Array) -> float:
     return float(np.min(distances, axis=0).max())
 
 
-def _segments(vertices: Places, count: int) -> list[tuple[Places, Places]]:
+def _segments(vertices: VertexIndices, count: int) -> list[tuple[VertexIndices, VertexIndices]]:
     before, after = np.maximum(vertices - 1, 0), np.minimum(vertices + 1, count - 1)
     return [(before, vertices), (vertices, after)]
 
 
 def _to_segment(points: Array, start: Array, end: Array) -> Array:
-    way = end - start
-    length = np.einsum("ij,ij->i", way, way)
-    along = np.einsum("ij,ij->i", points - start, way) / np.where(length > 0, length, 1.0)
-    foot = start + np.clip(along, 0.0, 1.0)[:, None] * way
+    edge = end - start
+    length = np.einsum("ij,ij->i", edge, edge)
+    along = np.einsum("ij,ij->i", points - start, edge) / np.where(length > 0, length, 1.0)
+    foot = start + np.clip(along, 0.0, 1.0)[:, None] * edge
     result: Array = np.linalg.norm(points - foot, axis=1)
     return result

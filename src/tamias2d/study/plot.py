@@ -30,7 +30,7 @@ _COLOURS = {
 }
 _GREY = "#999999"
 _MARKS = {"ClosedForm": "D", "Pymunk": "s"}
-Cost = Callable[[Point], float | None]
+CostOf = Callable[[Point], float | None]
 
 
 def plot(study: Study, path: str | Path, *, tolerance: float | None) -> None:
@@ -84,7 +84,7 @@ def _evaluations(point: Point) -> float | None:
     return max(point.cost.force_evaluations, 1) if point.cost else None
 
 
-def _draw(axes: Any, study: Study, cost: Cost, front: list[int], label: str) -> None:
+def _draw(axes: Any, study: Study, cost: CostOf, front: list[int], label: str) -> None:
     for method in dict.fromkeys(point.method for point in study.points):
         own = [point for point in study.points if point.method == method and _placed(point, cost)]
         peer = any(point.peer for point in own)
@@ -120,7 +120,7 @@ def _draw(axes: Any, study: Study, cost: Cost, front: list[int], label: str) -> 
     axes.grid(visible=True, which="major", alpha=0.25)
 
 
-def _spread(axes: Any, own: list[Point], study: Study, cost: Cost, colour: str) -> None:
+def _spread(axes: Any, own: list[Point], study: Study, cost: CostOf, colour: str) -> None:
     """Draw from the median to the worst of the phases."""
     for point in own:
         worst = point.worst.size if point.worst else math.inf
@@ -129,7 +129,7 @@ def _spread(axes: Any, own: list[Point], study: Study, cost: Cost, colour: str) 
             axes.plot(ends, [cost(point)] * 2, color=colour, linewidth=2.5, alpha=0.25, zorder=1)
 
 
-def _placed(point: Point, cost: Cost) -> bool:
+def _placed(point: Point, cost: CostOf) -> bool:
     return point.valid and cost(point) is not None
 
 
@@ -154,7 +154,7 @@ def _limits(axes: Any, study: Study, tolerance: float | None) -> None:
         )
 
 
-def _rim(axes: Any, study: Study, cost: Cost) -> None:
+def _rim(axes: Any, study: Study, cost: CostOf) -> None:
     """Put what has no error, or none that says anything, on the right rim."""
     low, high = axes.get_ylim()
     lost = [point for point in study.points if not point.valid]

@@ -97,7 +97,7 @@ class Study:
         return [own[k] for k in front(pairs)]
 
 
-Told = Callable[[int, int, str], None]
+ProgressHook = Callable[[int, int, str], None]
 """Hears how many points there are, how many are done, and which comes next."""
 
 
@@ -106,7 +106,7 @@ def study(
     *,
     duration: float,
     phases_asked: int = LEAST,
-    told: Told = lambda of, done, what: None,  # noqa: ARG005
+    told: ProgressHook = lambda of, done, what: None,  # noqa: ARG005
     timed: bool = True,
 ) -> Study:
     """Compare all methods and settings on a scene over a duration in s.
@@ -145,7 +145,7 @@ def study(
 
 
 def _points(
-    scenes: Sequence[Scene], truths: Sequence[Truth], floor: float, told: Told, timed: bool
+    scenes: Sequence[Scene], truths: Sequence[Truth], floor: float, told: ProgressHook, timed: bool
 ) -> Iterator[Point]:
     rungs = _RUNGS_OF_IMPACTS if len(truths[0].history.run.impacts) else _RUNGS
     tried = list(candidates(scenes[0], rungs=[_FIRST * 2**k for k in range(rungs)]))

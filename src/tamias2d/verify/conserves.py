@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from tamias2d.run import Run
+from tamias2d.state import Array
 from tamias2d.verify.case import Case
-from tamias2d.verify.formula import Array
 from tamias2d.verify.outcome import Outcome
 from tamias2d.verify.schemes import run_by
 

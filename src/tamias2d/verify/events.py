@@ -12,12 +12,11 @@ from dataclasses import dataclass, field
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.errors import InputError
 from tamias2d.scene import Body, Box, Disc, HalfPlane, Polygon, Scene
+from tamias2d.state import Array
 
-Array = NDArray[np.float64]
 Gap = Callable[[Array], tuple[float, Array, Array]]
 """From the state (n, 6) to separation, normal from A to B, and contact point."""
 

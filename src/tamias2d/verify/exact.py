@@ -6,8 +6,9 @@ from typing import Any, NamedTuple
 from tamias2d.motion.methods import Reference
 from tamias2d.run import Run
 from tamias2d.simulate import simulate
+from tamias2d.state import Array
 from tamias2d.verify.case import Case
-from tamias2d.verify.formula import Array, Bodies, distance, history, instant
+from tamias2d.verify.formula import Bodies, distance, history, instant
 from tamias2d.verify.outcome import Outcome
 
 

@@ -8,7 +8,6 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.errors import SpecError
 from tamias2d.generated.symbols import SYMBOLS
@@ -18,8 +17,7 @@ from tamias2d.spec.expression import Node, parse
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.symbols import SymbolTable, table_from
 from tamias2d.spec.units import parse_quantity
-
-Array = NDArray[np.float64]
+from tamias2d.state import Array
 
 
 def history(text: str, quantity: str, times: Array, *, time_step: float | None = None) -> Array:

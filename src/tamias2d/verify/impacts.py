@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from tamias2d.state import Array
 from tamias2d.verify.case import Case
-from tamias2d.verify.formula import Array, distance, instant, measure
+from tamias2d.verify.formula import distance, instant, measure
 from tamias2d.verify.outcome import Outcome
 
 

@@ -7,8 +7,9 @@ from typing import Any
 from tamias2d.motion import Legacy2018
 from tamias2d.run import Run
 from tamias2d.simulate import simulate
+from tamias2d.state import Array
 from tamias2d.verify.case import Case
-from tamias2d.verify.formula import Array, history, measure
+from tamias2d.verify.formula import history, measure
 from tamias2d.verify.outcome import Outcome
 
 _AXES = ("x", "y")

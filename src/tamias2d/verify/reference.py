@@ -8,9 +8,10 @@ import numpy as np
 
 from tamias2d.run import Run
 from tamias2d.simulate import simulate
+from tamias2d.state import Array
 from tamias2d.verify.case import Case, scene_of
 from tamias2d.verify.events import Events, separations, simulate_by_events
-from tamias2d.verify.formula import Array, measure
+from tamias2d.verify.formula import measure
 from tamias2d.verify.outcome import Outcome
 
 

@@ -27,9 +27,10 @@ from tamias2d.motion.motion import Motion
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.simulate import simulate
+from tamias2d.state import Array
 from tamias2d.verify.case import Case
 from tamias2d.verify.exact import answers
-from tamias2d.verify.formula import Array, distance, history, measure
+from tamias2d.verify.formula import distance, history, measure
 from tamias2d.verify.items import items
 from tamias2d.verify.outcome import Outcome
 
@@ -62,9 +63,9 @@ class EqualSteps(PathMethod):
         return IntegratedMotion(scene, duration, FixedSteps(plain, duration, time_step))
 
 
-Errors = dict[tuple[str, str], Array]
+EndErrors = dict[tuple[str, str], Array]
 """Body and quantity -> found minus exact, at the end of the run."""
-Stepping = Callable[[str, int], Errors]
+Stepping = Callable[[str, int], EndErrors]
 """From a scheme and a number of steps to the errors."""
 
 
@@ -100,7 +101,7 @@ def _orders(
     case: Case,
     given: Mapping[str, Any],
     scheme: str,
-    errors: list[Errors],
+    errors: list[EndErrors],
     expected: int,
     word: str,
 ) -> Iterator[Outcome]:
@@ -119,7 +120,7 @@ def _observed(sizes: list[float]) -> list[float]:
     return [log2(coarse / fine) if coarse and fine else inf for coarse, fine in pairwise(sizes)]
 
 
-def _misfit(case: Case, constants: Mapping[str, Any], steps: int, errors: Errors) -> float:
+def _misfit(case: Case, constants: Mapping[str, Any], steps: int, errors: EndErrors) -> float:
     """Return how far the errors are from what their constants say, the worst of all."""
     end, time_step = np.array([case.duration]), case.duration / steps
     return max(
@@ -133,7 +134,7 @@ def _on_scene(case: Case, durations: Mapping[str, Any]) -> Stepping:
     """Return the errors at the end of the case, or of the duration of its own that a scheme has."""
     exact = case.data["exact" if "exact" in case.data else "final"]["bodies"]
 
-    def errors(scheme: str, steps: int) -> Errors:
+    def errors(scheme: str, steps: int) -> EndErrors:
         own = durations.get(scheme)
         duration = case.duration if own is None else float(measure(own, "duration"))
         run = run_by(case, scheme, steps, duration=duration, times=[duration])
