@@ -1,9 +1,10 @@
 """Energy over very many steps: whether it only swings, or drifts.
 
-Measured are a planet on an ellipse, whose pull is a law that has no potential of its own, and a disc that bounces without
-loss. The planet's energy swings within each round, so the trend is that of a straight line through
-the means of rounds. There is no trend if it is small beside the first swing and no later value goes
-far beyond that, or if all of it is no more than the random walk of rounding.
+Measured are a planet on an ellipse and a disc that bounces without loss. The planet is pulled by a
+law of the user's own, so that its potential energy is not in the run. Its energy swings within each
+round, so the trend is that of a straight line through the means of rounds. There is no trend if it
+is small beside the first swing and no later value goes far beyond that, or if all of it is no more
+than the random walk of rounding.
 """
 
 from collections.abc import Iterator
@@ -64,7 +65,8 @@ def orbit_drift(method: Method, steps: int) -> Drift:
     rows = starts[:, None] + np.arange(0, _ROUND, _APART)
     duration = float(grid[-1])
     run = solve(scene, duration=duration, method=method, time_step=step, times=grid[rows.ravel()])
-    bound = gravitation.gravitational_energy(1.0, 1.0, 1.0, (0.0, 0.0), run.position[:, 0].T)
+    x, y = run.position[:, 0].T
+    bound = gravitation.gravitational_energy(1.0, 1.0, 1.0, (0.0, 0.0), (x, y))
     energy = kinetic_energy(scene, run.velocity, run.angular_velocity) + bound
     off = (energy / energy[0] - 1).reshape(rows.shape)
     return _drift("orbit", method, steps, 0, starts / steps, off)
