@@ -61,7 +61,7 @@ def assembled(*entries: Function, says: str) -> str:
     """
     parts = _Parts(entries)
     for entry in entries:
-        parts.add(entry)
+        parts.add(entry, entry=True)
     imports = [f"from math import {', '.join(sorted(parts.imports))}"] if parts.imports else []
     constants = [f"{name} = {value!r}" for name, value in parts.constants.items()]
     views = [text_of_views(*parts.entered)] if parts.entered else []
@@ -88,9 +88,12 @@ class _Parts:
         self.meanings: dict[str, tuple[Any, Function]] = {}
         """What a name means, and for which function it was taken up."""
 
-    def add(self, function: Function) -> str:
-        """Add a function, unless it is there, and what it uses; return its name here."""
-        name = _name(function)
+    def add(self, function: Function, *, entry: bool = False) -> str:
+        """Add a function, unless it is there, and what it uses; return its name here.
+
+        An entry that others call, too, is there twice.
+        """
+        name = _name(function) if entry or function not in self.entries else f"{function.__name__}_"
         if name in self.meanings and self.meanings[name][0] is function:
             return name
         self._claim(name, function, function)
@@ -99,15 +102,14 @@ class _Parts:
             names[ast.unparse(node)] = self._use(function, node)
             if isinstance(value := _value(function, node), Hashable) and value in self.flat:
                 called[ast.unparse(node)] = (value, self.flat[value])
-        is_entry = function in self.entries
-        flat, edits = flattened(function, text_of(function), called, entry=is_entry)
+        flat, edits = flattened(function, text_of(function), called, entry=entry)
         self.flat[function] = flat
-        self.entered += flat.groups.values() if is_entry else ()
+        self.entered += flat.groups.values() if entry else ()
         text = copied(function, names, edits, flat.groups)
         text = text.replace(f"def {function.__name__}(", f"def {name}(", 1)
         helper = _INLINED if function in _inlined else _HELPER
-        entry = _ENTRY.format(signature=signature(function)) if is_entry else helper
-        self.texts.append(f"{entry}\n{text}")
+        decorator = _ENTRY.format(signature=signature(function)) if entry else helper
+        self.texts.append(f"{decorator}\n{text}")
         return name
 
     def _use_group(self, group: type) -> None:
