@@ -7,26 +7,24 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.broad_phase.pairs import (
-    CLEAR,
-    DONE,
-    MORE_BLOCKS,
-    MORE_CANDIDATES,
-    MORE_CONTACTS,
-    MORE_SPARSE,
-)
 from tamias2d.engine.memory import aligned_copy
 from tamias2d.engine.menu import CONTACT
 from tamias2d.engine.tables import (
     ANGULAR,
     CHECKED,
     CHUNK,
+    CLEAR,
     DECAY,
+    DONE,
     GAIN,
     GRAVITY_X,
     HORIZON,
     LIFT,
     LIST_HOLDS,
+    MORE_BLOCKS,
+    MORE_CANDIDATES,
+    MORE_CONTACTS,
+    MORE_SPARSE,
     ONE_SUBSTEP,
     ROWS_NEEDED,
     SLEEP_ID,

@@ -1,27 +1,24 @@
-"""Arrays that begin with a line of a cache: rows of 8 numbers, or 16, then touch no line twice.
-
-Serves: the world. Hides: where numpy puts its arrays, which differs from one to the next.
-"""
+"""Arrays that begin at a cache line: rows of 8 or 16 numbers then touch no line twice."""
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-LINE = 64  # bytes
+CACHE_LINE = 64  # bytes
 
 
 def aligned_zeros(shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> NDArray[Any]:
-    """Return zeros that begin with a line of a cache."""
+    """Return zeros that begin at a cache line."""
     kind = np.dtype(dtype)
     size = int(np.prod(shape)) * kind.itemsize
-    bare = np.zeros(size + LINE, dtype=np.uint8)
-    start = -bare.ctypes.data % LINE
-    return bare[start : start + size].view(kind).reshape(shape)
+    unaligned = np.zeros(size + CACHE_LINE, dtype=np.uint8)
+    start = -unaligned.ctypes.data % CACHE_LINE
+    return unaligned[start : start + size].view(kind).reshape(shape)
 
 
 def aligned_copy(values: NDArray[Any]) -> NDArray[Any]:
-    """Return a copy that begins with a line of a cache."""
+    """Return a copy that begins at a cache line."""
     copy = aligned_zeros(values.shape, values.dtype)
     copy[...] = values
     return copy

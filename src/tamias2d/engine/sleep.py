@@ -1,14 +1,14 @@
-"""Sleeping: islands that have come to rest cost nothing until something happens to them.
+"""Sleep: islands at rest cost nothing until something happens to them.
 
-Serves: a step, where sleeping is wanted. Hides: what counts as quiet, and what wakes an island.
+A body is slow as DD50 states. An island whose bodies have all been slow for some steps falls asleep
+(IM13): its velocities become zero, nothing moves it, and its contacts are neither searched for nor
+solved. A body without contacts sleeps only if it does not move at all; an island that is supported
+by a moving body does not sleep.
 
-A body is quiet as DD50 says. An island in which all have been quiet for some steps falls asleep
-(IM13): its velocities become zero, nothing moves it, and its contacts are neither looked for nor
-solved. What touches nothing sleeps only where it does not move at all, and what leans on something
-that moves does not sleep.
-
-It wakes as a whole where something that moves comes near to touching it; where a pose, a velocity,
-a load or gravity is not what it was; and where something on which it leaned has been moved.
+An island wakes as a whole if a body that may wake others touches it, or comes so near that their
+contact has points; if a pose, a velocity, a load or gravity differs from that at rest; or if a body
+that supports it was moved.
+Cost: a pass over bodies and one over contacts in each step, where sleeping is wanted.
 """
 
 from tamias2d.engine.islands import find_islands
@@ -17,7 +17,9 @@ from tamias2d.engine.tables import (
     AWAKE,
     BOUNDING_RADIUS,
     CONTACTS,
+    DANGLE,
     DX,
+    DY,
     DYNAMIC,
     FORCE_GAIN,
     GRAVITY_X,
@@ -26,6 +28,7 @@ from tamias2d.engine.tables import (
     POINT_COUNT,
     REST_GRAVITY,
     REST_LOAD,
+    REST_POSE,
     ROOT,
     SLEEP_ID,
     SLEEP_STEPS,
@@ -51,9 +54,8 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.sleeping import quiet, quiet_square
 from tamias2d.state import Array
 
-ALONE, ON_RESTING, ON_MOVING = range(3)  # what a body touches: nothing, or something driven
-
-SLOW = 0.02  # of the velocity of a fall through half the reach: one through 1/5000 of it
+NO_SUPPORT, SUPPORTED_AT_REST, SUPPORTED_IN_MOTION = range(3)  # what a body touches
+SLEEP_SPEED = 0.02  # of the velocity of a fall through half the radius: through 1/5000 of it
 
 
 def update_sleep(
@@ -63,76 +65,74 @@ def update_sleep(
     contacts: Contacts,
     islands: Islands,
 ) -> None:
-    """Wake what has been changed since the last step, and count what sleeps on."""
+    """Wake islands that were changed since the last step, and count the bodies that sleep on."""
+    links, rest = islands.links, islands.rest
     for i in range(len(bodies.kind)):
-        if islands.links[i, SLEEP_ID] > 0 and state_changed(
-            control.settings, bodies.pose[i], bodies.motion[i], bodies.load[i], islands.rest[i]
+        if links[i, SLEEP_ID] > 0 and state_changed(
+            control.settings, bodies.pose[i], bodies.motion[i], bodies.load[i], rest[i]
         ):
-            wake_island(islands.links[i, SLEEP_ID], islands.links)
+            wake_island(links[i, SLEEP_ID], links)
     for i in range(len(bodies.kind)):
         if bodies.kind[i] == DYNAMIC:
-            islands.links[i, AWAKE] = 1 if islands.links[i, SLEEP_ID] == 0 else 0
+            links[i, AWAKE] = 1 if links[i, SLEEP_ID] == 0 else 0
         else:
-            note_support(
-                bodies.kind[i], bodies.pose[i], bodies.motion[i], islands.links[i], islands.rest[i]
-            )
+            note_support(bodies.kind[i], bodies.pose[i], bodies.motion[i], links[i], rest[i])
     for p in range(broad_phase.counts[CONTACTS]):
-        i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        if (
-            contacts.flags[p, POINT_COUNT] > 0
-            and islands.links[i, AWAKE] != islands.links[j, AWAKE]
-        ):
-            wake_island(max(islands.links[i, SLEEP_ID], islands.links[j, SLEEP_ID]), islands.links)
+        if contacts.flags[p, POINT_COUNT] > 0:
+            wake_pair(contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B], links)
     count_sleeping(bodies, islands)
 
 
 def state_changed(settings: Array, pose: Array, motion: Array, load: Array, rest: Array) -> bool:
     """Return whether a body that sleeps is not as it was when it fell asleep."""
-    other = (rest[REST_GRAVITY] != settings[GRAVITY_X]) | (
+    changed = (rest[REST_GRAVITY] != settings[GRAVITY_X]) | (
         rest[REST_GRAVITY + 1] != settings[GRAVITY_Y]
     )
     for n in range(3):
-        other = other | (pose[n] != rest[n]) | (motion[n] != 0.0)
-        other = other | (load[n] != rest[REST_LOAD + n])
-    return bool(other)
+        changed = changed | (pose[n] != rest[REST_POSE + n]) | (motion[n] != 0.0)
+        changed = changed | (load[n] != rest[REST_LOAD + n])
+    return bool(changed)
 
 
-def note_support(kind: int, pose: Array, motion: Array, island: Integers, rest: Array) -> None:
-    """Say of what nothing pushes whether it wakes others: it is new, has been moved, or moves."""
-    live = island[SLOW_STEPS] == 0
+def note_support(kind: int, pose: Array, motion: Array, links: Integers, rest: Array) -> None:
+    """Note whether a body that is not dynamic wakes others: it is new, was moved, or moves."""
+    active = links[SLOW_STEPS] == 0
     for n in range(3):
-        live = live | (pose[n] != rest[n]) | (motion[n] != 0.0)
-        rest[n] = pose[n]
-    island[AWAKE] = 1 if live and kind != ABSENT else 0
-    island[SLOW_STEPS] = 1 if kind != ABSENT else 0
+        active = active | (pose[n] != rest[REST_POSE + n]) | (motion[n] != 0.0)
+        rest[REST_POSE + n] = pose[n]
+    links[AWAKE] = 1 if active and kind != ABSENT else 0
+    links[SLOW_STEPS] = 1 if kind != ABSENT else 0
 
 
 def wake_touched(contacts: Contacts, touching: Touching, islands: Islands) -> bool:
-    """Wake what is met by something that may wake it; return whether anything was."""
+    """Wake islands that are touched by a body that may wake them; return whether any was."""
     woken = False
     for k in range(touching.counts[TOUCHING]):
-        i, j = (
-            contacts.pairs[touching.contact[k], SLOT_A],
-            contacts.pairs[touching.contact[k], SLOT_B],
-        )
-        if islands.links[i, AWAKE] != islands.links[j, AWAKE]:
-            night = max(islands.links[i, SLEEP_ID], islands.links[j, SLEEP_ID])
-            wake_island(night, islands.links)
-            woken = woken or night > 0
+        pair = contacts.pairs[touching.contact[k]]
+        woken = wake_pair(pair[SLOT_A], pair[SLOT_B], islands.links) or woken
     return woken
 
 
-def wake_island(night: int, island: Integers) -> None:
-    """Wake all that sleep under a name; 0 is none's."""
-    if night == 0:
+def wake_pair(i: int, j: int, links: Integers) -> bool:
+    """Wake the one of two bodies that may not wake others, if the other may and it sleeps."""
+    if links[i, AWAKE] == links[j, AWAKE]:
+        return False
+    sleep_id = max(links[i, SLEEP_ID], links[j, SLEEP_ID])
+    wake_island(sleep_id, links)
+    return bool(sleep_id > 0)
+
+
+def wake_island(sleep_id: int, links: Integers) -> None:
+    """Wake all bodies that sleep under an id; 0 is that of bodies awake."""
+    if sleep_id == 0:
         return
-    for i in range(len(island)):
-        if island[i, SLEEP_ID] == night:
-            island[i, SLEEP_ID], island[i, SLOW_STEPS], island[i, AWAKE] = 0, 0, 1
+    for i in range(len(links)):
+        if links[i, SLEEP_ID] == sleep_id:
+            links[i, SLEEP_ID], links[i, SLOW_STEPS], links[i, AWAKE] = 0, 0, 1
 
 
 def count_sleeping(bodies: Bodies, islands: Islands) -> None:
-    """Count what sleeps."""
+    """Count the bodies that sleep."""
     asleep = 0
     for i in range(len(bodies.kind)):
         asleep += islands.links[i, SLEEP_ID] > 0
@@ -140,7 +140,7 @@ def count_sleeping(bodies: Bodies, islands: Islands) -> None:
 
 
 def hold_sleeping(bodies: Bodies, islands: Islands) -> None:
-    """Let nothing move what sleeps: it is marked like what has been moved already."""
+    """Hold bodies that sleep in place: they are marked as moved already."""
     for i in range(len(bodies.kind)):
         if islands.links[i, SLEEP_ID] > 0:
             bodies.moved[i] = 1
@@ -149,83 +149,83 @@ def hold_sleeping(bodies: Bodies, islands: Islands) -> None:
 
 
 def keep_touching_flags(broad_phase: BroadPhase, contacts: Contacts, islands: Islands) -> None:
-    """Let pairs of what sleeps that touched touch on, so that nothing ends or begins."""
+    """Let contacts of sleeping bodies touch on if they did, so that none ends or begins."""
+    links, pairs = islands.links, contacts.pairs
     for p in range(broad_phase.counts[CONTACTS]):
-        if (
-            islands.links[contacts.pairs[p, SLOT_A], AWAKE]
-            + islands.links[contacts.pairs[p, SLOT_B], AWAKE]
-            == 0
-        ):
+        if links[pairs[p, SLOT_A], AWAKE] + links[pairs[p, SLOT_B], AWAKE] == 0:
             contacts.flags[p, TOUCHES] |= contacts.flags[p, TOUCHES] >> 1
 
 
 def note_support_kinds(
     bodies: Bodies, contacts: Contacts, touching: Touching, islands: Islands
 ) -> None:
-    """Note of each body whether it touches anything, and whether that is moved by nobody's push."""
+    """Note what each body touches: nothing, bodies at rest, or one that moves by itself."""
     find_islands(bodies, touching, islands)
+    links = islands.links
     for i in range(len(bodies.kind)):
-        islands.links[i, SUPPORT_KIND] = ALONE
+        links[i, SUPPORT_KIND] = NO_SUPPORT
     for k in range(touching.counts[TOUCHING]):
-        i, j = (
-            contacts.pairs[touching.contact[k], SLOT_A],
-            contacts.pairs[touching.contact[k], SLOT_B],
+        pair = contacts.pairs[touching.contact[k]]
+        i, j = pair[SLOT_A], pair[SLOT_B]
+        in_motion = (bodies.kind[i] != DYNAMIC and links[i, AWAKE] == 1) or (
+            bodies.kind[j] != DYNAMIC and links[j, AWAKE] == 1
         )
-        moved = (bodies.kind[i] != DYNAMIC and islands.links[i, AWAKE] == 1) or (
-            bodies.kind[j] != DYNAMIC and islands.links[j, AWAKE] == 1
-        )
-        company = ON_MOVING if moved else ON_RESTING
-        islands.links[i, SUPPORT_KIND] = max(islands.links[i, SUPPORT_KIND], company)
-        islands.links[j, SUPPORT_KIND] = max(islands.links[j, SUPPORT_KIND], company)
+        support = SUPPORTED_IN_MOTION if in_motion else SUPPORTED_AT_REST
+        links[i, SUPPORT_KIND] = max(links[i, SUPPORT_KIND], support)
+        links[j, SUPPORT_KIND] = max(links[j, SUPPORT_KIND], support)
 
 
 def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:
-    """Count for how long bodies have been quiet, and let islands sleep that have been for long.
-
-    Poses are those at the beginning of the step, with what has been moved since beside them.
-    """
+    """Let islands fall asleep whose bodies have all been slow for long enough."""
+    links, sleep_steps = islands.links, islands.counts[SLEEP_STEPS]
     for i in range(len(bodies.kind)):
-        islands.links[i, ISLAND_SLOW_STEPS] = islands.counts[SLEEP_STEPS]
+        links[i, ISLAND_SLOW_STEPS] = sleep_steps
     for i in range(len(bodies.kind)):
-        if bodies.kind[i] == DYNAMIC and islands.links[i, SLEEP_ID] == 0:
-            company, root = islands.links[i, SUPPORT_KIND], islands.links[i, ROOT]
-            slow = (
-                sleep_speed(control, bodies.properties[i, BOUNDING_RADIUS])
-                if company == ON_RESTING
-                else 0.0
-            )
-            quiet = is_slow(
-                control.settings[TIME_STEP],
-                slow,
-                bodies.motion[i],
-                bodies.properties[i, BOUNDING_RADIUS],
-            )
-            islands.links[i, SLOW_STEPS] = (
-                islands.links[i, SLOW_STEPS] + 1 if quiet and company != ON_MOVING else 0
-            )
-            islands.links[root, ISLAND_SLOW_STEPS] = min(
-                islands.links[root, ISLAND_SLOW_STEPS], islands.links[i, SLOW_STEPS]
+        if bodies.kind[i] == DYNAMIC and links[i, SLEEP_ID] == 0:
+            root = links[i, ROOT]
+            count_slow_step(i, control, bodies, links)
+            links[root, ISLAND_SLOW_STEPS] = min(
+                links[root, ISLAND_SLOW_STEPS], links[i, SLOW_STEPS]
             )
     for i in range(len(bodies.kind)):
-        root = islands.links[i, ROOT]
-        peaceful = islands.links[root, ISLAND_SLOW_STEPS] >= islands.counts[SLEEP_STEPS]
-        if bodies.kind[i] == DYNAMIC and islands.links[i, SLEEP_ID] == 0 and peaceful:
-            islands.links[i, SLEEP_ID] = root + 1
-            islands.rest[i, REST_GRAVITY] = control.settings[GRAVITY_X]
-            islands.rest[i, REST_GRAVITY + 1] = control.settings[GRAVITY_Y]
-            for n in range(3):
-                bodies.motion[i, n] = 0.0
-                islands.rest[i, n] = bodies.pose[i, n] + bodies.motion[i, DX + n]
-                islands.rest[i, REST_LOAD + n] = bodies.load[i, n]
+        root = links[i, ROOT]
+        if (
+            bodies.kind[i] == DYNAMIC
+            and links[i, SLEEP_ID] == 0
+            and links[root, ISLAND_SLOW_STEPS] >= sleep_steps
+        ):
+            links[i, SLEEP_ID] = root + 1
+            note_rest(i, control, bodies, islands.rest[i])
 
 
-def sleep_speed(control: Control, reach: float) -> float:
-    """Return the square of the velocity, m/s, below which a body that touches things is quiet."""
-    pull = abs(control.settings[GRAVITY_X]) + abs(control.settings[GRAVITY_Y])
-    return quiet_square(SLOW, reach, pull if pull > 0.0 else reach)
+def count_slow_step(i: int, control: Control, bodies: Bodies, links: Integers) -> None:
+    """Count for how many steps a body has been slow."""
+    support, radius = links[i, SUPPORT_KIND], bodies.properties[i, BOUNDING_RADIUS]
+    limit = sleep_speed_squared(control.settings, radius) if support == SUPPORTED_AT_REST else 0.0
+    slow = is_slow(control.settings[TIME_STEP], limit, bodies.motion[i], radius)
+    links[i, SLOW_STEPS] = (
+        links[i, SLOW_STEPS] + 1 if slow and support != SUPPORTED_IN_MOTION else 0
+    )
 
 
-def is_slow(time_step: float, slow: float, motion: Array, reach: float) -> bool:
-    """Return whether a body is slow, and has been in this step."""
-    velocity, shift = (motion[VX], motion[VY]), (motion[DX], motion[DX + 1])
-    return bool(quiet(velocity, motion[SPIN], shift, motion[DX + 2], reach, slow, time_step))
+def note_rest(i: int, control: Control, bodies: Bodies, rest: Array) -> None:
+    """Stop a body that falls asleep, and note its state; its pose is that at the step's end."""
+    pose, motion, load = bodies.pose[i], bodies.motion[i], bodies.load[i]
+    rest[REST_GRAVITY] = control.settings[GRAVITY_X]
+    rest[REST_GRAVITY + 1] = control.settings[GRAVITY_Y]
+    for n in range(3):
+        motion[n] = 0.0
+        rest[REST_POSE + n] = pose[n] + motion[DX + n]
+        rest[REST_LOAD + n] = load[n]
+
+
+def sleep_speed_squared(settings: Array, radius: float) -> float:
+    """Return the square of the velocity, m/s, below which a body with contacts is slow."""
+    gravity = abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y])
+    return quiet_square(SLEEP_SPEED, radius, gravity if gravity > 0.0 else radius)
+
+
+def is_slow(time_step: float, limit: float, motion: Array, radius: float) -> bool:
+    """Return whether a body is slow, and has been in this step (DD50); the limit in (m/s)^2."""
+    velocity, shift = (motion[VX], motion[VY]), (motion[DX], motion[DY])
+    return bool(quiet(velocity, motion[SPIN], shift, motion[DANGLE], radius, limit, time_step))

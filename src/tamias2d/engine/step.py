@@ -1,17 +1,18 @@
 """One step of all bodies: the stages in their order.
 
-Which shapes are near; which touch, and where; blocks of contacts; then substeps, each of which
-applies forces, applies the impulses of before, corrects them softly, moves bodies, and takes the
-softness out of the velocities again; then restitution; and bodies that move far are stopped where
-they meet something. Bodies that touch nothing follow their closed form instead (IM1, IM6).
+The broad phase finds pairs of shapes that may touch, the narrow phase their manifolds; contacts
+that touch are arranged in blocks, slabs and trees. Each substep applies forces and the impulses of
+before, solves soft constraints, integrates positions, and relaxes the constraints; then restitution
+acts. Bodies without contacts follow their closed form instead (IM1, IM6). Continuous collision
+stops bodies that move far where they meet others, and islands at rest fall asleep.
 
-Cost: a substep visits each contact three times. Source: Macklin et al. (2019), Catto (2024).
+Cost: a substep visits each contact twice. Source: Macklin et al. (2019), Catto (2024).
 """
 
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bounds
-from tamias2d.engine.broad_phase.pairs import CLEAR, DONE, INVALID, rebuild_pairs, update_pairs
+from tamias2d.engine.broad_phase.pairs import rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.continuous import MOST_UPDATES, solve_continuous
@@ -32,9 +33,12 @@ from tamias2d.engine.tables import (
     ARRIVING,
     AT_START,
     CHECKED,
+    CLEAR,
     CONTACTS,
+    DONE,
     FLOWN,
     IN_FLIGHT,
+    INVALID,
     KINEMATIC,
     LIST_HOLDS,
     MANIFOLDS_KNOWN,
@@ -55,25 +59,24 @@ from tamias2d.engine.tables import (
 def step(world: World) -> int:
     """Take the steps that are left of a call, or return which array is too short.
 
-    Called again, it continues. It ends early where no pair is near: bodies may go ballistically
-    then.
+    Called again, it continues. It ends early, with CLEAR, where no contact is on the list: bodies
+    may go ballistically then.
     """
     counts = world.control.counts
     if counts[STAGE] == AT_START:
-        odd = gather_state(world.control, world.state, world.bodies)
-        if odd and counts[CHECKED] == 0 and not all_valid(world.control, world.bodies):
+        doubtful = gather_state(world.control, world.state, world.bodies)
+        if doubtful and counts[CHECKED] == 0 and not all_valid(world.control, world.bodies):
             return INVALID
-    alone = False
-    while counts[STEPS_LEFT] > 0 and not alone:
+    clear = False
+    while counts[STEPS_LEFT] > 0 and not clear:
         status = take_step(world)
         if status != DONE:
             return status
         scatter_state(world.state, world.bodies)
         counts[STEPS_LEFT] -= 1
-        near = world.broad_phase.counts
-        asleep = world.islands.counts[SLEEP_STEPS]
-        alone = near[CONTACTS] == 0 and near[LIST_HOLDS] == 1 and asleep == 0
-    return CLEAR if alone else DONE
+        pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[SLEEP_STEPS]
+        clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0
+    return CLEAR if clear else DONE
 
 
 def take_step(world: World) -> int:
@@ -81,16 +84,14 @@ def take_step(world: World) -> int:
 
     The stages stand in one function, because each level of calls is compiled once more.
     """
-    control, bodies, shapes, tree = world.control, world.bodies, world.shapes, world.tree
+    control, bodies, shapes, islands = world.control, world.bodies, world.shapes, world.islands
     broad_phase, buffers, touching = world.broad_phase, world.buffers, world.touching
-    islands = world.islands
     counts = control.counts
     if counts[STAGE] == AT_START:
         left = find_moved(world)
-        holds = update_pairs(left, control, bodies, shapes, tree, broad_phase, buffers, touching)
-        counts[STAGE] = PAIRS_KNOWN if holds else PAIRS_STALE
+        counts[STAGE] = PAIRS_KNOWN if update_pairs(left, world) else PAIRS_STALE
     if counts[STAGE] == PAIRS_STALE:
-        status = rebuild_pairs(control, bodies, shapes, tree, broad_phase, buffers, touching)
+        status = rebuild_pairs(world)
         if status != DONE:
             return status
         counts[STAGE] = PAIRS_KNOWN
@@ -104,22 +105,16 @@ def take_step(world: World) -> int:
             again = True
         counts[STAGE] = MANIFOLDS_KNOWN
     if counts[STAGE] == MANIFOLDS_KNOWN:
-        status = arrange(control, bodies, contacts, touching, world.constraints, world.direct)
+        status = arrange(world, contacts)
         if status != DONE:
             return status
-        solve_contacts(
-            control, bodies, shapes, contacts, touching, world.constraints, islands, world.direct
-        )
+        solve_contacts(world, contacts)
         counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:
         if counts[STAGE] == OUT_OF_BOUNDS:
             left = find_leaving(world)
-            if not update_pairs(
-                left, control, bodies, shapes, tree, broad_phase, buffers, touching
-            ):
-                status = rebuild_pairs(
-                    control, bodies, shapes, tree, broad_phase, buffers, touching
-                )
+            if not update_pairs(left, world):
+                status = rebuild_pairs(world)
                 if status != DONE:
                     return status
             control.progress[UPDATES_LEFT] -= 1.0
@@ -138,19 +133,19 @@ def take_step(world: World) -> int:
 
 
 def find_moved(world: World) -> int:
-    """Wake what was changed, and turn vertices; return how many bodies left their bounds."""
+    """Wake islands that were changed, and turn vertices; return how many bodies left their bounds."""
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
         update_sleep(world.control, bodies, broad_phase, contacts, islands)
     left = mark_out_of_bounds(bodies, broad_phase)
-    everything = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
-    turn_vertices(bodies, world.shapes, STATIC if everything else KINEMATIC)
+    all_needed = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
+    turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
     return left
 
 
 def integrate(world: World) -> int:
-    """Find how far bodies go; return the next stage."""
+    """Find the displacements of all bodies; return the next stage."""
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
@@ -169,7 +164,7 @@ def integrate(world: World) -> int:
 
 
 def find_leaving(world: World) -> int:
-    """Return how many bodies leave their bounds on their way."""
+    """Return how many bodies leave their bounds in flight."""
     if world.control.progress[FLOWN] > 0.0:  # vertices were turned along the flight
         turn_vertices(world.bodies, world.shapes, STATIC)
     return mark_leaving_bounds(world.bodies, world.broad_phase)

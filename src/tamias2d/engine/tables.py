@@ -1,8 +1,9 @@
-"""The state of the engine: groups of arrays, with the unit, the size and the readers of each.
+"""The state of the engine: groups of arrays, and what each column of them holds.
 
-Allocation, growth, saving and the entries of compiled code follow from these declarations. A row
-of the groups by slot belongs to a body in canonical order, so that bodies that are near in the
-world are near in memory; the last row is idle, all zeros, for lanes of a block without a contact.
+Allocation, growth, saving and the entries of compiled code follow from these declarations. Each
+column has a line with its name, unit and meaning; a new one is a new line. The groups by slot hold
+bodies in canonical order, so that bodies that are near in the world are near in memory; the last
+slot is an idle body, all zeros, for lanes of a block that have no contact.
 """
 
 from dataclasses import dataclass
@@ -29,9 +30,23 @@ Integers: TypeAlias = NDArray[Any]
 """An array of whole numbers of any width."""
 
 
+class Columns:
+    """The columns of an array: each call returns the next one, or the first of several."""
+
+    def __init__(self, each: int = 1) -> None:
+        """Begin with none; each is so many numbers wide, unless a call says otherwise."""
+        self.width, self.each = 0, each
+
+    def __call__(self, width: int = 0) -> int:
+        """Return the first number of the next column."""
+        first = self.width
+        self.width += width or self.each
+        return first
+
+
 @dataclass(frozen=True)
 class Sized:
-    """How long an array is along each axis: a number, or the name of a room in `world`."""
+    """The length of an array along each axis: a number, or the name of a room in `world`."""
 
     shape: tuple[int | str, ...]
 
@@ -39,63 +54,98 @@ class Sized:
         object.__setattr__(self, "shape", shape)
 
 
-# -- what a step is asked to do
+# -- control of a step
 
-# control.settings: m/s^2, m/s^2, s
-GRAVITY_X, GRAVITY_Y, TIME_STEP = range(3)
-# control.counts: substeps of a step; steps that are left of the call; 1 if the values that users
-# can set have been checked; the stage at which the step continues; rows that a full array needs
-SUBSTEPS, STEPS_LEFT, CHECKED, STAGE, ROWS_NEEDED = range(5)
-# values of counts[STAGE]
+_settings = Columns()
+GRAVITY_X = _settings()  # m/s^2
+GRAVITY_Y = _settings()  # m/s^2
+TIME_STEP = _settings()  # s
+
+_control = Columns()
+SUBSTEPS = _control()  # of a step
+STEPS_LEFT = _control()  # steps of this call that are still to be taken
+CHECKED = _control()  # 1 if the values that users can set have been checked
+STAGE = _control()  # at which the step continues, one of those below
+ROWS_NEEDED = _control()  # by the array that was too short
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
-# control.progress of continuous collision: fraction of the step that is done; updates of the pair
-# list that are left
-FLOWN, UPDATES_LEFT = range(2)
+
+_progress = Columns()
+FLOWN = _progress()  # fraction of the step that continuous collision has done
+UPDATES_LEFT = _progress()  # updates of the contact list that continuous collision may still make
+
+# status of a step: done, an array that is too short, a value that is not valid, or done with no
+# contact on the list
+DONE, MORE_CANDIDATES, MORE_CONTACTS, MORE_BLOCKS, INVALID, MORE_SPARSE, CLEAR = range(7)
 
 
 class Control(NamedTuple):
     """What a step is asked to do, and how far it is; read by all stages."""
 
-    settings: Annotated[Floats, Sized(3)]
-    counts: Annotated[Ranks, Sized(5)]
-    progress: Annotated[Floats, Sized(2)]
+    settings: Annotated[Floats, Sized(_settings.width)]
+    counts: Annotated[Ranks, Sized(_control.width)]
+    progress: Annotated[Floats, Sized(_progress.width)]
 
 
 # -- bodies
 
-# kind
-ABSENT, STATIC, KINEMATIC, DYNAMIC = range(4)
-# pose: m, m, rad
-X, Y, ANGLE = range(3)
-# velocity and the first columns of motion: m/s, m/s, rad/s
-VX, VY, SPIN = range(3)
-# motion: displacement since the step began, m, m, rad
-DX, DY, DANGLE = 4, 5, 6
-# properties: 1/kg, 1/(kg m^2); radius of the circle around the body, half of its least width, and
-# radius of its farthest vertex, m; row of its propagator. Eight columns are one cache line.
-INVERSE_MASS, INVERSE_INERTIA, BOUNDING_RADIUS, MIN_EXTENT, CORE_RADIUS, PROPAGATOR = range(6)
-# propagators (DD41): v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a, through a step and through a
-# substep, for the velocity and, ANGULAR columns on, for the angular velocity
-WHOLE_STEP, ONE_SUBSTEP, ANGULAR = 0, 6, 3
-DECAY, GAIN, LIFT = range(3)
-# substep_state, for three coordinates each: change of velocity by contacts in this step; velocity
-# as the substep began; factor of drag and increment by forces in a substep; velocity as the step
-# began
-CONTACT_CHANGE, SUBSTEP_START, DRAG_FACTOR, INCREMENT, STEP_START = 0, 3, 6, 9, 12
-# flight, of continuous collision: velocity gained by forces in this step, three coordinates; 1 if
-# the path was redirected, and more if it goes along with a body that cannot stop; 1 if the body had
-# contacts under gravity, so that its velocity at the end says little of that on its way; how far
-# some point of it goes, and by how much that is more than its thickness, m
-FORCE_GAIN, REDIRECTED, SUPPORTED, PATH_LENGTH, PATH_EXCESS = 0, 3, 4, 5, 6
+ABSENT, STATIC, KINEMATIC, DYNAMIC = range(4)  # kind
+
+_pose = Columns()
+X = _pose()  # m
+Y = _pose()  # m
+ANGLE = _pose()  # rad
+
+_motion = Columns()
+VX = _motion()  # m/s; these three are also the columns of a velocity alone
+VY = _motion()  # m/s
+SPIN = _motion()  # rad/s
+_motion()  # unused: a half of a cache line is four numbers
+DX = _motion()  # m, displacement since the step began
+DY = _motion()  # m
+DANGLE = _motion()  # rad
+
+_properties = Columns()
+INVERSE_MASS = _properties()  # 1/kg
+INVERSE_INERTIA = _properties()  # 1/(kg m^2)
+BOUNDING_RADIUS = _properties()  # m, of the circle around the body
+MIN_EXTENT = _properties()  # m, half of its least width
+CORE_RADIUS = _properties()  # m, distance of its farthest vertex from its centre
+PROPAGATOR = _properties()  # row of its propagator
+
+# propagators (DD41): v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a
+DECAY, GAIN, LIFT = range(3)  # 1, s, s^2
+_propagators = Columns(3)
+WHOLE_STEP = _propagators()  # of the velocity
+ANGULAR = _propagators()  # of the angular velocity; from ONE_SUBSTEP, too, so many columns on
+ONE_SUBSTEP = _propagators()
+_propagators()
+
+_substep_state = Columns(3)  # m/s, m/s, rad/s; factors 1
+CONTACT_CHANGE = _substep_state()  # change of velocity by contacts in this step
+SUBSTEP_START = _substep_state()  # velocity as the substep began
+DRAG_FACTOR = _substep_state()  # factor of the velocity by drag in a substep
+INCREMENT = _substep_state()  # of the velocity by forces in a substep
+STEP_START = _substep_state()  # velocity as the step began
+
+_flight = Columns()
+FORCE_GAIN = _flight(3)  # m/s, m/s, rad/s, velocity gained by forces in this step
+REDIRECTED = (
+    _flight()
+)  # 1 if the path was redirected; more if the body follows one that cannot stop
+SUPPORTED = (
+    _flight()
+)  # 1 if the body had contacts under gravity: its velocity says little of its way
+PATH_LENGTH = _flight()  # m, that some point of the body goes
+PATH_EXCESS = _flight()  # m, by which that is more than its thickness
 
 
 class BodyState(NamedTuple):
     """Bodies as users see and set them, in the order of adding; read as a batch of steps begins."""
 
-    pose: Annotated[FloatRows, Sized("slots", 3)]
-    velocity: Annotated[FloatRows, Sized("slots", 3)]
+    pose: Annotated[FloatRows, Sized("slots", _pose.width)]
+    velocity: Annotated[FloatRows, Sized("slots", 3)]  # m/s, m/s, rad/s
     load: Annotated[FloatRows, Sized("slots", 3)]  # N, N, N m
-    properties: Annotated[FloatRows, Sized("slots", 8)]
+    properties: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
     kind: Annotated[Bytes, Sized("slots")]
     slot_of_body: Annotated[Places, Sized("slots")]
     body_of_slot: Annotated[Places, Sized("slots")]
@@ -106,27 +156,28 @@ class BodyState(NamedTuple):
 class Bodies(NamedTuple):
     """Bodies by slot; read by all stages."""
 
-    pose: Annotated[FloatRows, Sized("slots", 3)]
-    motion: Annotated[FloatRows, Sized("slots", 8)]
+    pose: Annotated[FloatRows, Sized("slots", _pose.width)]
+    motion: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
     load: Annotated[FloatRows, Sized("slots", 3)]  # N, N, N m
-    properties: Annotated[FloatRows, Sized("slots", 8)]
+    properties: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
     kind: Annotated[Bytes, Sized("slots")]
-    propagators: Annotated[FloatRows, Sized("propagators", 12)]
-    substep_state: Annotated[FloatRows, Sized("slots", 16)]
-    flight: Annotated[FloatRows, Sized("slots", 8)]
+    propagators: Annotated[FloatRows, Sized("propagators", _propagators.width)]
+    substep_state: Annotated[FloatRows, Sized("slots", 16)]  # two cache lines; read by the solver
+    flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
     moved: Annotated[Bytes, Sized("slots")]  # 1 if the solver, or sleep, has moved it in this step
 
 
 # -- shapes
 
-# kind
-DISC, CAPSULE, POLYGON, HALF_PLANE = range(4)
-# material: friction and restitution, -1 where not stated; radius of the circle around the shape
-# from the centre of its body, m; least distance of its sides from there, m, minus infinity where
-# the centre is outside
-FRICTION, RESTITUTION, SHAPE_RADIUS, SHAPE_INRADIUS = range(4)
-# filters
-CATEGORY, MASK, GROUP, SENSOR = range(4)
+DISC, CAPSULE, POLYGON, HALF_PLANE = range(4)  # kind
+
+_material = Columns()
+FRICTION = _material()  # -1 where not stated
+RESTITUTION = _material()  # -1 where not stated
+SHAPE_RADIUS = _material()  # m, of the circle around the shape from the centre of its body
+SHAPE_INRADIUS = _material()  # m, least distance of its sides from there; -inf if that is outside
+
+CATEGORY, MASK, GROUP, SENSOR = range(4)  # filters
 
 
 class Shapes(NamedTuple):
@@ -137,81 +188,119 @@ class Shapes(NamedTuple):
     first: Annotated[Indices, Sized("shapes")]  # vertex
     count: Annotated[Indices, Sized("shapes")]  # of vertices
     radius: Annotated[Floats, Sized("shapes")]  # m
-    material: Annotated[FloatRows, Sized("shapes", 4)]
+    material: Annotated[FloatRows, Sized("shapes", _material.width)]
     filters: Annotated[RankRows, Sized("shapes", 4)]
     local_vertices: Annotated[FloatRows, Sized("vertices", 4)]  # vertex, m; normal of its side
     world_vertices: Annotated[FloatRows, Sized("vertices", 4)]  # the same, turned
     pair_overrides: Annotated[FloatRows, Sized("overrides", 4)]  # shapes, friction, restitution
 
 
-# -- broad phase
+# -- bounding volume hierarchy
 
-# fat_bounds: where the centre of a body may be until pairs are looked for again, m; the angle at
-# which that was found, and how far it may turn from there, rad
-LOW_X, LOW_Y, HIGH_X, HIGH_Y, BASE_ANGLE, ANGLE_MARGIN = range(6)
-# frame, which moves with the bodies while nothing touches: m/s, m; 1 if it moves; m/s^2; propagator
-FRAME_VX, FRAME_VY, FRAME_X, FRAME_Y, FRAME_MOVES, FRAME_AX, FRAME_AY, FRAME_PROPAGATOR = range(8)
-# broad_phase.counts: contacts on the list, and which of the two buffers holds them; steps for which
-# the list is made, and steps since; 1 if it holds; contacts of the first sorted run; bodies that
-# have left their bounds since the list was made
-CONTACTS, BUFFER, HORIZON, STEPS_SINCE, LIST_HOLDS, FIRST_RUN, UPDATED = range(7)
-# tree.counts: shapes under it, and half-planes, which stand behind them
-LEAVES, PLANES = range(2)
-# tree.boxes: of the k-th leaf, then from FAT on of shape k: low x, low y, high x, high y, m
-FAT = 4
-# tree.centres, of a leaf: the middle of where its body may be, and how far it may be from there, m;
-# radius of the shape, m
-CENTRE_X, CENTRE_Y, HALF_WIDTH, HALF_HEIGHT, CENTRE_RADIUS = range(5)
-# tree.morton: leaves in Morton order, their keys; and both once more, for sorting
-LEAF, KEY = range(2)
-# canonical: shapes in canonical order, and the rank of each
-SHAPE_OF_RANK, RANK = range(2)
+_tree = Columns()
+LEAVES = _tree()  # bounded shapes, the leaves of the tree
+PLANES = _tree()  # half-planes, which follow the leaves in `morton`; queries only
+
+_boxes = Columns(4)  # low x, low y, high x, high y, m
+LEAF_BOX = _boxes()  # of the k-th leaf
+FAT = _boxes()  # of shape k
+
+_centres = Columns()  # m, of a leaf, from which circles are compared
+CENTRE_X = _centres()  # middle of the fat bounds of its body
+CENTRE_Y = _centres()
+HALF_WIDTH = _centres()  # how far the body may be from there
+HALF_HEIGHT = _centres()
+CENTRE_RADIUS = _centres()  # of the shape
+
+LEAF, KEY = range(2)  # rows of morton and of sorting: the shape of each leaf, its Morton code
 
 
 class Tree(NamedTuple):
     """A bounding volume hierarchy over shapes; read by the broad phase and by queries."""
 
-    counts: Annotated[Ranks, Sized(2)]
-    boxes: Annotated[FloatRows, Sized("shapes", 8)]
-    nodes: Annotated[FloatRows, Sized("nodes", 4)]
+    counts: Annotated[Ranks, Sized(_tree.width)]
+    boxes: Annotated[FloatRows, Sized("shapes", _boxes.width)]
+    nodes: Annotated[FloatRows, Sized("nodes", 4)]  # boxes, m; node k holds 2k and 2k + 1
     centres: Annotated[FloatRows, Sized("shapes", 8)]
-    morton: Annotated[PlaceRows, Sized(4, "morton")]
+    morton: Annotated[PlaceRows, Sized(2, "shapes")]  # in Morton order
     leaf_of_shape: Annotated[Places, Sized("shapes")]
+    sorting: Annotated[PlaceRows, Sized(2, "shapes")]  # between passes of the radix sort
+    bins: Annotated[Places, Sized(256)]  # of the radix sort
+
+
+# -- broad phase
+
+_broad_phase = Columns()
+CONTACTS = _broad_phase()  # on the list
+BUFFER = _broad_phase()  # which of the two buffers holds the list
+HORIZON = _broad_phase()  # steps for which the list is made
+STEPS_SINCE = _broad_phase()  # steps since it was made
+LIST_HOLDS = _broad_phase()  # 1 if it holds all pairs that may touch
+FIRST_RUN = _broad_phase()  # contacts of the first sorted run
+UPDATED = _broad_phase()  # bodies whose bounds were updated since the list was made
+
+_frame = Columns()
+FRAME_VX = _frame()  # m/s, mean velocity of the bodies
+FRAME_VY = _frame()  # m/s
+FRAME_X = _frame()  # m
+FRAME_Y = _frame()  # m
+FRAME_MOVES = _frame()  # 1 if the frame moves
+FRAME_AX = _frame()  # m/s^2, mean acceleration
+FRAME_AY = _frame()  # m/s^2
+FRAME_PROPAGATOR = _frame(3)  # mean propagator through a step
+
+_fat_bounds = Columns()
+LOW_X = _fat_bounds()  # m, in the comoving frame: where the centre of the body may be
+LOW_Y = _fat_bounds()
+HIGH_X = _fat_bounds()
+HIGH_Y = _fat_bounds()
+BASE_ANGLE = _fat_bounds()  # rad, at which the shapes were fattened
+ANGLE_MARGIN = _fat_bounds()  # rad, by which the body may turn from there
+
+SHAPE_OF_RANK, RANK = range(2)  # rows of canonical
 
 
 class BroadPhase(NamedTuple):
-    """Which shapes may touch; read by the broad phase and by continuous collision."""
+    """Which shapes may touch; read by the broad phase, its bounds by continuous collision."""
 
-    counts: Annotated[Ranks, Sized(7)]
-    frame: Annotated[Floats, Sized(10)]
-    fat_bounds: Annotated[FloatRows, Sized("slots", 6)]
+    counts: Annotated[Ranks, Sized(_broad_phase.width)]
+    frame: Annotated[Floats, Sized(_frame.width)]
+    fat_bounds: Annotated[FloatRows, Sized("slots", _fat_bounds.width)]
     left: Annotated[Bytes, Sized("slots")]  # 1 if the body has left its bounds
-    canonical: Annotated[PlaceRows, Sized(2, "shapes")]
-    candidates: Annotated[PlaceRows, Sized("candidates", 4)]  # pairs of ranks; room to sort them
+    canonical: Annotated[PlaceRows, Sized(2, "shapes")]  # shapes in canonical order; their ranks
+    leaf_pairs: Annotated[PlaceRows, Sized("candidates", 2)]  # leaves whose boxes overlap
+    candidates: Annotated[PlaceRows, Sized("candidates", 2)]  # pairs of ranks, the lower one first
+    sorting: Annotated[PlaceRows, Sized("candidates", 2)]  # candidates between passes of the sort
+    rank_counts: Annotated[Places, Sized("ranks")]  # bins of that sort
     first_of_rank: Annotated[Places, Sized("ranks")]  # contact of the first run
-    rank_counts: Annotated[Places, Sized("ranks")]
 
 
 # -- contacts
 
-# pairs: two shapes, then the slots of their bodies
-SLOT_A, SLOT_B = 2, 3
-# manifolds: normal from A to B; of a point its place from the centre of A, m, its gap, m, impulses
-# along normal and tangent, N s, and preload, m; of the last step its impulse, N s, and its place in
-# the world, m; the axis cache, 4 columns; then all of the second point; and the normal of an impact
-# in flight. A contact with one point takes half of its four cache lines.
-NX, NY = 0, 1
-PX, PY, GAP, NORMAL_IMPULSE, TANGENT_IMPULSE, PRELOAD = 2, 3, 4, 5, 6, 7
-TOTAL_IMPULSE, WORLD_POINT = 8, 9
-AXIS_CACHE = 11
+SLOT_A, SLOT_B = 2, 3  # of pairs, after two shapes: the slots of their bodies
+
+_manifolds = Columns()  # a contact with one point takes half of its four cache lines
+NX = _manifolds()  # normal from A to B
+NY = _manifolds()
+PX = _manifolds()  # m, of a point: its place from the centre of A
+PY = _manifolds()  # m
+GAP = _manifolds()  # m
+NORMAL_IMPULSE = _manifolds()  # N s, of the last substep
+TANGENT_IMPULSE = _manifolds()  # N s
+PRELOAD = _manifolds()  # m
+TOTAL_IMPULSE = _manifolds()  # N s, along the normal in the last step
+WORLD_POINT = _manifolds(2)  # m, where it was
+AXIS_CACHE = _manifolds(4)  # cached separating axis
 POINT = 16  # columns from a point to the next
-IMPACT_NORMAL = 30
+IMPACT_NORMAL = 30  # of an impact in flight, two columns
 MANIFOLD = 32
-# flags: points; names of both; whether it touches, bit by bit; the cached axis, 2 columns
-POINT_COUNT, FEATURE, TOUCHES, CACHED_AXIS = 0, 1, 3, 4
+
+_flags = Columns()
+POINT_COUNT = _flags()
+FEATURE = _flags(2)  # names of both points
+TOUCHES = _flags()  # bits below
+CACHED_AXIS = _flags(2)
 IS_TOUCHING, WAS_TOUCHING = 1, 2  # bits of TOUCHES: in this step, in the last one
-# touching.counts: contacts that touch; 1 if blocks, and if islands, are those of these contacts
-TOUCHING, ARRANGED, ISLANDS_KNOWN = range(3)
 
 
 class ContactBuffers(NamedTuple):
@@ -219,7 +308,7 @@ class ContactBuffers(NamedTuple):
 
     pairs: Annotated[PlaceBlocks, Sized(2, "contacts", 4)]
     manifolds: Annotated[FloatBlocks, Sized(2, "contacts", MANIFOLD)]
-    flags: Annotated[IndexBlocks, Sized(2, "contacts", 6)]
+    flags: Annotated[IndexBlocks, Sized(2, "contacts", _flags.width)]
 
 
 class Contacts(NamedTuple):
@@ -230,150 +319,262 @@ class Contacts(NamedTuple):
     flags: IndexRows
 
 
+_touching = Columns()
+TOUCHING = _touching()  # contacts that touch
+ARRANGED = _touching()  # 1 if slabs, blocks and trees are those of these contacts
+ISLANDS_KNOWN = _touching()  # 1 if islands are
+
+
 class Touching(NamedTuple):
     """The contacts that touch, in canonical order; read by the solvers and by sleep."""
 
-    counts: Annotated[Ranks, Sized(3)]
-    contact: Annotated[Places, Sized("contacts")]
-    body_a: Annotated[Places, Sized("contacts")]
-    body_b: Annotated[Places, Sized("contacts")]
+    counts: Annotated[Ranks, Sized(_touching.width)]
+    contact: Annotated[Places, Sized("contacts")]  # on the contact list
+    body_a: Annotated[Places, Sized("contacts")]  # slot
+    body_b: Annotated[Places, Sized("contacts")]  # slot
     colour: Annotated[Places, Sized("contacts")]  # twice that, plus the number of points less one
     lane: Annotated[Places, Sized("contacts")]  # counted through all blocks
-    by_slab: Annotated[Places, Sized("contacts")]  # of these contacts, slab by slab
+    by_slab: Annotated[Places, Sized("contacts")]  # touching contacts, slab by slab
     active: Annotated[Places, Sized("pair_bodies")]  # moving bodies in the order of touching
-    active_by_slab: Annotated[Places, Sized("pair_bodies")]
+    active_by_slab: Annotated[Places, Sized("pair_bodies")]  # the same, slab by slab
 
 
-# -- solver
+# -- constraints
 
-LANES = 16
+LANES = 16  # contacts that are solved together
 COLOURS = 60
-# lanes: bodies of each lane; lanes that are taken, points of each contact
-BODY_A, BODY_B, FILLED, POINTS = 0, 16, 32, 33
-# blocks, a row for each block of lanes: what the points share
-R_NX, R_NY, R_MASS_A, R_INERTIA_A, R_MASS_B, R_INERTIA_B = 0, 16, 32, 48, 64, 80
-R_FRICTION, R_ROUND_A, R_ROUND_B, R_LIMIT, R_RESTITUTION = 96, 112, 128, 144, 160
-R_BIAS, R_SHARE, R_KEEP, R_RADIUS = 176, 192, 208, 224
-SHARED = 240
-# then of each point: turning arms of normal and tangent, m; effective masses, kg; gap as the step
-# began, m; impulses along normal and tangent, and the sum of the former over substeps, N s; speed
-# before the step, m/s; gap now, m
-P_ARM_A, P_ARM_B, P_SIDE_A, P_SIDE_B, P_MASS, P_SIDE_MASS = 0, 16, 32, 48, 64, 80
-P_GAP, P_NORMAL, P_TANGENT, P_TOTAL, P_APPROACH, P_GAP_NOW = 96, 112, 128, 144, 160, 176
-SIZE = 192
-FIRST, SECOND = SHARED, SHARED + SIZE
-# then of each point its impulse of restitution, N s
-FIRST_BOUNCE, SECOND_BOUNCE = SECOND + SIZE, SECOND + SIZE + LANES
-BLOCK_WIDTH = SECOND_BOUNCE + LANES
-# scratch: velocities and displacements of a block's bodies; sums of energy over all bodies with
-# contacts, J: as the step began, now, and the work of forces; a number that nothing reads, because
-# a prefetch whose result went nowhere would not be compiled
-B_VX_A, B_VY_A, B_SPIN_A, B_VX_B, B_VY_B, B_SPIN_B = 0, 16, 32, 48, 64, 80
-B_DX_A, B_DY_A, B_ANGLE_A, B_DX_B, B_DY_B, B_ANGLE_B = 96, 112, 128, 144, 160, 176
-ENERGY_FIRST, ENERGY_NOW, ENERGY_GIVEN, PREFETCHED = 192, 193, 194, 195
-SCRATCH = 196
-# slabs: where contacts, blocks, moving bodies and tree-like islands of each slab begin
-S_CONTACT, S_BLOCK, S_BODY, S_TREE = range(4)
+
+_lanes = Columns(LANES)
+BODY_A = _lanes()  # slot of the body of each lane
+BODY_B = _lanes()
+FILLED = _lanes(1)  # lanes that hold a contact
+POINTS = _lanes(1)  # of each contact of the block
+
+_block = Columns(LANES)  # what both points of a contact share
+R_NX = _block()  # normal from A to B
+R_NY = _block()
+R_MASS_A = _block()  # 1/kg, inverse
+R_INERTIA_A = _block()  # 1/(kg m^2), inverse
+R_MASS_B = _block()
+R_INERTIA_B = _block()
+R_FRICTION = _block()
+R_RADIUS_A = _block()  # m, by which the vertices of the shape are grown
+R_RADIUS_B = _block()
+R_BIAS_LEAST = _block()  # m/s, the fastest that an overlap is pushed apart
+R_RESTITUTION = _block()
+R_BIAS_RATE = _block()  # 1/s, at which an overlap is pushed apart
+R_MASS_SHARE = _block()  # of the effective mass by softness
+R_IMPULSE_SHARE = _block()  # of the impulse that softness takes back
+R_SMALLER_RADIUS = _block()  # m, of the smaller bounding circle
+SHARED = _block.width
+
+_point = Columns(LANES)  # then, of each point
+P_NORMAL_ARM_A = _point()  # m, by which an impulse along the normal turns A
+P_NORMAL_ARM_B = _point()
+P_TANGENT_ARM_A = _point()
+P_TANGENT_ARM_B = _point()
+P_NORMAL_MASS = _point()  # kg, effective
+P_TANGENT_MASS = _point()
+P_GAP = _point()  # m, as the step began
+P_NORMAL_IMPULSE = _point()  # N s, of a substep
+P_TANGENT_IMPULSE = _point()
+P_TOTAL_IMPULSE = _point()  # N s, along the normal over the substeps so far
+P_APPROACH = _point()  # m/s, normal velocity before the step
+P_GAP_NOW = _point()  # m
+POINT_SIZE = _point.width
+FIRST_POINT, SECOND_POINT = _block(POINT_SIZE), _block(POINT_SIZE)
+FIRST_RESTITUTION, SECOND_RESTITUTION = _block(), _block()  # N s, impulses of restitution
+
+_scratch = Columns(LANES)  # the motion of the bodies of a block
+B_VX_A = _scratch()  # m/s
+B_VY_A = _scratch()
+B_SPIN_A = _scratch()  # rad/s
+B_VX_B = _scratch()
+B_VY_B = _scratch()
+B_SPIN_B = _scratch()
+B_DX_A = _scratch()  # m, since the step began
+B_DY_A = _scratch()
+B_ANGLE_A = _scratch()  # rad
+B_DX_B = _scratch()
+B_DY_B = _scratch()
+B_ANGLE_B = _scratch()
+PREFETCHED = _scratch(1)  # a sum that nothing reads: the compiler would leave out loads without use
+
+_energy_sums = Columns()  # J, over all bodies with contacts
+TOTAL_ENERGY_START = _energy_sums()  # kinetic energy as the step began
+TOTAL_ENERGY_NOW = _energy_sums()
+TOTAL_WORK = _energy_sums()  # of gravity and forces in this step
+
+_slabs = Columns()  # where its part of each list begins
+S_CONTACT = _slabs()  # of touching.by_slab
+S_BLOCK = _slabs()
+S_BODY = _slabs()  # of touching.active_by_slab
+S_TREE = _slabs()  # of the islands that are solved directly
 MOST_SLABS = 256
-# constraints.counts: moving bodies with contacts; blocks; contacts that may bounce; 1 if lanes hold
-# what stays while the arrangement does; slabs
-ACTIVE, BLOCKS, BOUNCING, LANES_FILLED, SLABS = range(5)
+
+COLOUR_SIZE, NEXT_LANE = range(2)  # rows of colour_counts: contacts of a colour in a slab
+
+_constraints = Columns()
+ACTIVE = _constraints()  # moving bodies with contacts
+BLOCKS = _constraints()
+BOUNCING = _constraints()  # contacts with restitution
+LANES_FILLED = _constraints()  # 1 if lanes hold what stays while the arrangement does
+SLABS = _constraints()
 
 
 class Constraints(NamedTuple):
     """Contact constraints in blocks of lanes; read by the solver."""
 
-    counts: Annotated[Ranks, Sized(5)]
-    blocks: Annotated[FloatRows, Sized("blocks", BLOCK_WIDTH)]
-    lanes: Annotated[PlaceRows, Sized("blocks", POINTS + 1)]
-    scratch: Annotated[Floats, Sized(SCRATCH)]
-    slabs: Annotated[RankRows, Sized(MOST_SLABS + 2, 4)]
-    colour_counts: Annotated[RankRows, Sized(2, 128)]  # of a slab: sizes of colours, next places
-    body_colours: Annotated[Ranks, Sized("slots")]  # taken colours of a body, bit by bit
+    counts: Annotated[Ranks, Sized(_constraints.width)]
+    blocks: Annotated[FloatRows, Sized("blocks", _block.width)]
+    lanes: Annotated[PlaceRows, Sized("blocks", _lanes.width)]
+    scratch: Annotated[Floats, Sized(_scratch.width)]
+    energy: Annotated[Floats, Sized(_energy_sums.width)]
+    slabs: Annotated[RankRows, Sized(MOST_SLABS + 2, _slabs.width)]
+    slab_of_body: Annotated[Indices, Sized("slots")]  # of active bodies, if there are several slabs
+    colour_counts: Annotated[RankRows, Sized(2, 2 * COLOURS + 2)]
+    body_colours: Annotated[Ranks, Sized("slots")]  # colours of its contacts, bit by bit
 
 
 # -- islands and sleep
 
-# islands.links: the root, which is the body of the island that touches first; steps for which the
-# body has been slow; id under which its island sleeps, 0 if awake; 1 if it may wake others; what it
-# touches; of the root, steps for which all have been slow; place of its first contact
-ROOT, SLOW_STEPS, SLEEP_ID, AWAKE, SUPPORT_KIND, ISLAND_SLOW_STEPS, FIRST_CONTACT = range(7)
-# islands.rest: pose, load and gravity with which a body fell asleep
-REST_LOAD, REST_GRAVITY = 3, 6
-# islands.energy, of a body: velocity before restitution; of a root: motion of what the island is
-# seen from, and whether that supports it; energies, J: as the step began, work of forces, before
-# and after restitution, of its change alone; share of restitution that is kept, energy with it,
-# most that may stay; mass, momentum and angular momentum as seen from there, moments of the mass;
-# factor of the motion that differs from that of the whole
-UNBOUNCED, SEEN, SUPPORT = 0, 3, 6
-ENERGY_START, WORK, ENERGY_BEFORE, ENERGY_AFTER, ENERGY_OF_CHANGE = 7, 8, 9, 10, 11
-KEPT_SHARE, ENERGY_KEPT, ENERGY_MOST = 12, 13, 14
-ISLAND_MASS, MOMENTUM_X, MOMENTUM_Y, ANGULAR_MOMENTUM = 15, 16, 17, 18
-MOMENT_X, MOMENT_Y, MOMENT_OF_INERTIA, CALM_FACTOR = 19, 20, 21, 22
-# islands.counts: steps until sleep, 0 for never; bodies that sleep
-SLEEP_STEPS, SLEEPING = range(2)
+_links = Columns()
+ROOT = _links()  # the body of its island that touches first
+SLOW_STEPS = _links()  # steps for which the body has been slow; 1 if it is not dynamic and known
+SLEEP_ID = _links()  # under which its island sleeps, 0 if it is awake
+AWAKE = _links()  # 1 if the body may wake others
+SUPPORT_KIND = _links()  # what it touches, one of those in `sleep`
+ISLAND_SLOW_STEPS = _links()  # of a root: steps for which all of the island have been slow
+FIRST_CONTACT = _links()  # place of its first contact among those that touch
+
+_rest = Columns()
+REST_POSE = _rest(3)  # m, m, rad, with which the body fell asleep
+REST_LOAD = _rest(3)  # N, N, N m
+REST_GRAVITY = _rest(2)  # m/s^2
+
+_energy = Columns()
+BEFORE_RESTITUTION = _energy(3)  # m/s, m/s, rad/s, of each body: its velocity
+REFERENCE = _energy(3)  # m/s, m/s, rad/s, of a root, as all below: the rigid motion, at the root,
+# from which the island is seen, and towards which its motion is damped
+SUPPORT = _energy()  # how many motions support it, one of those in `solver.energy`
+ENERGY_START = _energy()  # J, kinetic, as the step began
+WORK = _energy()  # J, of gravity and forces
+ENERGY_BEFORE = _energy()  # J, before restitution
+ENERGY_AFTER = _energy()  # J, after it
+ENERGY_OF_CHANGE = _energy()  # J, of the change of velocities by it alone
+KEPT_SHARE = _energy()  # of restitution
+ENERGY_KEPT = _energy()  # J, with that share
+ENERGY_BOUND = _energy()  # J, that may stay
+ISLAND_MASS = _energy()  # kg
+MOMENTUM_X = _energy()  # kg m/s
+MOMENTUM_Y = _energy()
+ANGULAR_MOMENTUM = _energy()  # kg m^2/s, around the root
+MOMENT_X = _energy()  # kg m, of the mass
+MOMENT_Y = _energy()
+MOMENT_OF_INERTIA = _energy()  # kg m^2
+CALM_FACTOR = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
+
+_islands = Columns()
+SLEEP_STEPS = _islands()  # slow steps until an island sleeps, 0 for never
+SLEEPING = _islands()  # bodies that sleep
 
 
 class Islands(NamedTuple):
     """Bodies that touch each other; read by sleep and by the bound on energy."""
 
-    counts: Annotated[Ranks, Sized(2)]
-    links: Annotated[IndexRows, Sized("slots", 7)]
-    rest: Annotated[FloatRows, Sized("slots", 8)]
-    energy: Annotated[FloatRows, Sized("slots", 23)]
+    counts: Annotated[Ranks, Sized(_islands.width)]
+    links: Annotated[IndexRows, Sized("slots", _links.width)]
+    rest: Annotated[FloatRows, Sized("slots", _rest.width)]
+    energy: Annotated[FloatRows, Sized("slots", _energy.width)]
 
 
-# -- direct solver
+# -- direct solver: nodes are the moving bodies of tree-like islands, edges the pairs that touch
 
-# trees, of a body: its contacts with moving bodies that are left, and these joined by exclusive or;
-# the root of its tree, or -1; its node; and of a root: bodies of the tree, its contacts with the
-# ground, its number among tree-like islands; slab of the body
-DEGREE, INCIDENT, TREE, NODE, TREE_BODIES, GROUNDED, NUMBER, SLAB = range(8)
-# sparse: columns of lists that have nothing else to do with each other. Of a node, a moving body
-# of a tree-like island: its slot, first edge, edges, pivot
-N_BODY, N_HEAD, N_DEGREE, N_PIVOT = 0, 1, 2, 3
-E_ONE, E_OTHER, E_NEXT = 4, 5, 6  # of an edge between nodes; the next edges of both, in 6 and 7
-V_NODE, V_FIRST, V_COUNT = 8, 9, 10  # of a pivot: its node, and its part of the fill list
-C_BLOCK, C_LANE, C_ONE, C_OTHER, C_EDGE, C_STATE = 11, 12, 13, 14, 15, 16  # of a contact
-FILL = 17  # of each pivot its edges, and then the edges that change by it
-I_NODE, I_CONTACT, I_FACTORED = 18, 19, 20  # where an island begins; 1 if its matrix is factored
-LEAF_NODE, PASS_NODE = 21, 22  # nodes with at most one neighbour, and with two, that wait
-C_BUILT = 23  # the state with which a contact is in the matrix
-SPARSE = 24
-# factors, beside the columns of `sparse`: of a node six numbers of a lower triangle, changes of its
-# velocity, velocity as it was, mass and inertia
-DIAGONAL, CHANGE, START, NODE_MASS, NODE_INERTIA = 0, 6, 9, 12, 13
-BESIDE = 14  # of an edge nine numbers: rows of the later node, columns of the earlier
-BIAS, ASKED, SOFT, SHARE = 23, 25, 29, 34  # of a contact
-FIRM, SCALE, HEAVIEST = 32, 33, 35  # of an island
-FACTORS = 36
-# direct.counts: tree-like islands, and their contacts
-TREES, TREE_CONTACTS = range(2)
+_trees = Columns()
+DEGREE = _trees()  # contacts of the body with moving ones that are left
+INCIDENT = _trees()  # these contacts, joined by exclusive or
+TREE = _trees()  # root of its tree, or -1
+NODE = _trees()  # of the body, or -1
+TREE_BODIES = _trees()  # of a root: bodies of its tree
+GROUNDED = _trees()  # of a root: contacts of its tree with bodies that do not move freely
+TREE_NUMBER = _trees()  # of a root: number among the islands that are solved directly, or -1
+
+_sparse = Columns()  # lists that share nothing but their rows
+N_BODY = _sparse()  # of a node: slot
+N_HEAD = _sparse()  # first half-edge, or -1; an edge e is the half-edges 2e and 2e + 1
+N_DEGREE = _sparse()  # edges to nodes that are not eliminated
+N_PIVOT = _sparse()  # place in the order of elimination, or -1
+E_NODE_A = _sparse()  # of an edge: its nodes; once ordered, A is eliminated first
+E_NODE_B = _sparse()
+E_NEXT = _sparse(2)  # next half-edges at both nodes
+PIVOT_NODE = _sparse()  # of a pivot
+PIVOT_FIRST = _sparse()  # where its edges begin on the fill list
+PIVOT_COUNT = _sparse()  # its edges
+C_BLOCK = _sparse()  # of a contact
+C_LANE = _sparse()
+C_NODE_A = _sparse()  # nodes of its bodies, or -1
+C_NODE_B = _sparse()
+C_EDGE = _sparse()  # between them, or -1
+C_STATE = _sparse()  # in the active set, bits in `direct.active_set`
+C_FACTORED = _sparse()  # the state with which it is in the matrix
+FILL = _sparse()  # the fill list: of each pivot its edges, then the edges that change by it
+I_NODE = _sparse()  # of an island: where its nodes and pivots begin
+I_CONTACT = _sparse()  # where its contacts begin
+I_NEXT_NODE = _sparse()  # place of its next node, while they are listed
+I_NEXT_CONTACT = _sparse()
+I_STATUS = _sparse()  # whether its matrix is factored, one of those in `direct.solve`
+LEAF_NODE = _sparse()  # a stack: nodes with at most one neighbour
+PASS_NODE = _sparse()  # a stack: nodes with two
+
+_factors = Columns()  # numbers beside the columns of sparse
+DIAGONAL = _factors(6)  # of a node: lower triangle of its block
+CHANGE = _factors(3)  # residual momentum, N s and N m s; solved in place: change of velocity
+VELOCITY_START = _factors(3)  # m/s, m/s, rad/s, before the island was solved
+NODE_MASS = _factors()  # kg
+NODE_INERTIA = _factors()  # kg m^2
+OFF_DIAGONAL = _factors(9)  # of an edge: rows of the later node, columns of the earlier one
+BIAS = _factors(2)  # of a contact: m/s, of each point
+SPEED_ERROR = _factors(2)  # m/s, normal velocity and bias as the solve began
+NEW_NORMAL = _factors(2)  # N s, normal impulses that are proposed
+NEW_TANGENT = _factors(2)  # N s
+SOFTNESS = _factors(3)  # bias rate, mass share and impulse share of the soft constraint
+FRICTION_SHARE = _factors()  # of the first of two points
+FIRM_MASS = _factors()  # of an island: kg, with which contacts resist velocity
+IMPULSE_SCALE = _factors()  # N s
+LARGEST_MASS = _factors()  # kg
+
+_direct = Columns()
+TREES = _direct()  # islands that are solved directly
+TREE_CONTACTS = _direct()  # their contacts
+EDGES = _direct()  # so far, while nodes are ordered, as all below
+FILL_LENGTH = _direct()  # of the fill list
+LEAF_NODES = _direct()  # size of the stack in LEAF_NODE
+PASS_NODES = _direct()  # size of the stack in PASS_NODE
 
 
 class Direct(NamedTuple):
     """Tree-like islands, whose contacts are solved at once; read by the direct solver."""
 
-    counts: Annotated[Ranks, Sized(2)]
+    counts: Annotated[Ranks, Sized(_direct.width)]
     trees: Annotated[IndexRows, Sized("slots", 8)]
-    sparse: Annotated[RankRows, Sized("sparse", SPARSE)]
-    factors: Annotated[FloatRows, Sized("sparse", FACTORS)]
-    contacts: Annotated[Places, Sized("contacts")]  # touching contacts of tree-like islands
+    sparse: Annotated[RankRows, Sized("sparse", _sparse.width)]
+    factors: Annotated[FloatRows, Sized("sparse", _factors.width)]
+    contacts: Annotated[Places, Sized("contacts")]  # touching contacts of these islands
     leaves: Annotated[Places, Sized("pair_bodies")]  # bodies that were taken off, in order
     taken_off: Annotated[Places, Sized("pair_bodies")]  # the bodies off which they were taken
 
 
 # -- continuous collision
 
-# queue: where the contacts of each body begin; these contacts; a tournament tree, winner first
-FIRST_OF_BODY, CONTACT_OF_BODY, TOURNAMENT = range(3)
-WINNER = 1
+FIRST_OF_BODY, CONTACT_OF_BODY, TOURNAMENT = range(3)  # rows of queue
+WINNER = 1  # place in the tournament tree
 
 
 class Events(NamedTuple):
     """When bodies leave their bounds and pairs meet; read by continuous collision."""
 
     times: Annotated[Floats, Sized("events")]  # as a fraction of the step
+    # where the contacts of each body begin; these contacts; a tournament tree of events
     queue: Annotated[IndexRows, Sized(3, "queue")]
     scratch: Annotated[FloatRows, Sized("clip", MANIFOLD)]  # a manifold, vertices of two shapes
 
@@ -382,16 +583,22 @@ class Events(NamedTuple):
 
 CHUNK = 16  # bodies whose coordinates are a row
 CHUNK_LANES = 3 * CHUNK  # x, y and angle of a body, and of the next
-# course, a row for each chunk: where it may be; where it was and how it moved as the call began, or
-# where a mixed one is and how it moves; 1 if its bodies are alike; 1 if it is plain now
-L_LOW, L_HIGH, L_AT, L_SPEED = 0, CHUNK_LANES, 2 * CHUNK_LANES, 3 * CHUNK_LANES
-UNIFORM, PLAIN = 192, 193
-COURSE = 200
-# stream, of each mixed chunk: acceleration and propagator of its lanes; the frame before and after
-# a step; the last row is that of all plain chunks
-L_BY, L_DECAY, L_GAIN, L_LIFT = 0, CHUNK_LANES, 2 * CHUNK_LANES, 3 * CHUNK_LANES
-L_BEFORE, L_AFTER = 4 * CHUNK_LANES, 5 * CHUNK_LANES
-STREAM = 288
+
+_course = Columns(CHUNK_LANES)  # of a chunk
+L_LOW = _course()  # where it may be
+L_HIGH = _course()
+L_AT = _course()  # where it was as the call began, or where a mixed one is
+L_SPEED = _course()  # how it moved or moves
+UNIFORM = _course(1)  # 1 if its bodies are alike
+PLAIN = _course(1)  # 1 if it is plain now
+
+_stream = Columns(CHUNK_LANES)  # of each mixed chunk; the last row is that of all plain ones
+L_BY = _stream()  # acceleration of its lanes
+L_DECAY = _stream()  # propagator of its lanes
+L_GAIN = _stream()
+L_LIFT = _stream()
+L_BEFORE = _stream()  # the frame before a step
+L_AFTER = _stream()  # the frame after it
 
 
 class Chunks(NamedTuple):
@@ -401,8 +608,8 @@ class Chunks(NamedTuple):
     velocities: FloatRows
     loads: FloatRows
     load_bits: RankRows
-    course: Annotated[FloatRows, Sized("chunks", COURSE)]
-    stream: Annotated[FloatRows, Sized("streams", STREAM)]
+    course: Annotated[FloatRows, Sized("chunks", 200)]  # whole cache lines
+    stream: Annotated[FloatRows, Sized("streams", _stream.width)]
 
 
 class World(NamedTuple):

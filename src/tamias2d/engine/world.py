@@ -13,8 +13,6 @@ from tamias2d.engine.memory import aligned_zeros
 from tamias2d.engine.tables import CHUNK, CHUNK_LANES, Chunks, Sized, World
 from tamias2d.kernels.groups import array_type, fields_of, is_group
 
-_SORTING = 256  # columns that a radix sort counts in
-
 
 @dataclass(frozen=True)
 class Rooms:
@@ -38,7 +36,6 @@ class Rooms:
             **vars(self),
             "ranks": self.shapes + 1,
             "nodes": 2 * first_leaf_node(self.shapes),
-            "morton": self.shapes + _SORTING,
             "pair_bodies": 2 * self.contacts,
             "events": events,
             "queue": 4 * events,
@@ -121,7 +118,8 @@ def _with_views(world: World) -> World:
 
 
 def _named(group: Any, prefix: str) -> Iterator[tuple[str, NDArray[Any]]]:
-    for name, declared in _declared(type(group)).items():
+    kind: Any = type(group)
+    for name, declared in _declared(kind).items():
         value = getattr(group, name)
         if isinstance(declared, type):
             yield from _named(value, f"{prefix}{name}.")

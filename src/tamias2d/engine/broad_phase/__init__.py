@@ -1,1 +1,1 @@
-"""Which shapes may touch soon: boxes with margins, a tree over them, and the list of contacts."""
+"""The broad phase: fat bounds of bodies, a tree over shapes, and the list of contacts."""

@@ -1,62 +1,59 @@
-"""A tree of boxes over all bounded shapes: who may be near whom.
+"""A bounding volume hierarchy over all bounded shapes, without pointers.
 
-Serves: the search for pairs, and queries. Hides: that the tree has no pointers. Its leaves are the
-shapes along a Morton curve (Morton 1966), a few to a node of the lowest level, and the node k
-holds the nodes 2k and 2k + 1.
-
-Cost: n log n to build, log n and what is found to ask.
+Its leaves are the shapes in Morton order, `BUNCH` of them to a node of the lowest level; node k
+holds the nodes 2k and 2k + 1. Cost: n log n to build, log n and the answers to ask.
+Source: Morton (1966).
 """
 
-from tamias2d.engine.tables import (
-    ABSENT,
-    FAT,
-    HALF_PLANE,
-    KEY,
-    LEAF,
-    SHAPE_OF_RANK,
-    Integers,
-    Tree,
-)
-from tamias2d.state import Array
+from tamias2d.engine.tables import ABSENT, FAT, HALF_PLANE, KEY, LEAF, SHAPE_OF_RANK, Integers, Tree
+from tamias2d.state import Array, Vector
 
 BUNCH = 4  # shapes under a node of the lowest level
-CELLS = 65535.0  # of the curve, along each axis
+CELLS = 65535.0  # of the Morton grid, along each axis
+BINS = 256  # of a pass of the radix sort: 8 of 32 bits
 FAR = 1.7976931348623157e308
 
 
 def build_tree(
     shape_kind: Integers, body: Integers, kind: Integers, canonical: Integers, tree: Tree
 ) -> int:
-    """Order the bounded shapes along a curve, and put boxes around them; return how many.
+    """Build the tree over the fat boxes of the bounded shapes; return how many these are.
 
     `body` (m,) is the index of each shape's body in `kind`; `canonical` (2, m) begins with the
-    shapes in canonical order. The fat boxes of the shapes are given, the rest of the tree is
-    written.
+    shapes in canonical order.
     """
-    order, leaf, keys = canonical[SHAPE_OF_RANK], tree.morton[LEAF], tree.morton[KEY]
+    order, leaf, keys, boxes = (
+        canonical[SHAPE_OF_RANK],
+        tree.morton[LEAF],
+        tree.morton[KEY],
+        tree.boxes,
+    )
     count = 0
     low_x, low_y, high_x, high_y = FAR, FAR, -FAR, -FAR
     for k in range(len(order)):
         s = order[k]
         if shape_kind[s] != HALF_PLANE and kind[body[s]] != ABSENT:
-            x = 0.5 * tree.boxes[s, FAT] + 0.5 * tree.boxes[s, FAT + 2]
-            y = 0.5 * tree.boxes[s, FAT + 1] + 0.5 * tree.boxes[s, FAT + 3]
+            x, y = box_centre(s, boxes)
             low_x, high_x = min(low_x, x), max(high_x, x)
             low_y, high_y = min(low_y, y), max(high_y, y)
             leaf[count] = s
             count += 1
-    size = max(high_x - low_x, high_y - low_y)
-    scale = CELLS / size if count > 0 and size > 0.0 and size < FAR else 0.0
+    extent = max(high_x - low_x, high_y - low_y)
+    scale = CELLS / extent if count > 0 and extent > 0.0 and extent < FAR else 0.0
     for k in range(count):
-        s = leaf[k]
-        x = 0.5 * tree.boxes[s, FAT] + 0.5 * tree.boxes[s, FAT + 2]
-        y = 0.5 * tree.boxes[s, FAT + 1] + 0.5 * tree.boxes[s, FAT + 3]
-        keys[k] = spread_bits(int((x - low_x) * scale)) | (
-            spread_bits(int((y - low_y) * scale)) << 1
-        )
+        x, y = box_centre(leaf[k], boxes)
+        column, row = int((x - low_x) * scale), int((y - low_y) * scale)
+        keys[k] = spread_bits(column) | (spread_bits(row) << 1)
     radix_sort(count, tree)
-    fit_nodes(count, leaf, tree.boxes, tree.nodes)
+    fit_nodes(count, leaf, boxes, tree.nodes)
     return count
+
+
+def box_centre(s: int, boxes: Array) -> Vector:
+    """Return the centre of the fat box of a shape."""
+    x = 0.5 * boxes[s, FAT] + 0.5 * boxes[s, FAT + 2]
+    y = 0.5 * boxes[s, FAT + 1] + 0.5 * boxes[s, FAT + 3]
+    return x, y
 
 
 def spread_bits(cell: int) -> int:
@@ -68,26 +65,28 @@ def spread_bits(cell: int) -> int:
 
 
 def radix_sort(count: int, tree: Tree) -> None:
-    """Sort the first rows by their keys, equal ones as they are: a radix sort of 32 bits."""
-    bins = tree.morton[2, tree.morton.shape[1] - 256 :]
-    for turn in range(4):
-        here, there = (0, 2) if turn % 2 == 0 else (2, 0)
-        shift = 8 * turn
-        for k in range(256):
-            bins[k] = 0
-        for k in range(count):
-            bins[(tree.morton[here + 1, k] >> shift) & 255] += 1
-        start = 0
-        for k in range(256):
-            size = bins[k]
-            bins[k] = start
-            start += size
-        for k in range(count):
-            key = tree.morton[here + 1, k]
-            place = bins[(key >> shift) & 255]
-            bins[(key >> shift) & 255] = place + 1
-            tree.morton[there, place] = tree.morton[here, k]
-            tree.morton[there + 1, place] = key
+    """Sort the leaves by their keys of 32 bits, those with equal keys as they are."""
+    for shift in (0, 16):
+        radix_pass(count, shift, tree.morton, tree.sorting, tree.bins)
+        radix_pass(count, shift + 8, tree.sorting, tree.morton, tree.bins)
+
+
+def radix_pass(count: int, shift: int, source: Integers, target: Integers, bins: Integers) -> None:
+    """Sort by the eight bits of the keys from `shift` on."""
+    for k in range(BINS):
+        bins[k] = 0
+    for k in range(count):
+        bins[(source[KEY, k] >> shift) & (BINS - 1)] += 1
+    start = 0
+    for k in range(BINS):
+        size = bins[k]
+        bins[k] = start
+        start += size
+    for k in range(count):
+        key = source[KEY, k]
+        place = bins[(key >> shift) & (BINS - 1)]
+        bins[(key >> shift) & (BINS - 1)] = place + 1
+        target[LEAF, place], target[KEY, place] = source[LEAF, k], key
 
 
 def first_leaf_node(count: int) -> int:
@@ -99,7 +98,7 @@ def first_leaf_node(count: int) -> int:
 
 
 def fit_nodes(count: int, leaf: Integers, boxes: Array, nodes: Array) -> None:
-    """Put boxes around the shapes of each node, from the lowest level up."""
+    """Fit the box of each node around its shapes, from the lowest level up."""
     first = first_leaf_node(count)
     for k in range(first):
         low_x, low_y, high_x, high_y = FAR, FAR, -FAR, -FAR

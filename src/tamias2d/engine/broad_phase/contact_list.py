@@ -1,8 +1,8 @@
-"""The list of pairs that may touch, with what is known of each.
+"""The contact list: pairs of shapes that may touch, with what is known of each contact.
 
-Serves: the look around. Hides: that there are two lists, of which one is in use, and that one is
-two runs, each sorted by the canonical ranks of its shapes: what follows does not depend on the
-order in which bodies were added or found.
+It is two runs, each sorted by the canonical ranks of its shapes: those found as the list was
+rebuilt, and those added since. So no result depends on the order in which bodies were added or
+found. The list stands in one of two buffers; a new one is made in the other. Cost: one merge.
 """
 
 from tamias2d.engine.tables import (
@@ -14,6 +14,8 @@ from tamias2d.engine.tables import (
     MANIFOLD,
     POINT,
     POINT_COUNT,
+    RANK,
+    SHAPE_OF_RANK,
     SLOT_A,
     SLOT_B,
     TOUCHES,
@@ -39,137 +41,123 @@ def buffered(side: int, buffers: ContactBuffers) -> Contacts:
 def replace_contacts(
     total: int, shapes: Shapes, broad_phase: BroadPhase, buffers: ContactBuffers
 ) -> int:
-    """Make the sorted pairs the list in use, with what is known of those that were on it.
+    """Make the sorted candidates the list in use, with what is known of those that were on it.
 
-    Those that touched and are near no more stay once, for what ends with them to be told. Returns
-    how many there are; where there is no room for them, the list is as it was.
+    A contact that touched and is no candidate any more stays once, so that its end is reported.
+    Returns how many contacts there are; if there is no room for them, the list is as it was.
     """
-    side = broad_phase.counts[BUFFER]
+    counts, rank = broad_phase.counts, broad_phase.canonical[RANK]
+    side = counts[BUFFER]
     contacts, following = buffered(side, buffers), buffered(1 - side, buffers)
-    pair = contacts.pairs
+    pairs = contacts.pairs
     size = 0
-    first, second = 0, broad_phase.counts[FIRST_RUN]  # heads of the two runs
+    first, second = 0, counts[FIRST_RUN]  # heads of the two runs
     for p in range(total + 1):
         a, b = (
             (broad_phase.candidates[p, 0], broad_phase.candidates[p, 1])
             if p < total
-            else (len(broad_phase.canonical[1]), 0)
+            else (len(rank), 0)
         )
         known = False
         while True:
-            from_first = first < broad_phase.counts[FIRST_RUN] and (
-                second == broad_phase.counts[CONTACTS]
-                or not comes_before(second, first, broad_phase.canonical, pair)
+            from_first = first < counts[FIRST_RUN] and (
+                second == counts[CONTACTS] or not comes_before(second, first, rank, pairs)
             )
             old = first if from_first else second
-            if old == broad_phase.counts[CONTACTS]:
-                break
-            s, t = broad_phase.canonical[1, pair[old, 0]], broad_phase.canonical[1, pair[old, 1]]
-            if s > a or (s == a and t > b):
+            if old == counts[CONTACTS] or is_after(old, a, b, rank, pairs):
                 break
             first, second = (first + 1, second) if from_first else (first, second + 1)
-            known = s == a and t == b
+            known = has_ranks(old, a, b, rank, pairs)
             if known or contacts.flags[old, TOUCHES] != 0:
-                if size < len(pair):
+                if size < len(pairs):
                     copy_contact(old, contacts, following, size)
                 size += 1
-        if p == total:
-            break
-        if not known:
-            if size < len(pair):
-                begin_contact(
-                    broad_phase.canonical[0, a],
-                    broad_phase.canonical[0, b],
-                    shapes,
-                    following,
-                    size,
-                )
+        if p < total and not known:
+            if size < len(pairs):
+                begin_contact(a, b, shapes, broad_phase, following, size)
             size += 1
-    if size <= len(pair):
-        broad_phase.counts[BUFFER] = 1 - side
-        broad_phase.counts[CONTACTS] = broad_phase.counts[FIRST_RUN] = size
-        note_first_of_rank(broad_phase.canonical, following.pairs, size, broad_phase.first_of_rank)
+    if size <= len(pairs):
+        counts[BUFFER] = 1 - side
+        counts[CONTACTS] = counts[FIRST_RUN] = size
+        note_first_of_rank(rank, following.pairs, size, broad_phase.first_of_rank)
     return size
 
 
-def comes_before(p: int, q: int, canonical: Integers, pairs: Integers) -> bool:
-    """Return whether a pair on the list is before another in canonical order."""
-    s, t = canonical[1, pairs[p, 0]], canonical[1, pairs[q, 0]]
-    return bool(s < t or (s == t and canonical[1, pairs[p, 1]] < canonical[1, pairs[q, 1]]))
+def comes_before(p: int, q: int, rank: Integers, pairs: Integers) -> bool:
+    """Return whether a contact on the list is before another in canonical order."""
+    s, t = rank[pairs[p, 0]], rank[pairs[q, 0]]
+    return bool(s < t or (s == t and rank[pairs[p, 1]] < rank[pairs[q, 1]]))
 
 
-def note_first_of_rank(canonical: Integers, pairs: Integers, size: int, starts: Integers) -> None:
-    """Write where in the first run the pairs of each rank begin, and where it ends."""
+def is_after(p: int, a: int, b: int, rank: Integers, pairs: Integers) -> bool:
+    """Return whether a contact on the list comes after one of these ranks."""
+    s, t = rank[pairs[p, 0]], rank[pairs[p, 1]]
+    return bool(s > a or (s == a and t > b))
+
+
+def has_ranks(p: int, a: int, b: int, rank: Integers, pairs: Integers) -> bool:
+    """Return whether a contact on the list has these ranks."""
+    return bool(rank[pairs[p, 0]] == a and rank[pairs[p, 1]] == b)
+
+
+def note_first_of_rank(rank: Integers, pairs: Integers, size: int, starts: Integers) -> None:
+    """Write where in the first run the contacts of each rank begin, and where the last ones end."""
     k = 0
-    for rank in range(len(canonical[1]) + 1):
-        while k < size and canonical[1, pairs[k, 0]] < rank:
+    for r in range(len(rank) + 1):
+        while k < size and rank[pairs[k, 0]] < r:
             k += 1
-        starts[rank] = k
+        starts[r] = k
 
 
 def add_contacts(
     total: int, shapes: Shapes, broad_phase: BroadPhase, contacts: Contacts, touching: Touching
 ) -> bool:
-    """Put sorted pairs into the second run that are on neither; return whether there was room.
+    """Merge the sorted candidates that are not on the list into its second run.
 
-    The list is two runs in canonical order: what was found when all looked around, and since.
+    Returns whether there was room for them.
     """
+    counts, rank = broad_phase.counts, broad_phase.canonical[RANK]
     new = keep_new_candidates(total, broad_phase, contacts)
-    if broad_phase.counts[CONTACTS] + new > len(contacts.pairs):
+    if counts[CONTACTS] + new > len(contacts.pairs):
         return False
-    if new > 0:
-        touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0  # pairs have other places
-    old, place = broad_phase.counts[CONTACTS] - 1, broad_phase.counts[CONTACTS] + new - 1
-    broad_phase.counts[CONTACTS] += new
+    if new > 0:  # contacts get other places
+        touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
+    old, place = counts[CONTACTS] - 1, counts[CONTACTS] + new - 1
+    counts[CONTACTS] += new
     while new > 0:  # from the end, so that each moves once
         a, b = broad_phase.candidates[new - 1, 0], broad_phase.candidates[new - 1, 1]
-        if old >= broad_phase.counts[FIRST_RUN] and is_after(
-            old, a, b, broad_phase.canonical, contacts.pairs
-        ):
+        if old >= counts[FIRST_RUN] and is_after(old, a, b, rank, contacts.pairs):
             copy_contact(old, contacts, contacts, place)
             old -= 1
         else:
-            begin_contact(
-                broad_phase.canonical[0, a], broad_phase.canonical[0, b], shapes, contacts, place
-            )
+            begin_contact(a, b, shapes, broad_phase, contacts, place)
             new -= 1
         place -= 1
     return True
 
 
 def keep_new_candidates(total: int, broad_phase: BroadPhase, contacts: Contacts) -> int:
-    """Keep those of the sorted pairs found that are not on the list; return how many."""
+    """Keep the sorted candidates that are not on the list; return how many."""
+    counts, rank = broad_phase.counts, broad_phase.canonical[RANK]
+    candidates, starts, pairs = broad_phase.candidates, broad_phase.first_of_rank, contacts.pairs
     new = 0
-    second = broad_phase.counts[FIRST_RUN]
+    second = counts[FIRST_RUN]
     for p in range(total):
-        a, b = broad_phase.candidates[p, 0], broad_phase.candidates[p, 1]
+        a, b = candidates[p, 0], candidates[p, 1]
         known = False
-        for k in range(broad_phase.first_of_rank[a], broad_phase.first_of_rank[a + 1]):
-            known = known | (broad_phase.canonical[1, contacts.pairs[k, 1]] == b)
-        while second < broad_phase.counts[CONTACTS] and not is_after(
-            second, a, b, broad_phase.canonical, contacts.pairs
-        ):
-            known = known | has_ranks(second, a, b, broad_phase.canonical, contacts.pairs)
+        for k in range(starts[a], starts[a + 1]):
+            known = known | (rank[pairs[k, 1]] == b)
+        while second < counts[CONTACTS] and not is_after(second, a, b, rank, pairs):
+            known = known | has_ranks(second, a, b, rank, pairs)
             second += 1
         if not known:
-            broad_phase.candidates[new, 0], broad_phase.candidates[new, 1] = a, b
+            candidates[new, 0], candidates[new, 1] = a, b
             new += 1
     return new
 
 
-def is_after(p: int, a: int, b: int, canonical: Integers, pairs: Integers) -> bool:
-    """Return whether a pair on the list comes after one of these ranks."""
-    s, t = canonical[1, pairs[p, 0]], canonical[1, pairs[p, 1]]
-    return bool(s > a or (s == a and t > b))
-
-
-def has_ranks(p: int, a: int, b: int, canonical: Integers, pairs: Integers) -> bool:
-    """Return whether a pair on the list has these ranks."""
-    return bool(canonical[1, pairs[p, 0]] == a and canonical[1, pairs[p, 1]] == b)
-
-
 def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
-    """Copy a pair; what is known of how it touches, only if it does."""
+    """Copy a contact; its manifold only if it has points or touched."""
     for k in range(4):
         following.pairs[new, k] = contacts.pairs[old, k]
     if contacts.flags[old, POINT_COUNT] > 0 or contacts.flags[old, TOUCHES] != 0:
@@ -181,14 +169,17 @@ def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) ->
         clear_flags(new, following.flags)
 
 
+def begin_contact(
+    a: int, b: int, shapes: Shapes, broad_phase: BroadPhase, contacts: Contacts, new: int
+) -> None:
+    """Begin a contact between the shapes of two ranks, which does not touch."""
+    pair, shape_of_rank = contacts.pairs[new], broad_phase.canonical[SHAPE_OF_RANK]
+    pair[0], pair[1] = shape_of_rank[a], shape_of_rank[b]
+    pair[SLOT_A], pair[SLOT_B] = shapes.slot[pair[0]], shapes.slot[pair[1]]
+    clear_flags(new, contacts.flags)
+
+
 def clear_flags(p: int, flags: Integers) -> None:
-    """Let nothing be known of how a pair touches: without names, points have no impulses."""
+    """Let nothing be known of a contact: without features, points have no impulses."""
     for k in range(6):
         flags[p, k] = 0
-
-
-def begin_contact(s: int, t: int, shapes: Shapes, contacts: Contacts, new: int) -> None:
-    """Begin a pair, which does not touch."""
-    contacts.pairs[new, 0], contacts.pairs[new, 1] = s, t
-    contacts.pairs[new, SLOT_A], contacts.pairs[new, SLOT_B] = shapes.slot[s], shapes.slot[t]
-    clear_flags(new, contacts.flags)

@@ -1,7 +1,7 @@
-"""Rooms of bodies: where each may be until the list of pairs is not known to hold any more.
+"""Fat bounds of bodies: while each is within its own, the contact list holds.
 
-Serves: the look around, and a step, which asks whether the list still holds. Hides: how much room
-each body has. It is relative to sizes and to what the motion at hand would take.
+Bounds are around the path for as long as the list is made for, with a margin relative to sizes;
+they move with the comoving frame.
 """
 
 from tamias2d.engine.broad_phase.bvh import FAR
@@ -38,14 +38,11 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.state import Array
 
-AABB_MARGIN = 0.1  # of the reach, or the mean if that is less: how far a body may go from its way
+AABB_MARGIN = 0.1  # of the bounding radius, or of the mean one if that is less
 
 
 def mark_out_of_bounds(bodies: Bodies, broad_phase: BroadPhase) -> int:
-    """Mark bodies that are where the list of pairs is not known to hold; return how many.
-
-    Rooms move with the frame: where all fall together, nobody comes nearer to anybody.
-    """
+    """Mark the bodies that have left their bounds; return how many."""
     left = 0
     for i in range(len(bodies.kind)):
         broad_phase.left[i] = 1 if is_out_of_bounds(i, bodies, broad_phase) else 0
@@ -54,47 +51,35 @@ def mark_out_of_bounds(bodies: Bodies, broad_phase: BroadPhase) -> int:
 
 
 def is_out_of_bounds(i: int, bodies: Bodies, broad_phase: BroadPhase) -> bool:
-    """Return whether a body is out of its room."""
-    x, y = (
-        bodies.pose[i, X] - broad_phase.frame[FRAME_X],
-        bodies.pose[i, Y] - broad_phase.frame[FRAME_Y],
-    )
-    inside = (
-        (x >= broad_phase.fat_bounds[i, LOW_X])
-        & (x <= broad_phase.fat_bounds[i, HIGH_X])
-        & (y >= broad_phase.fat_bounds[i, LOW_Y])
-        & (y <= broad_phase.fat_bounds[i, HIGH_Y])
-        & (
-            abs(bodies.pose[i, ANGLE] - broad_phase.fat_bounds[i, BASE_ANGLE])
-            <= broad_phase.fat_bounds[i, ANGLE_MARGIN]
-        )
-    )
+    """Return whether a body is out of its bounds."""
+    pose, bounds, frame = bodies.pose[i], broad_phase.fat_bounds[i], broad_phase.frame
+    x, y = pose[X] - frame[FRAME_X], pose[Y] - frame[FRAME_Y]
+    inside = within_bounds(x, y, bounds)
+    inside = inside & (abs(pose[ANGLE] - bounds[BASE_ANGLE]) <= bounds[ANGLE_MARGIN])
     return bool((not inside) & (bodies.kind[i] != ABSENT))
 
 
-def left_by_frame(bodies: Bodies, broad_phase: BroadPhase) -> bool:
-    """Return whether something that nothing pushes leaves its room within the step.
+def within_bounds(x: float, y: float, bounds: Array) -> bool:
+    """Return whether a point of the comoving frame is within bounds."""
+    in_x = (x >= bounds[LOW_X]) & (x <= bounds[HIGH_X])
+    return bool(in_x & (y >= bounds[LOW_Y]) & (y <= bounds[HIGH_Y]))
 
-    It does so where the frame moves on without it.
-    """
-    if broad_phase.frame[FRAME_MOVES] == 0.0:
+
+def left_by_frame(bodies: Bodies, broad_phase: BroadPhase) -> bool:
+    """Return whether a body that nothing pushes leaves its bounds, because the frame moves on."""
+    frame, out = broad_phase.frame, False
+    if frame[FRAME_MOVES] == 0.0:
         return False
-    out = False
     for i in range(len(bodies.kind)):
-        x = bodies.pose[i, X] + bodies.motion[i, DX] - broad_phase.frame[FRAME_X]
-        y = bodies.pose[i, Y] + bodies.motion[i, DY] - broad_phase.frame[FRAME_Y]
-        inside = (
-            (x >= broad_phase.fat_bounds[i, LOW_X])
-            & (x <= broad_phase.fat_bounds[i, HIGH_X])
-            & (y >= broad_phase.fat_bounds[i, LOW_Y])
-            & (y <= broad_phase.fat_bounds[i, HIGH_Y])
-        )
+        x = bodies.pose[i, X] + bodies.motion[i, DX] - frame[FRAME_X]
+        y = bodies.pose[i, Y] + bodies.motion[i, DY] - frame[FRAME_Y]
+        inside = within_bounds(x, y, broad_phase.fat_bounds[i])
         out = out | ((not inside) & ((bodies.kind[i] == STATIC) | (bodies.kind[i] == KINEMATIC)))
     return bool(out)
 
 
 def fatten_all_bounds(bodies: Bodies, broad_phase: BroadPhase, ahead: float) -> None:
-    """Give each body room around where it will be for a time ahead, s, and in this step."""
+    """Give each body bounds for a time ahead, s, and for the rest of this step."""
     mean = mean_radius(bodies.kind, bodies.properties)
     for i in range(len(bodies.kind)):
         fatten_bounds(i, mean, bodies, broad_phase, ahead)
@@ -103,40 +88,31 @@ def fatten_all_bounds(bodies: Bodies, broad_phase: BroadPhase, ahead: float) -> 
 def fatten_bounds(
     i: int, mean: float, bodies: Bodies, broad_phase: BroadPhase, ahead: float
 ) -> None:
-    """Give a body room, where bodies reach `mean` on the average, m.
+    """Give a body bounds, where the mean bounding radius is `mean`, m.
 
-    What stands still moves against the frame, which may speed up as bodies do: it has some room.
+    A static body has a margin, too, if the frame moves: the frame may speed up as bodies do.
     """
-    frame_x, frame_y = broad_phase.frame[FRAME_VX], broad_phase.frame[FRAME_VY]
-    spare = AABB_MARGIN * mean if broad_phase.frame[FRAME_MOVES] != 0.0 else 0.0
-    room = (
-        AABB_MARGIN * min(bodies.properties[i, BOUNDING_RADIUS], mean)
-        if bodies.kind[i] > STATIC
-        else spare
-    )
-    x, y = (
-        bodies.pose[i, X] - broad_phase.frame[FRAME_X],
-        bodies.pose[i, Y] - broad_phase.frame[FRAME_Y],
-    )
-    by_x, by_y = (bodies.motion[i, VX] - frame_x) * ahead, (bodies.motion[i, VY] - frame_y) * ahead
-    on_x, on_y = bodies.motion[i, DX], bodies.motion[i, DY]
-    broad_phase.fat_bounds[i, LOW_X] = x - room + min(by_x, on_x, 0.0)
-    broad_phase.fat_bounds[i, LOW_Y] = y - room + min(by_y, on_y, 0.0)
-    broad_phase.fat_bounds[i, HIGH_X] = x + room + max(by_x, on_x, 0.0)
-    broad_phase.fat_bounds[i, HIGH_Y] = y + room + max(by_y, on_y, 0.0)
-    broad_phase.fat_bounds[i, BASE_ANGLE] = bodies.pose[i, ANGLE]
-    arm = bodies.properties[i, CORE_RADIUS]
-    if bodies.kind[i] <= STATIC:
-        broad_phase.fat_bounds[i, ANGLE_MARGIN] = 0.0
-    elif arm > 0.0:
-        turn = max(abs(bodies.motion[i, SPIN]) * ahead, abs(bodies.motion[i, DANGLE]))
-        broad_phase.fat_bounds[i, ANGLE_MARGIN] = room / arm + turn
-    else:
-        broad_phase.fat_bounds[i, ANGLE_MARGIN] = FAR
+    frame, bounds = broad_phase.frame, broad_phase.fat_bounds[i]
+    pose, motion, properties = bodies.pose[i], bodies.motion[i], bodies.properties[i]
+    spare = AABB_MARGIN * mean if frame[FRAME_MOVES] != 0.0 else 0.0
+    mobile = bodies.kind[i] > STATIC
+    margin = AABB_MARGIN * min(properties[BOUNDING_RADIUS], mean) if mobile else spare
+    x, y = pose[X] - frame[FRAME_X], pose[Y] - frame[FRAME_Y]
+    by_x, by_y = (motion[VX] - frame[FRAME_VX]) * ahead, (motion[VY] - frame[FRAME_VY]) * ahead
+    bounds[LOW_X] = x - margin + min(by_x, motion[DX], 0.0)
+    bounds[LOW_Y] = y - margin + min(by_y, motion[DY], 0.0)
+    bounds[HIGH_X] = x + margin + max(by_x, motion[DX], 0.0)
+    bounds[HIGH_Y] = y + margin + max(by_y, motion[DY], 0.0)
+    bounds[BASE_ANGLE], bounds[ANGLE_MARGIN] = pose[ANGLE], 0.0
+    if mobile and properties[CORE_RADIUS] > 0.0:
+        turn = max(abs(motion[SPIN]) * ahead, abs(motion[DANGLE]))
+        bounds[ANGLE_MARGIN] = margin / properties[CORE_RADIUS] + turn
+    elif mobile:
+        bounds[ANGLE_MARGIN] = FAR
 
 
 def mean_radius(kind: Integers, properties: Array) -> float:
-    """Return the mean radius of the bodies that move, m."""
+    """Return the mean bounding radius of dynamic bodies, m."""
     total = 0.0
     number = 0
     for i in range(len(kind)):

@@ -1,24 +1,25 @@
-"""The list of pairs mended: only those look around who have left their rooms.
+"""The contact list updated: only bodies that left their bounds get new ones, and are asked about.
 
-Serves: the look around. Hides: the tree, whose boxes grow with those that have new rooms, until all
-look around again. That is cheap where a few of many move unlike what was foreseen.
+The boxes of the tree grow with them until the list is rebuilt. This is cheap where a few of many
+bodies move unlike what was foreseen. Cost: log n for each of their shapes, and a pass over shapes.
 """
 
 from tamias2d.engine.broad_phase.bvh import BUNCH, first_leaf_node
 from tamias2d.engine.broad_phase.candidates import (
     boxes_overlap,
-    circles_apart,
-    fatten_box,
-    half_plane_offset,
     may_collide,
     note_candidate,
-    note_centre,
-    reaches_half_plane,
-    sides_apart,
+    note_if_near,
     sort_candidates,
 )
 from tamias2d.engine.broad_phase.contact_list import add_contacts, current_contacts
 from tamias2d.engine.broad_phase.fat_bounds import fatten_bounds, mean_radius
+from tamias2d.engine.broad_phase.fat_box import (
+    fatten_box,
+    half_plane_offset,
+    note_centre,
+    reaches_half_plane,
+)
 from tamias2d.engine.broad_phase.vertices import turn_shape
 from tamias2d.engine.tables import (
     ABSENT,
@@ -31,53 +32,44 @@ from tamias2d.engine.tables import (
     UPDATED,
     Bodies,
     BroadPhase,
-    ContactBuffers,
     Control,
     Shapes,
-    Touching,
     Tree,
+    World,
 )
-from tamias2d.state import Array
 
 
-def update_incrementally(
-    control: Control,
-    bodies: Bodies,
-    shapes: Shapes,
-    tree: Tree,
-    broad_phase: BroadPhase,
-    buffers: ContactBuffers,
-    touching: Touching,
-) -> bool:
-    """Give marked bodies new rooms, and add their pairs; return whether there was room for all.
+def update_incrementally(world: World) -> bool:
+    """Fatten the bodies that are marked as `left`, and add their contacts; unmark them.
 
-    `used` (n+1,) holds the marks, and is zero in the end.
+    Returns whether there was room for all contacts.
     """
-    fatten_left_bounds(control, bodies, broad_phase)
+    bodies, shapes, tree, broad_phase = world.bodies, world.shapes, world.tree, world.broad_phase
+    fatten_left_bounds(world.control, bodies, broad_phase)
     for s in range(len(shapes.slot)):
         if broad_phase.left[shapes.slot[s]] == 1:
             turn_shape(s, bodies, shapes)
             fatten_box(s, bodies, shapes, tree, broad_phase)
             if shapes.kind[s] != HALF_PLANE:
-                refit(tree.leaf_of_shape[s], s, tree.counts[LEAVES], tree.boxes, tree.nodes)
+                refit(tree.leaf_of_shape[s], s, tree)
                 note_centre(tree.leaf_of_shape[s], s, bodies, shapes, tree, broad_phase)
     total = 0
     for s in range(len(shapes.slot)):
         if shapes.kind[s] == HALF_PLANE:
-            total = find_beside_half_plane(total, s, bodies, shapes, tree, broad_phase)
+            total = find_left_beside(total, s, bodies, shapes, tree, broad_phase)
         elif broad_phase.left[shapes.slot[s]] == 1:
-            total = find_near(total, s, tree.counts[LEAVES], bodies, shapes, tree, broad_phase)
+            total = find_near(total, s, bodies, shapes, tree, broad_phase)
     for i in range(len(broad_phase.left)):
         broad_phase.left[i] = 0
     if total > len(broad_phase.candidates):
         return False
-    sort_candidates(total, broad_phase.candidates, broad_phase.rank_counts)
-    contacts = current_contacts(broad_phase, buffers)
-    return add_contacts(total, shapes, broad_phase, contacts, touching)
+    sort_candidates(total, broad_phase)
+    contacts = current_contacts(broad_phase, world.buffers)
+    return add_contacts(total, shapes, broad_phase, contacts, world.touching)
 
 
 def fatten_left_bounds(control: Control, bodies: Bodies, broad_phase: BroadPhase) -> None:
-    """Give marked bodies new rooms."""
+    """Give the bodies that left their bounds new ones."""
     mean = mean_radius(bodies.kind, bodies.properties)
     ahead = broad_phase.counts[HORIZON] * control.settings[TIME_STEP]
     for i in range(len(bodies.kind)):
@@ -86,54 +78,40 @@ def fatten_left_bounds(control: Control, bodies: Bodies, broad_phase: BroadPhase
             broad_phase.counts[UPDATED] += 1
 
 
-def refit(leaf: int, s: int, leaves: int, boxes: Array, nodes: Array) -> None:
-    """Let a leaf have the box of its shape, and the nodes above it be large enough."""
+def refit(leaf: int, s: int, tree: Tree) -> None:
+    """Give a leaf the box of its shape, and let the nodes above it contain that."""
+    boxes, nodes = tree.boxes, tree.nodes
     for n in range(4):
         boxes[leaf, n] = boxes[s, FAT + n]
-    at = first_leaf_node(leaves) + leaf // BUNCH
+    at = first_leaf_node(tree.counts[LEAVES]) + leaf // BUNCH
     while at > 0:
-        nodes[at, 0], nodes[at, 1] = (
-            min(nodes[at, 0], boxes[leaf, 0]),
-            min(nodes[at, 1], boxes[leaf, 1]),
-        )
-        nodes[at, 2], nodes[at, 3] = (
-            max(nodes[at, 2], boxes[leaf, 2]),
-            max(nodes[at, 3], boxes[leaf, 3]),
-        )
+        for n in range(2):
+            nodes[at, n] = min(nodes[at, n], boxes[leaf, n])
+            nodes[at, n + 2] = max(nodes[at, n + 2], boxes[leaf, n + 2])
         at >>= 1
 
 
 def find_near(
-    total: int,
-    s: int,
-    leaves: int,
-    bodies: Bodies,
-    shapes: Shapes,
-    tree: Tree,
-    broad_phase: BroadPhase,
+    total: int, s: int, bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: BroadPhase
 ) -> int:
-    """Note the bounded shapes that one may meet; of two that both look, the later one does."""
-    k = tree.leaf_of_shape[s]
-    here = tree.boxes[k]
+    """Note the bounded shapes that may touch one of a body that left; return how many in all.
+
+    Of two such shapes the later one notes the pair.
+    """
+    k, leaves = tree.leaf_of_shape[s], tree.counts[LEAVES]
+    box = tree.boxes[k]
     first = first_leaf_node(leaves)
     at = 1
     while True:
-        while at < first and boxes_overlap(here, tree.nodes[at]):
+        while at < first and boxes_overlap(box, tree.nodes[at]):
             at = 2 * at
-        if at >= first and boxes_overlap(here, tree.nodes[at]):
+        if at >= first and boxes_overlap(box, tree.nodes[at]):
             start = (at - first) * BUNCH
             for m in range(start, min(start + BUNCH, leaves)):
                 t = tree.morton[LEAF, m]
-                if (
-                    boxes_overlap(here, tree.boxes[m])
-                    and (broad_phase.left[shapes.slot[t]] == 0 or t < s)
-                    and not circles_apart(tree.centres[k], tree.centres[m])
-                    and may_collide(s, t, bodies, shapes)
-                    and not sides_apart(k, m, bodies, shapes, tree, broad_phase)
-                ):
-                    total = note_candidate(
-                        total, s, t, broad_phase.canonical, broad_phase.candidates
-                    )
+                is_noted_here = broad_phase.left[shapes.slot[t]] == 0 or t < s
+                if is_noted_here and boxes_overlap(box, tree.boxes[m]):
+                    total = note_if_near(total, k, m, bodies, shapes, tree, broad_phase)
         while at & 1:  # up, until there is a node to the right
             at >>= 1
         if at == 0:
@@ -141,10 +119,10 @@ def find_near(
         at += 1
 
 
-def find_beside_half_plane(
+def find_left_beside(
     total: int, s: int, bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: BroadPhase
 ) -> int:
-    """Note the shapes that may meet a half-plane, if they have left, or it has."""
+    """Note the shapes that may touch a half-plane, if either body left; return how many in all."""
     i = shapes.slot[s]
     if bodies.kind[i] == ABSENT:
         return total
@@ -159,5 +137,5 @@ def find_beside_half_plane(
             and reaches_half_plane(t, offset, side, tree.boxes)
             and may_collide(s, t, bodies, shapes)
         ):
-            total = note_candidate(total, s, t, broad_phase.canonical, broad_phase.candidates)
+            total = note_candidate(total, s, t, broad_phase)
     return total

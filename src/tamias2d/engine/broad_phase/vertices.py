@@ -1,7 +1,4 @@
-"""Corners of shapes in the axes of the world.
-
-Serves: the look around and a step. Hides: which shapes need no turning.
-"""
+"""Vertices of shapes in the axes of the world, which are turned only where that may change them."""
 
 from tamias2d.engine.motion.rotation import cosine_sine
 from tamias2d.engine.tables import ANGLE, HALF_PLANE, Bodies, Shapes
@@ -9,7 +6,7 @@ from tamias2d.kernels.assembled import inlined
 
 
 def turn_vertices(bodies: Bodies, shapes: Shapes, least: int) -> None:
-    """Turn the corners of all bodies that are at least of some kind into the world's axes."""
+    """Turn the vertices of all bodies whose kind is at least this into the axes of the world."""
     for s in range(len(shapes.slot)):
         if bodies.kind[shapes.slot[s]] >= least:
             turn_shape(s, bodies, shapes)
@@ -17,17 +14,15 @@ def turn_vertices(bodies: Bodies, shapes: Shapes, least: int) -> None:
 
 @inlined
 def turn_shape(s: int, bodies: Bodies, shapes: Shapes) -> None:
-    """Turn the corners of one shape into the world's axes, unless it looks alike in all of them."""
-    first = shapes.first[s]
+    """Turn the vertices of a shape, unless it is a half-plane or a disc around the centre."""
+    local, world, first = shapes.local_vertices, shapes.world_vertices, shapes.first[s]
     if shapes.kind[s] == HALF_PLANE or (
-        shapes.count[s] == 1
-        and shapes.local_vertices[first, 0] == 0.0
-        and shapes.local_vertices[first, 1] == 0.0
+        shapes.count[s] == 1 and local[first, 0] == 0.0 and local[first, 1] == 0.0
     ):
         return
     c, d = cosine_sine(bodies.pose[shapes.slot[s], ANGLE])
     for k in range(first, first + shapes.count[s]):
-        x, y = shapes.local_vertices[k, 0], shapes.local_vertices[k, 1]
-        shapes.world_vertices[k, 0], shapes.world_vertices[k, 1] = c * x - d * y, d * x + c * y
-        x, y = shapes.local_vertices[k, 2], shapes.local_vertices[k, 3]
-        shapes.world_vertices[k, 2], shapes.world_vertices[k, 3] = c * x - d * y, d * x + c * y
+        x, y = local[k, 0], local[k, 1]
+        world[k, 0], world[k, 1] = c * x - d * y, d * x + c * y
+        x, y = local[k, 2], local[k, 3]
+        world[k, 2], world[k, 3] = c * x - d * y, d * x + c * y

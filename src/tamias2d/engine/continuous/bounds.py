@@ -3,7 +3,7 @@
 Serves: a step and flight. Hides: that neighbours are known a little farther than the room.
 """
 
-from tamias2d.engine.broad_phase.candidates import SPECULATIVE_MARGIN
+from tamias2d.engine.broad_phase.fat_box import SPECULATIVE_MARGIN
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.tables import (
     ANGLE,

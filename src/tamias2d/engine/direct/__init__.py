@@ -1,1 +1,1 @@
-"""Tree-like islands, whose contacts are solved at once instead of one after the other."""
+"""The direct solver: tree-like islands, whose contacts are all solved at once."""

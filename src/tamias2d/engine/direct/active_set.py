@@ -1,42 +1,44 @@
-"""The active set of a thin island: which of its contacts push, and which hold or slide.
+"""The active set of a tree-like island: which points press, and where friction holds or slides.
 
-Serves: the direct solver. Hides: that a contact changes its mind only where that matters, so that
-rounding does not make it go to and fro.
+A contact leaves its state only where that matters, by more than rounding, so that the iteration
+does not go to and fro. Source: Rockafellar (1976), proximal point.
 """
 
-from tamias2d.engine.direct.cholesky import BOTH, HELD, LEFT, LOOSE, RIGHT, share_of
-from tamias2d.engine.direct.contacts import add_to_nodes, row_speed
+from tamias2d.engine.direct.contacts import add_to_nodes, point_speed
 from tamias2d.engine.tables import (
-    ASKED,
     BIAS,
     BODY_A,
     BODY_B,
     C_BLOCK,
-    C_BUILT,
+    C_FACTORED,
     C_LANE,
     C_STATE,
     CHANGE,
-    FIRM,
+    FIRM_MASS,
+    FRICTION_SHARE,
     I_CONTACT,
     I_NODE,
+    IMPULSE_SCALE,
     N_BODY,
+    NEW_NORMAL,
+    NEW_TANGENT,
     NODE_INERTIA,
     NODE_MASS,
-    P_ARM_A,
-    P_ARM_B,
-    P_NORMAL,
-    P_SIDE_A,
-    P_SIDE_B,
-    P_TANGENT,
+    P_NORMAL_ARM_A,
+    P_NORMAL_ARM_B,
+    P_NORMAL_IMPULSE,
+    P_TANGENT_ARM_A,
+    P_TANGENT_ARM_B,
+    P_TANGENT_IMPULSE,
+    POINT_SIZE,
     POINTS,
     R_FRICTION,
     R_NX,
     R_NY,
-    SCALE,
     SHARED,
-    SIZE,
+    SPEED_ERROR,
     SPIN,
-    START,
+    VELOCITY_START,
     VX,
     VY,
     Bodies,
@@ -56,89 +58,94 @@ from tamias2d.generated.firm_contact import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
-SLIGHT = 1e-7  # of the largest push: no reason to correct
+SLIGHT = 1e-7  # of the largest impulse: no reason to leave a state
+
+# the state of a contact: a bit for each point that presses; with them, what friction does
+BOTH = 3
+LOOSE, HELD, LEFT, RIGHT = 0, 4, 8, 12  # nothing, hold, or slide to either side
 
 
 def guess_state(
-    joint: int, relaxing: bool, slow: float, constraints: Constraints, direct: Direct
+    contact: int, relaxing: bool, slow: float, constraints: Constraints, direct: Direct
 ) -> float:
-    """Say what the points of a joint may do, unless that is known; return its larger push."""
-    b, m = direct.sparse[joint, C_BLOCK], direct.sparse[joint, C_LANE]
+    """Guess the state of a contact, unless it is relaxed and known; return its normal impulse.
+
+    A point presses if it did, or if its velocity is off by no more than `slow`, m/s.
+    """
+    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
     row = constraints.blocks[b]
-    pushes = rubs = 0.0
+    normal = tangent = 0.0
     state = 0
     for k in range(constraints.lanes[b, POINTS]):
-        at = SHARED + k * SIZE + m
-        if row[at + P_NORMAL] > 0.0 or direct.factors[joint, ASKED + k] <= slow:
+        at = SHARED + k * POINT_SIZE + m
+        if row[at + P_NORMAL_IMPULSE] > 0.0 or direct.factors[contact, SPEED_ERROR + k] <= slow:
             state += 1 << k
-        pushes, rubs = pushes + row[at + P_NORMAL], rubs + row[at + P_TANGENT]
-    limit = rub_most(pushes, row[R_FRICTION + m])
+        normal += row[at + P_NORMAL_IMPULSE]
+        tangent += row[at + P_TANGENT_IMPULSE]
+    limit = rub_most(normal, row[R_FRICTION + m])
     if state > 0 and row[R_FRICTION + m] > 0.0:
-        slides = pushes > 0.0 and abs(rubs) >= limit
-        state += HELD if not slides else LEFT if rubs < 0.0 else RIGHT
+        slides = normal > 0.0 and abs(tangent) >= limit
+        state += HELD if not slides else LEFT if tangent < 0.0 else RIGHT
     if not relaxing:
-        direct.sparse[joint, C_STATE] = state
-    return pushes
+        direct.sparse[contact, C_STATE] = state
+    return normal
+
+
+def share_of(k: int, state: int, contact: int, factors: Array) -> float:
+    """Return the share of a point in the friction of a contact."""
+    if state & BOTH == BOTH:
+        share = factors[contact, FRICTION_SHARE]
+        return share if k == 0 else 1.0 - share
+    return 1.0 if (state >> k) & 1 == 1 else 0.0
 
 
 def find_residual(
     n: int, first: bool, bodies: Bodies, constraints: Constraints, direct: Direct
 ) -> tuple[int, float]:
-    """Find what is left of the equations of an island, and what its points do now.
+    """Propose impulses and states for an island; find the momentum that its nodes have left.
 
-    Returns how many joints differ from what was eliminated, and what is left as a part of the
-    pushes, both squared.
+    Returns how many contacts have another state than in the matrix, and the largest residual as a
+    part of the impulses, squared. The first time, states stay as they were guessed.
     """
-    for knot in range(direct.sparse[n, I_NODE], direct.sparse[n + 1, I_NODE]):
-        i = direct.sparse[knot, N_BODY]
-        mass, inertia = direct.factors[knot, NODE_MASS], direct.factors[knot, NODE_INERTIA]
-        start, now = direct.factors[knot, START:], bodies.motion[i]
-        direct.factors[knot, CHANGE], direct.factors[knot, CHANGE + 1] = momentum_left(
-            mass, (start[0], start[1]), (now[VX], now[VY])
+    sparse, factors = direct.sparse, direct.factors
+    for node in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
+        numbers, now = factors[node], bodies.motion[sparse[node, N_BODY]]
+        start = (numbers[VELOCITY_START], numbers[VELOCITY_START + 1])
+        numbers[CHANGE], numbers[CHANGE + 1] = momentum_left(
+            numbers[NODE_MASS], start, (now[VX], now[VY])
         )
-        direct.factors[knot, CHANGE + 2] = angular_momentum_left(inertia, start[2], now[SPIN])
-    slight = SLIGHT * direct.factors[n, SCALE]
+        numbers[CHANGE + 2] = angular_momentum_left(
+            numbers[NODE_INERTIA], numbers[VELOCITY_START + 2], now[SPIN]
+        )
+    firm, slight = factors[n, FIRM_MASS], SLIGHT * factors[n, IMPULSE_SCALE]
     changed = 0
-    for joint in range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT]):
-        ask_contact(joint, first, direct.factors[n, FIRM], slight, bodies, constraints, direct)
-        changed += 1 if direct.sparse[joint, C_STATE] != direct.sparse[joint, C_BUILT] else 0
-    return changed, largest_residual(n, direct.sparse, direct.factors)
+    for contact in range(sparse[n, I_CONTACT], sparse[n + 1, I_CONTACT]):
+        normal = propose_normal(contact, first, firm, slight, bodies, constraints, direct)
+        propose_tangent(contact, first, firm, slight, normal, bodies, constraints, direct)
+        changed += 1 if sparse[contact, C_STATE] != sparse[contact, C_FACTORED] else 0
+    return changed, largest_residual(n, sparse, factors)
 
 
 @inlined
 def largest_residual(n: int, sparse: Integers, factors: Array) -> float:
-    """Return the largest momentum that a body has left, as a part of the pushes, squared.
+    """Return the largest momentum that a node has left, as a part of the impulses, squared.
 
     Angular momentum counts by what it is at the radius of gyration.
     """
-    left = 0.0
-    for knot in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
-        x, y, turn = factors[knot, CHANGE], factors[knot, CHANGE + 1], factors[knot, CHANGE + 2]
-        mass, inertia = factors[knot, NODE_MASS], factors[knot, NODE_INERTIA]
-        lever = inertia / mass if mass > 0.0 else 0.0
-        left = max(left, x * x + y * y + (turn * turn / lever if lever > 0.0 else 0.0))
-    scale = factors[n, SCALE] * factors[n, SCALE]
-    return left / scale if scale > 0.0 else left
+    largest = 0.0
+    for node in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
+        x, y, turn = factors[node, CHANGE], factors[node, CHANGE + 1], factors[node, CHANGE + 2]
+        mass, inertia = factors[node, NODE_MASS], factors[node, NODE_INERTIA]
+        gyration = inertia / mass if mass > 0.0 else 0.0
+        rim = turn * turn / gyration if gyration > 0.0 else 0.0
+        largest = max(largest, x * x + y * y + rim)
+    scale = factors[n, IMPULSE_SCALE] * factors[n, IMPULSE_SCALE]
+    return largest / scale if scale > 0.0 else largest
 
 
 @inlined
-def ask_contact(
-    joint: int,
-    first: bool,
-    firm: float,
-    slight: float,
-    bodies: Bodies,
-    constraints: Constraints,
-    direct: Direct,
-) -> None:
-    """Ask a joint for its impulses, and add to its knots what is new in them."""
-    pushes = ask_normal(joint, first, firm, slight, bodies, constraints, direct)
-    ask_tangent(joint, first, firm, slight, pushes, bodies, constraints, direct)
-
-
-@inlined
-def ask_normal(
-    joint: int,
+def propose_normal(
+    contact: int,
     first: bool,
     firm: float,
     slight: float,
@@ -146,94 +153,100 @@ def ask_normal(
     constraints: Constraints,
     direct: Direct,
 ) -> float:
-    """Ask the points of a joint for their pushes, and which of them push; return the sum."""
-    b, m = direct.sparse[joint, C_BLOCK], direct.sparse[joint, C_LANE]
-    row = constraints.blocks[b]
-    one, other = (
-        bodies.motion[constraints.lanes[b, BODY_A + m]],
-        bodies.motion[constraints.lanes[b, BODY_B + m]],
-    )
-    line = (row[R_NX + m], row[R_NY + m])
-    state = direct.sparse[joint, C_STATE]
+    """Propose the normal impulses of a contact, and which points press; return their sum, N s."""
+    sparse, factors = direct.sparse, direct.factors
+    b, m, state = sparse[contact, C_BLOCK], sparse[contact, C_LANE], sparse[contact, C_STATE]
+    row, lane = constraints.blocks[b], constraints.lanes[b]
+    one, other = bodies.motion[lane[BODY_A + m]], bodies.motion[lane[BODY_B + m]]
+    normal = (row[R_NX + m], row[R_NY + m])
     now = 0
-    pushes = 0.0
-    for k in range(constraints.lanes[b, POINTS]):
-        at = SHARED + k * SIZE
-        before = row[at + P_NORMAL + m]
-        speed = row_speed(m, at, row, one, other, P_ARM_A, P_ARM_B, line)
-        push = push_wanted(before, speed, direct.factors[joint, BIAS + k], firm)
-        pushing = (state >> k) & 1
+    total = 0.0
+    for k in range(lane[POINTS]):
+        at = SHARED + k * POINT_SIZE + m
+        before = row[at + P_NORMAL_IMPULSE]
+        arm_a, arm_b = row[at + P_NORMAL_ARM_A], row[at + P_NORMAL_ARM_B]
+        speed = point_speed(one, other, arm_a, arm_b, normal)
+        impulse = push_wanted(before, speed, factors[contact, BIAS + k], firm)
+        presses = (state >> k) & 1
         if not first:
-            pushing = 1 if push > (-slight if pushing == 1 else slight) else 0
-        push = push if pushing == 1 else 0.0
-        now += pushing << k
-        direct.factors[joint, ASKED + k] = push
-        pushes += max(push, 0.0)
-        add_to_nodes(
-            joint, m, at, P_ARM_A, P_ARM_B, push - before, line, row, direct.sparse, direct.factors
-        )
-    direct.sparse[joint, C_STATE] = now + (state & RIGHT)
-    return pushes
+            presses = 1 if impulse > (-slight if presses == 1 else slight) else 0
+        impulse = impulse if presses == 1 else 0.0
+        now += presses << k
+        factors[contact, NEW_NORMAL + k] = impulse
+        total += max(impulse, 0.0)
+        add_to_nodes(contact, impulse - before, arm_a, arm_b, normal, sparse, factors)
+    sparse[contact, C_STATE] = now + (state & RIGHT)
+    return total
 
 
 @inlined
-def ask_tangent(
-    joint: int,
+def propose_tangent(
+    contact: int,
     first: bool,
     firm: float,
     slight: float,
-    pushes: float,
+    normal: float,
     bodies: Bodies,
     constraints: Constraints,
     direct: Direct,
 ) -> None:
-    """Ask a joint for its rub, and what friction does there; its points take their shares."""
-    b, m = direct.sparse[joint, C_BLOCK], direct.sparse[joint, C_LANE]
-    row = constraints.blocks[b]
-    one, other = (
-        bodies.motion[constraints.lanes[b, BODY_A + m]],
-        bodies.motion[constraints.lanes[b, BODY_B + m]],
-    )
-    tangent = (-row[R_NY + m], row[R_NX + m])
-    state = direct.sparse[joint, C_STATE]
-    last = SHARED + (constraints.lanes[b, POINTS] - 1) * SIZE
-    side = row_velocity_both(
-        row_speed(m, SHARED, row, one, other, P_SIDE_A, P_SIDE_B, tangent),
-        row_speed(m, last, row, one, other, P_SIDE_A, P_SIDE_B, tangent),
-        share_of(0, state, joint, direct.factors),
-    )
-    rubs = 0.0
-    for k in range(constraints.lanes[b, POINTS]):
-        rubs += row[SHARED + k * SIZE + P_TANGENT + m]
-    wanted, most = rub_wanted(rubs, side, firm), rub_most(pushes, row[R_FRICTION + m])
-    does = state & RIGHT
+    """Propose the tangent impulses of a contact, and whether friction holds or slides.
+
+    `normal` is the sum of its normal impulses, N s.
+    """
+    sparse, factors = direct.sparse, direct.factors
+    b, m, state = sparse[contact, C_BLOCK], sparse[contact, C_LANE], sparse[contact, C_STATE]
+    row, points = constraints.blocks[b], constraints.lanes[b, POINTS]
+    tangent, friction = (-row[R_NY + m], row[R_NX + m]), row[R_FRICTION + m]
+    before = 0.0
+    for k in range(points):
+        before += row[SHARED + k * POINT_SIZE + P_TANGENT_IMPULSE + m]
+    speed = tangent_speed_both(contact, state, bodies, constraints, direct)
+    wanted, limit = rub_wanted(before, speed, firm), rub_most(normal, friction)
+    slides = state & RIGHT
     if not first:
-        does = friction_state(state, wanted, most, slight, row[R_FRICTION + m])
-    rub = 0.0
-    if does == HELD:
-        rub = wanted
-    elif does == LEFT:
-        rub = -most
-    elif does == RIGHT:
-        rub = most
-    for k in range(constraints.lanes[b, POINTS]):
-        at = SHARED + k * SIZE
-        part = share_of(k, state, joint, direct.factors)
-        if does > HELD:
-            push = max(direct.factors[joint, ASKED + k], 0.0)
-            part = push_share(push, pushes) if pushes > 0.0 else 0.0
-        direct.factors[joint, ASKED + 2 + k] = rub * part
-        more = rub * part - row[at + P_TANGENT + m]
-        add_to_nodes(
-            joint, m, at, P_SIDE_A, P_SIDE_B, more, tangent, row, direct.sparse, direct.factors
-        )
-    direct.sparse[joint, C_STATE] = (state & BOTH) + does
+        slides = friction_state(state, wanted, limit, slight, friction)
+    total = 0.0
+    if slides == HELD:
+        total = wanted
+    elif slides == LEFT:
+        total = -limit
+    elif slides == RIGHT:
+        total = limit
+    for k in range(points):
+        at = SHARED + k * POINT_SIZE + m
+        share = share_of(k, state, contact, factors)
+        if slides > HELD:
+            pressing = max(factors[contact, NEW_NORMAL + k], 0.0)
+            share = push_share(pressing, normal) if normal > 0.0 else 0.0
+        factors[contact, NEW_TANGENT + k] = total * share
+        more = total * share - row[at + P_TANGENT_IMPULSE]
+        arm_a, arm_b = row[at + P_TANGENT_ARM_A], row[at + P_TANGENT_ARM_B]
+        add_to_nodes(contact, more, arm_a, arm_b, tangent, sparse, factors)
+    sparse[contact, C_STATE] = (state & BOTH) + slides
 
 
-def friction_state(state: int, wanted: float, most: float, slight: float, friction: float) -> int:
-    """Return whether a joint holds, or where it slides to; it is slow to leave what it does."""
+@inlined
+def tangent_speed_both(
+    contact: int, state: int, bodies: Bodies, constraints: Constraints, direct: Direct
+) -> float:
+    """Return the tangent velocity of a contact, m/s: that of its points by their shares."""
+    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    row, lane = constraints.blocks[b], constraints.lanes[b]
+    one, other = bodies.motion[lane[BODY_A + m]], bodies.motion[lane[BODY_B + m]]
+    tangent, at = (-row[R_NY + m], row[R_NX + m]), SHARED + m
+    last = at + (lane[POINTS] - 1) * POINT_SIZE
+    return row_velocity_both(
+        point_speed(one, other, row[at + P_TANGENT_ARM_A], row[at + P_TANGENT_ARM_B], tangent),
+        point_speed(one, other, row[last + P_TANGENT_ARM_A], row[last + P_TANGENT_ARM_B], tangent),
+        share_of(0, state, contact, direct.factors),
+    )
+
+
+def friction_state(state: int, wanted: float, limit: float, slight: float, friction: float) -> int:
+    """Return whether a contact holds, or where it slides to; it is slow to leave what it does."""
     if state & BOTH == 0 or not friction > 0.0:
         return LOOSE
-    held = abs(wanted) < most + (slight if state & RIGHT == HELD else -slight)
-    turned = state & RIGHT == (RIGHT if wanted < 0.0 else LEFT)
-    return HELD if held or turned else LEFT if wanted < 0.0 else RIGHT
+    held = abs(wanted) < limit + (slight if state & RIGHT == HELD else -slight)
+    reversed_sliding = state & RIGHT == (RIGHT if wanted < 0.0 else LEFT)
+    return HELD if held or reversed_sliding else LEFT if wanted < 0.0 else RIGHT

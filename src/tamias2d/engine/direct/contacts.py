@@ -1,47 +1,48 @@
-"""Joints: the contacts of thin islands, each a lane of a block of rows.
+"""The contacts of tree-like islands, each a lane of a block: what is read there, and written.
 
-Serves: the direct solver. Hides: where a joint reads and writes in rows that sweeps go on from, and
-which knots its impulses load.
+The substeps go on from the same blocks, whether an island was solved directly or not.
 """
 
 from tamias2d.engine.tables import (
-    ASKED,
     BIAS,
     BODY_A,
     BODY_B,
     C_BLOCK,
     C_LANE,
-    C_ONE,
-    C_OTHER,
+    C_NODE_A,
+    C_NODE_B,
     CHANGE,
     DANGLE,
     DX,
     DY,
-    P_ARM_A,
-    P_ARM_B,
+    NEW_NORMAL,
+    NEW_TANGENT,
     P_GAP,
     P_GAP_NOW,
-    P_NORMAL,
-    P_SIDE_A,
-    P_SIDE_B,
-    P_TANGENT,
+    P_NORMAL_ARM_A,
+    P_NORMAL_ARM_B,
+    P_NORMAL_IMPULSE,
+    P_TANGENT_ARM_A,
+    P_TANGENT_ARM_B,
+    P_TANGENT_IMPULSE,
+    POINT_SIZE,
     POINTS,
-    R_BIAS,
+    R_BIAS_LEAST,
+    R_BIAS_RATE,
     R_FRICTION,
+    R_IMPULSE_SHARE,
     R_INERTIA_A,
     R_INERTIA_B,
-    R_KEEP,
-    R_LIMIT,
     R_MASS_A,
     R_MASS_B,
+    R_MASS_SHARE,
     R_NX,
     R_NY,
-    R_ROUND_A,
-    R_ROUND_B,
-    R_SHARE,
+    R_RADIUS_A,
+    R_RADIUS_B,
     SHARED,
-    SIZE,
-    SOFT,
+    SOFTNESS,
+    SPEED_ERROR,
     SPIN,
     VX,
     VY,
@@ -69,26 +70,17 @@ from tamias2d.generated.soft_contact import (
     velocity_a_kicked,
     velocity_b_kicked,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
 
-def row_speed(
-    m: int, at: int, row: Array, a: Array, b: Array, arm_a: int, arm_b: int, line: Vector
-) -> float:
-    """Return the velocity of a row of a lane, m/s."""
-    return row_velocity(
-        (a[VX], a[VY]),
-        a[SPIN],
-        row[at + arm_a + m],
-        (b[VX], b[VY]),
-        b[SPIN],
-        row[at + arm_b + m],
-        line,
-    )
+def point_speed(a: Array, b: Array, arm_a: float, arm_b: float, line: Vector) -> float:
+    """Return the velocity along a line at a point of two bodies, m/s; turning arms in m."""
+    return row_velocity((a[VX], a[VY]), a[SPIN], arm_a, (b[VX], b[VY]), b[SPIN], arm_b, line)
 
 
 def open_contact(
-    joint: int,
+    contact: int,
     relaxing: bool,
     substep: float,
     rate: float,
@@ -96,137 +88,142 @@ def open_contact(
     constraints: Constraints,
     direct: Direct,
 ) -> tuple[float, float]:
-    """Find the velocity that a joint is to have; return how far it is off that, and least bias."""
-    b, m = direct.sparse[joint, C_BLOCK], direct.sparse[joint, C_LANE]
-    row = constraints.blocks[b]
-    one, other = (
-        bodies.motion[constraints.lanes[b, BODY_A + m]],
-        bodies.motion[constraints.lanes[b, BODY_B + m]],
-    )
-    line = (row[R_NX + m], row[R_NY + m])
-    fastest = least = 0.0
-    for k in range(constraints.lanes[b, POINTS]):
-        at = SHARED + k * SIZE
-        speed = row_speed(m, at, row, one, other, P_ARM_A, P_ARM_B, line)
+    """Write the bias of the points of a contact, and how far their velocities are off it, m/s.
+
+    Returns the largest of these differences, and the least bias.
+    """
+    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    row, lane = constraints.blocks[b], constraints.lanes[b]
+    one, other = bodies.motion[lane[BODY_A + m]], bodies.motion[lane[BODY_B + m]]
+    normal = (row[R_NX + m], row[R_NY + m])
+    largest = least = 0.0
+    for k in range(lane[POINTS]):
+        at = SHARED + k * POINT_SIZE + m
+        arm_a, arm_b = row[at + P_NORMAL_ARM_A], row[at + P_NORMAL_ARM_B]
+        speed = point_speed(one, other, arm_a, arm_b, normal)
         if relaxing:
-            bias = bias_velocity_later(row[at + P_GAP_NOW + m], speed, substep)
+            bias = bias_velocity_later(row[at + P_GAP_NOW], speed, substep)
         else:
-            gap = separation_later(
-                row[at + P_GAP + m],
-                (one[DX], one[DY]),
-                one[DANGLE],
-                row[at + P_ARM_A + m],
-                row[at + P_SIDE_A + m] - row[R_ROUND_A + m],
-                (other[DX], other[DY]),
-                other[DANGLE],
-                row[at + P_ARM_B + m],
-                row[at + P_SIDE_B + m] + row[R_ROUND_B + m],
-                line,
-            )
-            bias = bias_velocity(gap, rate, row[R_LIMIT + m], substep)
-        direct.factors[joint, BIAS + k] = bias
-        direct.factors[joint, ASKED + k] = speed + bias
-        fastest, least = max(fastest, abs(speed + bias)), min(least, bias)
-    return fastest, least
+            gap = gap_later(m, at, row, one, other)
+            bias = bias_velocity(gap, rate, row[R_BIAS_LEAST + m], substep)
+        direct.factors[contact, BIAS + k] = bias
+        direct.factors[contact, SPEED_ERROR + k] = speed + bias
+        largest, least = max(largest, abs(speed + bias)), min(least, bias)
+    return largest, least
+
+
+@inlined
+def gap_later(m: int, at: int, row: Array, a: Array, b: Array) -> float:
+    """Return the gap of a point where its bodies are now, m."""
+    return separation_later(
+        row[at + P_GAP],
+        (a[DX], a[DY]),
+        a[DANGLE],
+        row[at + P_NORMAL_ARM_A],
+        row[at + P_TANGENT_ARM_A] - row[R_RADIUS_A + m],
+        (b[DX], b[DY]),
+        b[DANGLE],
+        row[at + P_NORMAL_ARM_B],
+        row[at + P_TANGENT_ARM_B] + row[R_RADIUS_B + m],
+        (row[R_NX + m], row[R_NY + m]),
+    )
 
 
 def add_to_nodes(
-    joint: int,
-    m: int,
-    at: int,
-    arm_a: int,
-    arm_b: int,
-    amount: float,
+    contact: int,
+    impulse: float,
+    arm_a: float,
+    arm_b: float,
     line: Vector,
-    row: Array,
     sparse: Integers,
     factors: Array,
 ) -> None:
-    """Add an impulse, N s, to what its two knots take."""
-    one, other = sparse[joint, C_ONE], sparse[joint, C_OTHER]
-    if one >= 0:
-        knot = factors[one]
-        momentum = (knot[CHANGE], knot[CHANGE + 1])
-        knot[CHANGE], knot[CHANGE + 1] = momentum_a_kicked(momentum, amount, line)
-        knot[CHANGE + 2] = angular_momentum_a_kicked(knot[CHANGE + 2], amount, row[at + arm_a + m])
-    if other >= 0:
-        knot = factors[other]
-        momentum = (knot[CHANGE], knot[CHANGE + 1])
-        knot[CHANGE], knot[CHANGE + 1] = momentum_b_kicked(momentum, amount, line)
-        knot[CHANGE + 2] = angular_momentum_b_kicked(knot[CHANGE + 2], amount, row[at + arm_b + m])
+    """Add an impulse, N s, to the momenta of the nodes of a contact."""
+    a, b = sparse[contact, C_NODE_A], sparse[contact, C_NODE_B]
+    if a >= 0:
+        node = factors[a]
+        momentum = (node[CHANGE], node[CHANGE + 1])
+        node[CHANGE], node[CHANGE + 1] = momentum_a_kicked(momentum, impulse, line)
+        node[CHANGE + 2] = angular_momentum_a_kicked(node[CHANGE + 2], impulse, arm_a)
+    if b >= 0:
+        node = factors[b]
+        momentum = (node[CHANGE], node[CHANGE + 1])
+        node[CHANGE], node[CHANGE + 1] = momentum_b_kicked(momentum, impulse, line)
+        node[CHANGE + 2] = angular_momentum_b_kicked(node[CHANGE + 2], impulse, arm_b)
 
 
-def apply_contact(joint: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
-    """Let the impulses that were found act, as contacts can give them; return the larger push."""
-    b, m = direct.sparse[joint, C_BLOCK], direct.sparse[joint, C_LANE]
-    row = constraints.blocks[b]
-    one, other = (
-        bodies.motion[constraints.lanes[b, BODY_A + m]],
-        bodies.motion[constraints.lanes[b, BODY_B + m]],
-    )
-    line, tangent = (row[R_NX + m], row[R_NY + m]), (-row[R_NY + m], row[R_NX + m])
-    most = 0.0
-    for k in range(constraints.lanes[b, POINTS]):
-        at = SHARED + k * SIZE + m
-        push = max(direct.factors[joint, ASKED + k], 0.0)
-        rub = limited_rub(direct.factors[joint, ASKED + 2 + k], rub_most(push, row[R_FRICTION + m]))
-        direct.factors[joint, ASKED + k], direct.factors[joint, ASKED + 2 + k] = push, rub
-        more = push - row[at + P_NORMAL]
-        apply_impulse_to(m, more, line, row[at + P_ARM_A], row[at + P_ARM_B], row, one, other)
-        more = rub - row[at + P_TANGENT]
-        apply_impulse_to(m, more, tangent, row[at + P_SIDE_A], row[at + P_SIDE_B], row, one, other)
-        most = max(most, push)
-    return most
+def apply_contact(contact: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
+    """Apply the proposed impulses, as far as a contact can give them; return the largest normal."""
+    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    row, lane, factors = constraints.blocks[b], constraints.lanes[b], direct.factors
+    one, other = bodies.motion[lane[BODY_A + m]], bodies.motion[lane[BODY_B + m]]
+    line, across = (row[R_NX + m], row[R_NY + m]), (-row[R_NY + m], row[R_NX + m])
+    largest = 0.0
+    for k in range(lane[POINTS]):
+        at = SHARED + k * POINT_SIZE + m
+        normal = max(factors[contact, NEW_NORMAL + k], 0.0)
+        limit = rub_most(normal, row[R_FRICTION + m])
+        tangent = limited_rub(factors[contact, NEW_TANGENT + k], limit)
+        factors[contact, NEW_NORMAL + k], factors[contact, NEW_TANGENT + k] = normal, tangent
+        arm_a, arm_b = row[at + P_NORMAL_ARM_A], row[at + P_NORMAL_ARM_B]
+        apply_impulse_to(
+            m, normal - row[at + P_NORMAL_IMPULSE], line, arm_a, arm_b, row, one, other
+        )
+        arm_a, arm_b = row[at + P_TANGENT_ARM_A], row[at + P_TANGENT_ARM_B]
+        more = tangent - row[at + P_TANGENT_IMPULSE]
+        apply_impulse_to(m, more, across, arm_a, arm_b, row, one, other)
+        largest = max(largest, normal)
+    return largest
 
 
 def apply_impulse_to(
     m: int,
-    amount: float,
+    impulse: float,
     line: Vector,
     arm_a: float,
     arm_b: float,
     row: Array,
-    one: Array,
-    other: Array,
+    a: Array,
+    b: Array,
 ) -> None:
-    """Let an impulse, N s, act on two bodies."""
-    one[VX], one[VY] = velocity_a_kicked((one[VX], one[VY]), amount, line, row[R_MASS_A + m])
-    one[SPIN] = angular_velocity_a_kicked(one[SPIN], amount, arm_a, row[R_INERTIA_A + m])
-    other[VX], other[VY] = velocity_b_kicked(
-        (other[VX], other[VY]), amount, line, row[R_MASS_B + m]
-    )
-    other[SPIN] = angular_velocity_b_kicked(other[SPIN], amount, arm_b, row[R_INERTIA_B + m])
+    """Apply an impulse, N s, to the motion of two bodies."""
+    a[VX], a[VY] = velocity_a_kicked((a[VX], a[VY]), impulse, line, row[R_MASS_A + m])
+    a[SPIN] = angular_velocity_a_kicked(a[SPIN], impulse, arm_a, row[R_INERTIA_A + m])
+    b[VX], b[VY] = velocity_b_kicked((b[VX], b[VY]), impulse, line, row[R_MASS_B + m])
+    b[SPIN] = angular_velocity_b_kicked(b[SPIN], impulse, arm_b, row[R_INERTIA_B + m])
 
 
-def store_contact(joint: int, constraints: Constraints, direct: Direct) -> None:
-    """Write the impulses that were found where sweeps go on from."""
-    b, m = direct.sparse[joint, C_BLOCK], direct.sparse[joint, C_LANE]
+def store_contact(contact: int, constraints: Constraints, direct: Direct) -> None:
+    """Write the impulses of a contact that was solved to its block."""
+    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    row = constraints.blocks[b]
     for k in range(constraints.lanes[b, POINTS]):
-        at = SHARED + k * SIZE + m
-        constraints.blocks[b, at + P_NORMAL] = direct.factors[joint, ASKED + k]
-        constraints.blocks[b, at + P_TANGENT] = direct.factors[joint, ASKED + 2 + k]
+        at = SHARED + k * POINT_SIZE + m
+        row[at + P_NORMAL_IMPULSE] = direct.factors[contact, NEW_NORMAL + k]
+        row[at + P_TANGENT_IMPULSE] = direct.factors[contact, NEW_TANGENT + k]
 
 
-def harden(joint: int, good: bool, rate: float, constraints: Constraints, direct: Direct) -> None:
-    """Let the next sweep take a joint as hard, where it was solved, otherwise as soft."""
-    row, m = constraints.blocks[direct.sparse[joint, C_BLOCK]], direct.sparse[joint, C_LANE]
-    row[R_BIAS + m] = rate if good else direct.factors[joint, SOFT]
-    row[R_SHARE + m] = 1.0 if good else direct.factors[joint, SOFT + 1]
-    row[R_KEEP + m] = 0.0 if good else direct.factors[joint, SOFT + 2]
+def harden(
+    contact: int, solved: bool, rate: float, constraints: Constraints, direct: Direct
+) -> None:
+    """Let the substep that follows take a contact as hard if it was solved, otherwise as soft."""
+    soft = direct.factors[contact]
+    row, m = constraints.blocks[direct.sparse[contact, C_BLOCK]], direct.sparse[contact, C_LANE]
+    row[R_BIAS_RATE + m] = rate if solved else soft[SOFTNESS]
+    row[R_MASS_SHARE + m] = 1.0 if solved else soft[SOFTNESS + 1]
+    row[R_IMPULSE_SHARE + m] = 0.0 if solved else soft[SOFTNESS + 2]
 
 
 def note_gaps(
-    joint: int, substep: float, bodies: Bodies, constraints: Constraints, direct: Direct
+    contact: int, substep: float, bodies: Bodies, constraints: Constraints, direct: Direct
 ) -> None:
-    """Tell the next visit of a joint how far it is open, from its velocity now."""
-    b, m = direct.sparse[joint, C_BLOCK], direct.sparse[joint, C_LANE]
-    row = constraints.blocks[b]
-    one, other = (
-        bodies.motion[constraints.lanes[b, BODY_A + m]],
-        bodies.motion[constraints.lanes[b, BODY_B + m]],
-    )
-    line = (row[R_NX + m], row[R_NY + m])
-    for k in range(constraints.lanes[b, POINTS]):
-        at = SHARED + k * SIZE
-        speed = row_speed(m, at, row, one, other, P_ARM_A, P_ARM_B, line)
-        row[at + P_GAP_NOW + m] = separation(direct.factors[joint, BIAS + k], speed, substep)
+    """Write the gaps of a contact for the relaxation that follows, from its velocity now."""
+    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    row, lane = constraints.blocks[b], constraints.lanes[b]
+    one, other = bodies.motion[lane[BODY_A + m]], bodies.motion[lane[BODY_B + m]]
+    normal = (row[R_NX + m], row[R_NY + m])
+    for k in range(lane[POINTS]):
+        at = SHARED + k * POINT_SIZE + m
+        arm_a, arm_b = row[at + P_NORMAL_ARM_A], row[at + P_NORMAL_ARM_B]
+        speed = point_speed(one, other, arm_a, arm_b, normal)
+        row[at + P_GAP_NOW] = separation(direct.factors[contact, BIAS + k], speed, substep)

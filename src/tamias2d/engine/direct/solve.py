@@ -1,121 +1,112 @@
-"""Thin islands solved at once: all their contacts together, instead of one after the other.
+"""Tree-like islands solved directly: all contacts of one at once, instead of one after the other.
 
-Serves: a step. Hides: the active set and the elimination.
+The impulse of a contact is the one that it has and what its velocity, times a large mass, adds.
+With the velocities unknown this is a linear system over the bodies of the island; the active set is
+tried, solved and corrected until it fits. Normal impulses that come out are never negative, tangent
+impulses never more than friction allows; an island that does not fit is left to the substeps.
 
-Every contact is asked for the push that it has and what its velocity, times a large mass, would
-add. With the velocities unknown this is a linear system over the bodies of the island; which
-contacts push, and which hold by friction, is tried, solved and corrected until it fits. Pushes that
-come out are never negative and rubs never too large, and what does not fit is left as it was.
-
-Source: Rockafellar (1976), proximal point; George and Liu (1981), elimination of sparse systems.
+Cost: some factorizations of a nearly banded matrix. Source: Rockafellar (1976), proximal point;
+George and Liu (1981), sparse elimination.
 """
 
 from math import sqrt
 
 from tamias2d.engine.direct.active_set import find_residual, guess_state
-from tamias2d.engine.direct.cholesky import assemble_matrix, factor, substitute
+from tamias2d.engine.direct.cholesky import factor, substitute
 from tamias2d.engine.direct.contacts import (
-    add_to_nodes,
     apply_contact,
     harden,
     note_gaps,
     open_contact,
     store_contact,
 )
+from tamias2d.engine.direct.matrix import assemble_matrix
+from tamias2d.engine.direct.tree_energy import (
+    energy_without_contacts,
+    gains_no_energy,
+    note_velocities,
+    restore_velocities,
+)
 from tamias2d.engine.tables import (
     C_BLOCK,
     C_LANE,
     CHANGE,
-    FIRM,
-    HEAVIEST,
+    FIRM_MASS,
+    FIRST_POINT,
+    FRICTION_SHARE,
     I_CONTACT,
-    I_FACTORED,
     I_NODE,
+    I_STATUS,
+    IMPULSE_SCALE,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    LARGEST_MASS,
     N_BODY,
     NODE_INERTIA,
     NODE_MASS,
-    P_ARM_A,
-    P_ARM_B,
-    P_NORMAL,
-    P_SIDE_A,
-    P_SIDE_B,
-    P_TANGENT,
+    P_NORMAL_IMPULSE,
     POINTS,
-    R_BIAS,
-    R_KEEP,
-    R_NX,
-    R_NY,
-    R_SHARE,
-    SCALE,
-    SHARE,
-    SHARED,
-    SIZE,
-    SOFT,
-    SPIN,
-    START,
-    VX,
-    VY,
+    R_BIAS_RATE,
+    R_IMPULSE_SHARE,
+    R_MASS_SHARE,
+    SECOND_POINT,
+    SOFTNESS,
     Bodies,
     Constraints,
     Direct,
 )
-from tamias2d.generated.definitions import angular_momentum_own, momentum
-from tamias2d.generated.firm_contact import (
-    bias_energy,
-    linear_energy,
-    linear_energy_start,
-    push_share,
-    turning_energy,
-    turning_energy_start,
-)
+from tamias2d.generated.firm_contact import push_share
 from tamias2d.kernels.assembled import inlined
 
-STIFF = 1e9  # of a contact, in masses between the heaviest and the lightest of its island
-REMOVED = 0.2  # of an overlap, removed in a substep
-CORRECTIONS = 12  # corrections of what pushes and what holds
-NEARLY = 1e-3  # of the fastest point: what is slower to part may push
-CLOSE_ENOUGH = 1e-10  # what may be left of the equations, as a part of the pushes, both squared
-STILL_GOOD = 1e-6  # more than this is not taken
-WILD = 100.0  # nor pushes so many times what there is to stop, for each contact
-LIVELY = 1.0 + 1e-9  # nor what gives the bodies more energy, but for rounding
-LEFT_ALONE = -1
+STIFF = 1e9  # firm mass, in means of the largest and the smallest mass of the island
+REMOVED = 0.2  # of an overlap, in a substep
+CORRECTIONS = 12  # of the active set, at most
+NEARLY = 1e-3  # of the largest difference of velocity: a point that parts more slowly may press
+CONVERGED = 1e-10  # residual as a part of the impulses, squared
+ACCEPTED = 1e-6  # the same: an island with more is not solved
+WILD = 100.0  # impulses for each contact, in units of those that stop the island: not accepted
+
+NOT_FACTORED, FACTORED, LEFT_TO_SUBSTEPS = 0, 1, -1  # status of an island
 
 
 def prepare_trees(
     first: int, last: int, bodies: Bodies, constraints: Constraints, direct: Direct
 ) -> None:
-    """Note the masses of the knots of some islands, and how soft their joints are."""
+    """Note the masses of the nodes of some islands, and the softness of their contacts."""
+    sparse = direct.sparse
     for n in range(first, last):
-        heaviest = lightest = 0.0
-        for knot in range(direct.sparse[n, I_NODE], direct.sparse[n + 1, I_NODE]):
-            i = direct.sparse[knot, N_BODY]
-            mass, inertia = (
-                bodies.properties[i, INVERSE_MASS],
-                bodies.properties[i, INVERSE_INERTIA],
-            )
-            direct.factors[knot, NODE_MASS] = 1.0 / mass if mass > 0.0 else 0.0
-            direct.factors[knot, NODE_INERTIA] = 1.0 / inertia if inertia > 0.0 else 0.0
-            mass = direct.factors[knot, NODE_MASS]
-            heaviest = max(heaviest, mass)
-            lightest = min(lightest, mass) if lightest > 0.0 else mass
-        direct.factors[n, HEAVIEST] = heaviest
-        direct.factors[n, FIRM] = STIFF * sqrt(heaviest * lightest)
-        direct.sparse[n, I_FACTORED] = 0
-        for joint in range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT]):
-            row, m = constraints.blocks[direct.sparse[joint, C_BLOCK]], direct.sparse[joint, C_LANE]
-            direct.factors[joint, SOFT], direct.factors[joint, SOFT + 1] = (
-                row[R_BIAS + m],
-                row[R_SHARE + m],
-            )
-            direct.factors[joint, SOFT + 2] = row[R_KEEP + m]
-            first, second = row[SHARED + P_NORMAL + m], row[SHARED + SIZE + P_NORMAL + m]
-            both = (
-                constraints.lanes[direct.sparse[joint, C_BLOCK], POINTS] == 2
-                and first + second > 0.0
-            )
-            direct.factors[joint, SHARE] = push_share(first, first + second) if both else 0.5
+        sparse[n, I_STATUS] = NOT_FACTORED
+        note_masses(n, bodies, direct)
+        for contact in range(sparse[n, I_CONTACT], sparse[n + 1, I_CONTACT]):
+            note_softness(contact, constraints, direct)
+
+
+def note_masses(n: int, bodies: Bodies, direct: Direct) -> None:
+    """Note the masses of the nodes of an island; 0 for a body that does not turn."""
+    sparse, factors = direct.sparse, direct.factors
+    heaviest = lightest = 0.0
+    for node in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
+        properties = bodies.properties[sparse[node, N_BODY]]
+        inverse, inverse_inertia = properties[INVERSE_MASS], properties[INVERSE_INERTIA]
+        mass = 1.0 / inverse if inverse > 0.0 else 0.0
+        factors[node, NODE_MASS] = mass
+        factors[node, NODE_INERTIA] = 1.0 / inverse_inertia if inverse_inertia > 0.0 else 0.0
+        heaviest = max(heaviest, mass)
+        lightest = min(lightest, mass) if lightest > 0.0 else mass
+    factors[n, LARGEST_MASS] = heaviest
+    factors[n, FIRM_MASS] = STIFF * sqrt(heaviest * lightest)
+
+
+def note_softness(contact: int, constraints: Constraints, direct: Direct) -> None:
+    """Note the softness of a contact, and the share of its first point in friction."""
+    b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+    row, numbers = constraints.blocks[b], direct.factors[contact]
+    numbers[SOFTNESS], numbers[SOFTNESS + 1] = row[R_BIAS_RATE + m], row[R_MASS_SHARE + m]
+    numbers[SOFTNESS + 2] = row[R_IMPULSE_SHARE + m]
+    first = row[FIRST_POINT + P_NORMAL_IMPULSE + m]
+    total = first + row[SECOND_POINT + P_NORMAL_IMPULSE + m]
+    both = constraints.lanes[b, POINTS] == 2 and total > 0.0
+    numbers[FRICTION_SHARE] = push_share(first, total) if both else 0.5
 
 
 def solve_trees(
@@ -127,9 +118,9 @@ def solve_trees(
     constraints: Constraints,
     direct: Direct,
 ) -> None:
-    """Solve some thin islands, with the speed that removes overlap, or to take that out again."""
+    """Solve some islands: with the velocity that removes overlap, or relaxing it."""
     for n in range(first, last):
-        if direct.sparse[n, I_FACTORED] != LEFT_ALONE:
+        if direct.sparse[n, I_STATUS] != LEFT_TO_SUBSTEPS:
             solve_tree(n, relaxing, substep, bodies, constraints, direct)
 
 
@@ -137,114 +128,80 @@ def solve_trees(
 def solve_tree(
     n: int, relaxing: bool, substep: float, bodies: Bodies, constraints: Constraints, direct: Direct
 ) -> None:
-    """Solve an island and keep what is found, or leave it to the sweeps from now on."""
+    """Solve an island, or leave it to the substeps from now on."""
     rate = REMOVED / substep
-    joints = range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT])
-    fastest = apart = largest = 0.0
-    for joint in joints:
-        speed, bias = open_contact(joint, relaxing, substep, rate, bodies, constraints, direct)
-        fastest, apart = max(fastest, speed), apart - bias
-    for joint in joints:
-        largest = max(largest, guess_state(joint, relaxing, NEARLY * fastest, constraints, direct))
-    direct.factors[n, SCALE] = largest + direct.factors[n, HEAVIEST] * fastest
-    before = note_velocities(n, bodies, constraints, direct)
-    left = iterate_tree(n, bodies, constraints, direct)
+    contacts = range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT])
+    apart = open_contacts(n, relaxing, substep, bodies, constraints, direct)
+    note_velocities(n, bodies, direct)
+    before = energy_without_contacts(n, constraints, direct)
+    residual = iterate_tree(n, bodies, constraints, direct)
     restore_velocities(n, bodies, direct)
-    good = left <= STILL_GOOD and accept_impulses(n, before, apart, bodies, constraints, direct)
-    for joint in joints:
-        if good:
-            store_contact(joint, constraints, direct)
-        harden(joint, good, rate, constraints, direct)
-    if not good:
-        direct.sparse[n, I_FACTORED] = LEFT_ALONE
+    solved = residual <= ACCEPTED and accept_impulses(n, before, apart, bodies, constraints, direct)
+    for contact in contacts:
+        if solved:
+            store_contact(contact, constraints, direct)
+        harden(contact, solved, rate, constraints, direct)
+    if not solved:
+        direct.sparse[n, I_STATUS] = LEFT_TO_SUBSTEPS
     elif relaxing:
-        for joint in joints:
-            note_gaps(joint, substep, bodies, constraints, direct)
+        for contact in contacts:
+            note_gaps(contact, substep, bodies, constraints, direct)
+
+
+@inlined
+def open_contacts(
+    n: int, relaxing: bool, substep: float, bodies: Bodies, constraints: Constraints, direct: Direct
+) -> float:
+    """Write biases, first states and the scale of impulses of an island.
+
+    Returns the sum of the velocities, m/s, at which overlaps are pushed apart.
+    """
+    contacts = range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT])
+    fastest = apart = largest = 0.0
+    for contact in contacts:
+        speed, bias = open_contact(
+            contact, relaxing, substep, REMOVED / substep, bodies, constraints, direct
+        )
+        fastest, apart = max(fastest, speed), apart - bias
+    for contact in contacts:
+        impulse = guess_state(contact, relaxing, NEARLY * fastest, constraints, direct)
+        largest = max(largest, impulse)
+    direct.factors[n, IMPULSE_SCALE] = largest + direct.factors[n, LARGEST_MASS] * fastest
+    return apart
+
+
+def iterate_tree(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
+    """Find velocities, impulses and active set of an island; return the residual that is left."""
+    sparse, factors = direct.sparse, direct.factors
+    changed, residual = find_residual(n, True, bodies, constraints, direct)
+    for _ in range(CORRECTIONS):
+        if changed > 0 or sparse[n, I_STATUS] == NOT_FACTORED:
+            assemble_matrix(n, constraints, direct)
+            sparse[n, I_STATUS] = NOT_FACTORED
+            if not factor(n, sparse, factors):
+                return 1.0
+            sparse[n, I_STATUS] = FACTORED
+        substitute(n, sparse, factors)
+        for node in range(sparse[n, I_NODE], sparse[n + 1, I_NODE]):
+            for k in range(3):
+                bodies.motion[sparse[node, N_BODY], k] += factors[node, CHANGE + k]
+        changed, residual = find_residual(n, False, bodies, constraints, direct)
+        if residual <= CONVERGED:
+            return residual
+    return residual
 
 
 @inlined
 def accept_impulses(
     n: int, before: float, apart: float, bodies: Bodies, constraints: Constraints, direct: Direct
 ) -> bool:
-    """Let the impulses that were found act; take them back and return no if they are wild."""
-    most = 0.0
-    for joint in range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT]):
-        most = max(most, apply_contact(joint, bodies, constraints, direct))
-    count = direct.sparse[n + 1, I_CONTACT] - direct.sparse[n, I_CONTACT]
-    good = most <= WILD * count * direct.factors[n, SCALE]
-    good = good and gains_no_energy(n, before, apart, bodies, direct)
-    if not good:
+    """Apply the impulses of an island; take them back and return False if they are wild."""
+    first, last = direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT]
+    largest = 0.0
+    for contact in range(first, last):
+        largest = max(largest, apply_contact(contact, bodies, constraints, direct))
+    accepted = largest <= WILD * (last - first) * direct.factors[n, IMPULSE_SCALE]
+    accepted = accepted and gains_no_energy(n, before, apart, bodies, direct)
+    if not accepted:
         restore_velocities(n, bodies, direct)
-    return good
-
-
-def restore_velocities(n: int, bodies: Bodies, direct: Direct) -> None:
-    """Give the bodies of an island the velocities that were noted."""
-    for knot in range(direct.sparse[n, I_NODE], direct.sparse[n + 1, I_NODE]):
-        for k in range(3):
-            bodies.motion[direct.sparse[knot, N_BODY], k] = direct.factors[knot, START + k]
-
-
-def note_velocities(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
-    """Note the velocities of an island; return its energy without its contacts, J."""
-    for knot in range(direct.sparse[n, I_NODE], direct.sparse[n + 1, I_NODE]):
-        for k in range(3):
-            direct.factors[knot, START + k] = bodies.motion[direct.sparse[knot, N_BODY], k]
-            direct.factors[knot, CHANGE + k] = 0.0
-    for joint in range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT]):
-        b, m = direct.sparse[joint, C_BLOCK], direct.sparse[joint, C_LANE]
-        row = constraints.blocks[b]
-        line, tangent = (row[R_NX + m], row[R_NY + m]), (-row[R_NY + m], row[R_NX + m])
-        for k in range(constraints.lanes[b, POINTS]):
-            at = SHARED + k * SIZE
-            push, rub = row[at + P_NORMAL + m], row[at + P_TANGENT + m]
-            add_to_nodes(
-                joint, m, at, P_ARM_A, P_ARM_B, -push, line, row, direct.sparse, direct.factors
-            )
-            add_to_nodes(
-                joint, m, at, P_SIDE_A, P_SIDE_B, -rub, tangent, row, direct.sparse, direct.factors
-            )
-    energy = 0.0
-    for knot in range(direct.sparse[n, I_NODE], direct.sparse[n + 1, I_NODE]):
-        mass, inertia, start = (
-            direct.factors[knot, NODE_MASS],
-            direct.factors[knot, NODE_INERTIA],
-            direct.factors[knot, START:],
-        )
-        x, y = momentum(mass, (start[0], start[1]))
-        x, y = x + direct.factors[knot, CHANGE], y + direct.factors[knot, CHANGE + 1]
-        turn = angular_momentum_own(inertia, start[2]) + direct.factors[knot, CHANGE + 2]
-        energy += linear_energy_start((x, y), mass) if mass > 0.0 else 0.0
-        energy += turning_energy_start(turn, inertia) if inertia > 0.0 else 0.0
-    return energy
-
-
-def gains_no_energy(n: int, before: float, apart: float, bodies: Bodies, direct: Direct) -> bool:
-    """Return whether contacts have taken energy, but for what removes overlap at a speed, m/s."""
-    energy = mass = 0.0
-    for knot in range(direct.sparse[n, I_NODE], direct.sparse[n + 1, I_NODE]):
-        now = bodies.motion[direct.sparse[knot, N_BODY]]
-        energy += linear_energy(direct.factors[knot, NODE_MASS], (now[VX], now[VY]))
-        energy += turning_energy(direct.factors[knot, NODE_INERTIA], now[SPIN])
-        mass += direct.factors[knot, NODE_MASS]
-    return energy <= before * LIVELY + bias_energy(mass, apart)
-
-
-def iterate_tree(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
-    """Find the velocities and pushes of an island; return what is left, as a part of the pushes."""
-    changed, left = find_residual(n, True, bodies, constraints, direct)
-    for _ in range(CORRECTIONS):
-        if changed > 0 or direct.sparse[n, I_FACTORED] == 0:
-            assemble_matrix(n, constraints, direct)
-            direct.sparse[n, I_FACTORED] = 0
-            if not factor(n, direct.sparse, direct.factors):
-                return 1.0
-            direct.sparse[n, I_FACTORED] = 1
-        substitute(n, direct.sparse, direct.factors)
-        for knot in range(direct.sparse[n, I_NODE], direct.sparse[n + 1, I_NODE]):
-            for k in range(3):
-                bodies.motion[direct.sparse[knot, N_BODY], k] += direct.factors[knot, CHANGE + k]
-        changed, left = find_residual(n, False, bodies, constraints, direct)
-        if left <= CLOSE_ENOUGH:
-            return left
-    return left
+    return accepted

@@ -1,1 +1,1 @@
-"""What contacts do to velocities: soft constraints in blocks of lanes, substep by substep."""
+"""The contact solver: soft constraints in blocks of lanes, substep by substep, with less energy."""

@@ -1,45 +1,43 @@
-"""The arrangement of contacts: slabs, blocks, thin islands, and which bodies take part.
+"""The arrangement of touching contacts: colours, slabs, blocks of lanes, and tree-like islands.
 
-Serves: a step. Hides: that all of it stays from step to step while the same pairs touch.
+It stays from step to step while the same contacts touch.
 """
 
-from tamias2d.engine.broad_phase.pairs import DONE, MORE_BLOCKS, MORE_SPARSE
-from tamias2d.engine.direct.contact_tree import number_trees, plan_elimination
-from tamias2d.engine.solver.constraints import assign_lanes, colour, count_lanes
+from tamias2d.engine.direct.contact_tree import number_trees
+from tamias2d.engine.direct.elimination import plan_elimination
+from tamias2d.engine.solver.blocks import assign_lanes, count_lanes
+from tamias2d.engine.solver.colouring import colour_contacts
 from tamias2d.engine.solver.slabs import divide_into_slabs
 from tamias2d.engine.tables import (
     ACTIVE,
     ARRANGED,
     BOUNCING,
+    DONE,
     KINEMATIC,
     LANES_FILLED,
+    MORE_BLOCKS,
+    MORE_SPARSE,
     ROWS_NEEDED,
     TOUCHING,
     TREES,
     Bodies,
     Constraints,
     Contacts,
-    Control,
-    Direct,
     Touching,
+    World,
 )
 
 
-def arrange(
-    control: Control,
-    bodies: Bodies,
-    contacts: Contacts,
-    touching: Touching,
-    constraints: Constraints,
-    direct: Direct,
-) -> int:
-    """Arrange what touches, and mark the bodies that take part; or say what has too little room."""
+def arrange(world: World, contacts: Contacts) -> int:
+    """Arrange the contacts that touch, and mark active bodies; return which array is too short."""
+    control, bodies, touching = world.control, world.bodies, world.touching
+    constraints, direct = world.constraints, world.direct
     if touching.counts[ARRANGED] == 1:
         for k in range(constraints.counts[ACTIVE]):
             bodies.moved[touching.active[k]] = 1
         return DONE
-    colour(bodies, contacts, touching, constraints)
-    mark_active(bodies, touching, constraints)
+    colour_contacts(bodies, contacts, touching, constraints)
+    list_active(bodies, touching, constraints)
     tree_count = number_trees(bodies, touching, direct)
     if tree_count >= 0:
         divide_into_slabs(tree_count, bodies, touching, constraints, direct)
@@ -53,19 +51,13 @@ def arrange(
         return MORE_SPARSE
     direct.counts[TREES] = tree_count
     count_lanes(touching, constraints)
-    touching.counts[ARRANGED], constraints.counts[LANES_FILLED], constraints.counts[BOUNCING] = (
-        1,
-        0,
-        0,
-    )
+    touching.counts[ARRANGED] = 1
+    constraints.counts[LANES_FILLED] = constraints.counts[BOUNCING] = 0
     return DONE
 
 
-def mark_active(bodies: Bodies, touching: Touching, constraints: Constraints) -> None:
-    """List the moving bodies that have contacts, in the order of touching.
-
-    Their colours, which are not needed any more, become marks.
-    """
+def list_active(bodies: Bodies, touching: Touching, constraints: Constraints) -> None:
+    """List and mark the moving bodies that have contacts, in the order of touching."""
     for i in range(len(bodies.moved)):
         bodies.moved[i] = 0
     active = 0

@@ -1,7 +1,8 @@
-"""The soft step through all blocks: what contacts do to velocities, lane by lane.
+"""The soft step through blocks: warm start, solve, relax and restitution, lane by lane.
 
-Serves: a step. Hides: the order of what is loaded and stored, which decides whether compiled code
-takes many lanes at once: loops over a fixed number of lanes, over two arrays, without branches.
+Each loop goes over a fixed number of lanes, over two arrays, without branches, so that compiled
+code takes several lanes in one instruction. Cost: a visit to two bodies for each lane, and loop.
+Source: Catto (2024), soft step.
 """
 
 from tamias2d.engine.tables import (
@@ -22,38 +23,38 @@ from tamias2d.engine.tables import (
     DANGLE,
     DX,
     DY,
-    FIRST,
-    FIRST_BOUNCE,
+    FIRST_POINT,
+    FIRST_RESTITUTION,
     LANES,
     P_APPROACH,
-    P_ARM_A,
-    P_ARM_B,
     P_GAP,
     P_GAP_NOW,
-    P_MASS,
-    P_NORMAL,
-    P_SIDE_A,
-    P_SIDE_B,
-    P_SIDE_MASS,
-    P_TANGENT,
-    P_TOTAL,
+    P_NORMAL_ARM_A,
+    P_NORMAL_ARM_B,
+    P_NORMAL_IMPULSE,
+    P_NORMAL_MASS,
+    P_TANGENT_ARM_A,
+    P_TANGENT_ARM_B,
+    P_TANGENT_IMPULSE,
+    P_TANGENT_MASS,
+    P_TOTAL_IMPULSE,
     POINTS,
-    R_BIAS,
+    R_BIAS_LEAST,
+    R_BIAS_RATE,
     R_FRICTION,
+    R_IMPULSE_SHARE,
     R_INERTIA_A,
     R_INERTIA_B,
-    R_KEEP,
-    R_LIMIT,
     R_MASS_A,
     R_MASS_B,
+    R_MASS_SHARE,
     R_NX,
     R_NY,
+    R_RADIUS_A,
+    R_RADIUS_B,
     R_RESTITUTION,
-    R_ROUND_A,
-    R_ROUND_B,
-    R_SHARE,
-    SECOND,
-    SECOND_BOUNCE,
+    SECOND_POINT,
+    SECOND_RESTITUTION,
     SPIN,
     VX,
     VY,
@@ -76,13 +77,11 @@ from tamias2d.generated.soft_contact import (
 )
 from tamias2d.state import Array, Vector
 
-# the bench on which the motion of a block's bodies is worked on
-
-OPEN = -1e-300  # m: a gap that is more is one that closes, or has just closed
+OPEN = -1e-300  # m: a larger gap is one that closes, or has just closed
 
 
 def load_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
-    """Bring the velocities of a block's bodies to the bench."""
+    """Load the velocities of the bodies of a block into the scratch array."""
     for m in range(LANES):
         a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
         scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m] = a[VX], a[VY], a[SPIN]
@@ -90,7 +89,7 @@ def load_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
 
 
 def load_motions(lane: Integers, motion: Array, scratch: Array) -> None:
-    """Bring the velocities of a block's bodies, and what they have moved since the step began."""
+    """Load the velocities of the bodies of a block, and their displacements in the step."""
     for m in range(LANES):
         a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
         scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m] = a[VX], a[VY], a[SPIN]
@@ -100,7 +99,7 @@ def load_motions(lane: Integers, motion: Array, scratch: Array) -> None:
 
 
 def store_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
-    """Bring the velocities back from the bench."""
+    """Store the velocities of the bodies of a block."""
     for m in range(LANES):
         a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
         a[VX], a[VY], a[SPIN] = scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m]
@@ -110,7 +109,7 @@ def store_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
 def apply_impulse(
     m: int, amount: float, line: Vector, arm_a: float, arm_b: float, row: Array, scratch: Array
 ) -> None:
-    """Let an impulse, N s, along a line act on the bodies of a lane; turning arms in m."""
+    """Apply an impulse, N s, along a line to the bodies of a lane; turning arms in m."""
     scratch[B_VX_A + m], scratch[B_VY_A + m] = velocity_a_kicked(
         (scratch[B_VX_A + m], scratch[B_VY_A + m]), amount, line, row[R_MASS_A + m]
     )
@@ -126,211 +125,240 @@ def apply_impulse(
 
 
 def apply_normal(m: int, at: int, amount: float, row: Array, scratch: Array) -> None:
-    """Let an impulse, N s, act along the normal of a lane."""
+    """Apply an impulse, N s, along the normal of a lane."""
     line = (row[R_NX + m], row[R_NY + m])
-    apply_impulse(m, amount, line, row[at + P_ARM_A + m], row[at + P_ARM_B + m], row, scratch)
+    apply_impulse(
+        m, amount, line, row[at + P_NORMAL_ARM_A + m], row[at + P_NORMAL_ARM_B + m], row, scratch
+    )
 
 
 def apply_tangent(m: int, at: int, amount: float, row: Array, scratch: Array) -> None:
-    """Let an impulse, N s, act along the tangent of a lane."""
+    """Apply an impulse, N s, along the tangent of a lane."""
     line = (-row[R_NY + m], row[R_NX + m])
-    apply_impulse(m, amount, line, row[at + P_SIDE_A + m], row[at + P_SIDE_B + m], row, scratch)
+    apply_impulse(
+        m, amount, line, row[at + P_TANGENT_ARM_A + m], row[at + P_TANGENT_ARM_B + m], row, scratch
+    )
 
 
 def normal_speed(m: int, at: int, row: Array, scratch: Array) -> float:
-    """Return the rate at which the gap of a lane opens, m/s."""
+    """Return the normal velocity of a lane, m/s, at which its gap opens."""
     return row_velocity(
         (scratch[B_VX_A + m], scratch[B_VY_A + m]),
         scratch[B_SPIN_A + m],
-        row[at + P_ARM_A + m],
+        row[at + P_NORMAL_ARM_A + m],
         (scratch[B_VX_B + m], scratch[B_VY_B + m]),
         scratch[B_SPIN_B + m],
-        row[at + P_ARM_B + m],
+        row[at + P_NORMAL_ARM_B + m],
         (row[R_NX + m], row[R_NY + m]),
     )
 
 
 def tangent_speed(m: int, at: int, row: Array, scratch: Array) -> float:
-    """Return the velocity of a lane along its tangent, m/s."""
+    """Return the tangent velocity of a lane, m/s."""
     return row_velocity(
         (scratch[B_VX_A + m], scratch[B_VY_A + m]),
         scratch[B_SPIN_A + m],
-        row[at + P_SIDE_A + m],
+        row[at + P_TANGENT_ARM_A + m],
         (scratch[B_VX_B + m], scratch[B_VY_B + m]),
         scratch[B_SPIN_B + m],
-        row[at + P_SIDE_B + m],
+        row[at + P_TANGENT_ARM_B + m],
         (-row[R_NY + m], row[R_NX + m]),
     )
 
 
 def warm_start_lanes(at: int, row: Array, scratch: Array) -> None:
-    """Apply again what was found before."""
+    """Apply the impulses of the last substep again."""
     for m in range(LANES):
-        apply_normal(m, at, row[at + P_NORMAL + m], row, scratch)
-        apply_tangent(m, at, row[at + P_TANGENT + m], row, scratch)
+        apply_normal(m, at, row[at + P_NORMAL_IMPULSE + m], row, scratch)
+        apply_tangent(m, at, row[at + P_TANGENT_IMPULSE + m], row, scratch)
 
 
 def friction_lanes(at: int, row: Array, scratch: Array) -> None:
-    """Correct the impulses along the tangents."""
+    """Correct the tangent impulses, within what friction allows."""
     for m in range(LANES):
         speed = tangent_speed(m, at, row, scratch)
-        before = row[at + P_TANGENT + m]
+        before = row[at + P_TANGENT_IMPULSE + m]
         after = limited_rub(
-            before, speed, row[at + P_SIDE_MASS + m], row[R_FRICTION + m], row[at + P_NORMAL + m]
+            before,
+            speed,
+            row[at + P_TANGENT_MASS + m],
+            row[R_FRICTION + m],
+            row[at + P_NORMAL_IMPULSE + m],
         )
-        row[at + P_TANGENT + m] = after
+        row[at + P_TANGENT_IMPULSE + m] = after
         apply_tangent(m, at, after - before, row, scratch)
 
 
 def soft_lanes(at: int, row: Array, scratch: Array, substep: float) -> None:
-    """Correct the pushes along the normals, softly; the substep in s."""
+    """Correct the normal impulses of soft constraints; the substep in s."""
     for m in range(LANES):
         gap = separation_later(
             row[at + P_GAP + m],
             (scratch[B_DX_A + m], scratch[B_DY_A + m]),
             scratch[B_ANGLE_A + m],
-            row[at + P_ARM_A + m],
-            row[at + P_SIDE_A + m] - row[R_ROUND_A + m],
+            row[at + P_NORMAL_ARM_A + m],
+            row[at + P_TANGENT_ARM_A + m] - row[R_RADIUS_A + m],
             (scratch[B_DX_B + m], scratch[B_DY_B + m]),
             scratch[B_ANGLE_B + m],
-            row[at + P_ARM_B + m],
-            row[at + P_SIDE_B + m] + row[R_ROUND_B + m],
+            row[at + P_NORMAL_ARM_B + m],
+            row[at + P_TANGENT_ARM_B + m] + row[R_RADIUS_B + m],
             (row[R_NX + m], row[R_NY + m]),
         )
         row[at + P_GAP_NOW + m] = gap
-        bias = bias_velocity(gap, row[R_BIAS + m], row[R_LIMIT + m], substep)
-        apart = gap > 0.0
-        part = 1.0 if apart else row[R_SHARE + m]
-        kept = 0.0 if apart else row[R_KEEP + m]
-        before = row[at + P_NORMAL + m]
+        bias = bias_velocity(gap, row[R_BIAS_RATE + m], row[R_BIAS_LEAST + m], substep)
+        is_open = gap > 0.0
+        mass_share = 1.0 if is_open else row[R_MASS_SHARE + m]
+        impulse_share = 0.0 if is_open else row[R_IMPULSE_SHARE + m]
+        before = row[at + P_NORMAL_IMPULSE + m]
         after = soft_push(
-            before, normal_speed(m, at, row, scratch), bias, row[at + P_MASS + m], part, kept
+            before,
+            normal_speed(m, at, row, scratch),
+            bias,
+            row[at + P_NORMAL_MASS + m],
+            mass_share,
+            impulse_share,
         )
-        row[at + P_NORMAL + m] = after
+        row[at + P_NORMAL_IMPULSE + m] = after
         apply_normal(m, at, after - before, row, scratch)
 
 
 def relax_lanes(at: int, row: Array, scratch: Array, substep: float) -> None:
-    """Correct the pushes along the normals so that nothing approaches beyond its gap."""
+    """Correct the normal impulses so that no point approaches by more than its gap."""
     for m in range(LANES):
         speed = normal_speed(m, at, row, scratch)
         bias = bias_velocity_later(row[at + P_GAP_NOW + m], speed, substep)
-        before = row[at + P_NORMAL + m]
-        after = soft_push(before, speed, bias, row[at + P_MASS + m], 1.0, 0.0)
-        row[at + P_NORMAL + m] = after
-        row[at + P_TOTAL + m] = row[at + P_TOTAL + m] + after
+        before = row[at + P_NORMAL_IMPULSE + m]
+        after = soft_push(before, speed, bias, row[at + P_NORMAL_MASS + m], 1.0, 0.0)
+        row[at + P_NORMAL_IMPULSE + m] = after
+        row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + after
         apply_normal(m, at, after - before, row, scratch)
 
 
 def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest: float) -> None:
-    """Let points that met faster than `slowest`, m/s, and were pushed, part as restitution says."""
+    """Apply restitution to points that met faster than `slowest`, m/s, and have an impulse."""
     for m in range(LANES):
         speed = normal_speed(m, at, row, scratch)
-        before = row[at + P_NORMAL + m]
+        before = row[at + P_NORMAL_IMPULSE + m]
         meets = (
             (row[at + P_APPROACH + m] < -slowest)
-            & (row[at + P_TOTAL + m] > 0.0)
+            & (row[at + P_TOTAL_IMPULSE + m] > 0.0)
             & (row[R_RESTITUTION + m] > 0.0)
         )
         bounced = bouncing_push(
-            before, speed, row[at + P_APPROACH + m], row[R_RESTITUTION + m], row[at + P_MASS + m]
+            before,
+            speed,
+            row[at + P_APPROACH + m],
+            row[R_RESTITUTION + m],
+            row[at + P_NORMAL_MASS + m],
         )
         after = bounced if meets else before
-        row[at + P_NORMAL + m] = after
+        row[at + P_NORMAL_IMPULSE + m] = after
         row[bounce + m] = after - before
-        row[at + P_TOTAL + m] = row[at + P_TOTAL + m] + (after - before)
+        row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + (after - before)
         apply_normal(m, at, after - before, row, scratch)
 
 
 def some_closed(at: int, closed: int, least: float, row: Array) -> bool:
-    """Return whether some lane is pushed whose gap, or bounce, is more than the least."""
-    met = 0
+    """Return whether a lane with a normal impulse has a gap, or a bounce, above the least."""
+    closed_lanes = 0
     for m in range(LANES):
-        met += 1 if (row[closed + m] > least) & (row[at + P_NORMAL + m] > 0.0) else 0
-    return met > 0
+        closed_lanes += (
+            1 if (row[closed + m] > least) & (row[at + P_NORMAL_IMPULSE + m] > 0.0) else 0
+        )
+    return closed_lanes > 0
 
 
 def closed_friction_lanes(at: int, closed: int, least: float, row: Array, scratch: Array) -> None:
-    """Let friction act on what has met or bounced, up to its share of all of the push."""
+    """Correct the tangent impulses of points that have met or bounced in this substep."""
     for m in range(LANES):
         speed = tangent_speed(m, at, row, scratch)
-        before = row[at + P_TANGENT + m]
-        rubbed = limited_rub(
-            before, speed, row[at + P_SIDE_MASS + m], row[R_FRICTION + m], row[at + P_NORMAL + m]
+        before = row[at + P_TANGENT_IMPULSE + m]
+        limited = limited_rub(
+            before,
+            speed,
+            row[at + P_TANGENT_MASS + m],
+            row[R_FRICTION + m],
+            row[at + P_NORMAL_IMPULSE + m],
         )
-        met = (row[closed + m] > least) & (row[at + P_NORMAL + m] > 0.0)
-        after = rubbed if met else before
-        row[at + P_TANGENT + m] = after
+        met = (row[closed + m] > least) & (row[at + P_NORMAL_IMPULSE + m] > 0.0)
+        after = limited if met else before
+        row[at + P_TANGENT_IMPULSE + m] = after
         apply_tangent(m, at, after - before, row, scratch)
 
 
 def apply_closed_friction(
     lane: Integers, first: int, second: int, least: float, row: Array, scratch: Array
 ) -> None:
-    """Let friction act where a point's column, of gaps or bounces, is above the least, if any is."""
+    """Apply friction to points whose column, of gaps or bounces, is above the least, if any is."""
     two = lane[POINTS] == 2
-    if some_closed(FIRST, first, least, row) or (two and some_closed(SECOND, second, least, row)):
-        closed_friction_lanes(FIRST, first, least, row, scratch)
+    if some_closed(FIRST_POINT, first, least, row) or (
+        two and some_closed(SECOND_POINT, second, least, row)
+    ):
+        closed_friction_lanes(FIRST_POINT, first, least, row, scratch)
         if two:
-            closed_friction_lanes(SECOND, second, least, row, scratch)
+            closed_friction_lanes(SECOND_POINT, second, least, row, scratch)
 
 
 def warm_start(first: int, last: int, bodies: Bodies, constraints: Constraints) -> None:
-    """Apply the impulses of before."""
+    """Apply the impulses of the last substep to the bodies of some blocks."""
+    motion, scratch = bodies.motion, constraints.scratch
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
-        load_velocities(lane, bodies.motion, constraints.scratch)
-        warm_start_lanes(FIRST, row, constraints.scratch)
+        load_velocities(lane, motion, scratch)
+        warm_start_lanes(FIRST_POINT, row, scratch)
         if lane[POINTS] == 2:
-            warm_start_lanes(SECOND, row, constraints.scratch)
-        store_velocities(lane, bodies.motion, constraints.scratch)
+            warm_start_lanes(SECOND_POINT, row, scratch)
+        store_velocities(lane, motion, scratch)
 
 
 def solve_soft(
     first: int, last: int, bodies: Bodies, constraints: Constraints, substep: float
 ) -> None:
-    """Correct all impulses once, softly: friction first, so that pushes have the last word."""
+    """Solve soft constraints once: friction first, so that normal impulses have the last word."""
+    motion, scratch = bodies.motion, constraints.scratch
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
-        load_motions(lane, bodies.motion, constraints.scratch)
-        friction_lanes(FIRST, row, constraints.scratch)
+        load_motions(lane, motion, scratch)
+        friction_lanes(FIRST_POINT, row, scratch)
         if lane[POINTS] == 2:
-            friction_lanes(SECOND, row, constraints.scratch)
-        soft_lanes(FIRST, row, constraints.scratch, substep)
+            friction_lanes(SECOND_POINT, row, scratch)
+        soft_lanes(FIRST_POINT, row, scratch, substep)
         if lane[POINTS] == 2:
-            soft_lanes(SECOND, row, constraints.scratch, substep)
-        store_velocities(lane, bodies.motion, constraints.scratch)
+            soft_lanes(SECOND_POINT, row, scratch, substep)
+        store_velocities(lane, motion, scratch)
 
 
 def relax(first: int, last: int, bodies: Bodies, constraints: Constraints, substep: float) -> None:
-    """Correct all impulses once so that no softness is left in the velocities.
+    """Relax constraints once, so that no softness is left in the velocities.
 
-    What meets in this substep gets its push here, and so its friction after it.
+    Points that meet in this substep get their normal impulse here, and their friction after it.
     """
+    motion, scratch = bodies.motion, constraints.scratch
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
-        load_velocities(lane, bodies.motion, constraints.scratch)
-        friction_lanes(FIRST, row, constraints.scratch)
+        load_velocities(lane, motion, scratch)
+        friction_lanes(FIRST_POINT, row, scratch)
         if lane[POINTS] == 2:
-            friction_lanes(SECOND, row, constraints.scratch)
-        relax_lanes(FIRST, row, constraints.scratch, substep)
+            friction_lanes(SECOND_POINT, row, scratch)
+        relax_lanes(FIRST_POINT, row, scratch, substep)
         if lane[POINTS] == 2:
-            relax_lanes(SECOND, row, constraints.scratch, substep)
+            relax_lanes(SECOND_POINT, row, scratch, substep)
         apply_closed_friction(
-            lane, FIRST + P_GAP_NOW, SECOND + P_GAP_NOW, OPEN, row, constraints.scratch
+            lane, FIRST_POINT + P_GAP_NOW, SECOND_POINT + P_GAP_NOW, OPEN, row, scratch
         )
-        store_velocities(lane, bodies.motion, constraints.scratch)
+        store_velocities(lane, motion, scratch)
 
 
 def apply_restitution(
     first: int, last: int, bodies: Bodies, constraints: Constraints, slowest: float
 ) -> None:
-    """Let what has met part."""
+    """Apply restitution to the bodies of some blocks."""
+    motion, scratch = bodies.motion, constraints.scratch
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
-        load_velocities(lane, bodies.motion, constraints.scratch)
-        restitution_lanes(FIRST, FIRST_BOUNCE, row, constraints.scratch, slowest)
+        load_velocities(lane, motion, scratch)
+        restitution_lanes(FIRST_POINT, FIRST_RESTITUTION, row, scratch, slowest)
         if lane[POINTS] == 2:
-            restitution_lanes(SECOND, SECOND_BOUNCE, row, constraints.scratch, slowest)
-        apply_closed_friction(lane, FIRST_BOUNCE, SECOND_BOUNCE, 0.0, row, constraints.scratch)
-        store_velocities(lane, bodies.motion, constraints.scratch)
+            restitution_lanes(SECOND_POINT, SECOND_RESTITUTION, row, scratch, slowest)
+        apply_closed_friction(lane, FIRST_RESTITUTION, SECOND_RESTITUTION, 0.0, row, scratch)
+        store_velocities(lane, motion, scratch)

@@ -1,0 +1,139 @@
+"""Calming: islands with too much energy come nearer to moving as one (DD37).
+
+A free island comes nearer to its rigid motion, with its momentum and angular momentum, an island
+with a support to the motion of that. Cost: some visits to each body.
+"""
+
+from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
+from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_MORE, is_root, reference_at
+from tamias2d.engine.tables import (
+    ACTIVE,
+    ANGULAR_MOMENTUM,
+    CALM_FACTOR,
+    DYNAMIC,
+    ENERGY_BOUND,
+    ENERGY_KEPT,
+    ISLAND_MASS,
+    MOMENT_OF_INERTIA,
+    MOMENT_X,
+    MOMENT_Y,
+    MOMENTUM_X,
+    MOMENTUM_Y,
+    REFERENCE,
+    ROOT,
+    SPIN,
+    SUPPORT,
+    VX,
+    VY,
+    Bodies,
+    Constraints,
+    Islands,
+    Touching,
+    X,
+    Y,
+)
+from tamias2d.generated.definitions import (
+    angular_momentum,
+    kinetic_energy,
+    momentum,
+    point_velocity,
+)
+from tamias2d.generated.island_energy import (
+    angular_velocity_calmed,
+    angular_velocity_island,
+    calm_share,
+    inertia_island,
+    inertia_origin,
+    mass_moment,
+    position_island,
+    velocity_calmed,
+    velocity_island,
+    velocity_seen,
+)
+from tamias2d.state import Array
+
+
+def choose_islands_to_calm(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> bool:
+    """Choose the islands that still have too much energy; return whether there are any."""
+    some = False
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if is_root(i, bodies, islands):
+            row = islands.energy[i]
+            bounded = row[SUPPORT] != SUPPORTED_BY_MORE
+            much = bounded and row[ENERGY_KEPT] > row[ENERGY_BOUND] * (1.0 + GRACE)
+            row[CALM_FACTOR] = 0.0 if much else 1.0
+            some = some or much
+    return some
+
+
+def sum_island_motions(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> None:
+    """Find the rigid motion of the chosen islands, and how far they are calmed."""
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if is_root(i, bodies, islands):
+            for n in range(ISLAND_MASS, MOMENT_OF_INERTIA + 1):
+                islands.energy[i, n] = 0.0
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        row = islands.energy[islands.links[i, ROOT]]
+        if bodies.kind[i] == DYNAMIC and row[CALM_FACTOR] != 1.0 and row[SUPPORT] == FREE:
+            sum_body_motion(i, islands.links[i, ROOT], bodies, row)
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if is_root(i, bodies, islands) and islands.energy[i, CALM_FACTOR] != 1.0:
+            find_rigid_motion(islands.energy[i])
+
+
+def sum_body_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
+    """Add mass, momentum and moments of a body to those of its island, as seen from the root."""
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    now, pose, origin = bodies.motion[i], bodies.pose[i], bodies.pose[root]
+    place = (pose[X] - origin[X], pose[Y] - origin[Y])
+    velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
+    along, moment = momentum(mass, velocity), mass_moment(mass, place)
+    row[ISLAND_MASS] += mass
+    row[MOMENTUM_X] += along[0]
+    row[MOMENTUM_Y] += along[1]
+    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, now[SPIN])
+    row[MOMENT_X] += moment[0]
+    row[MOMENT_Y] += moment[1]
+    row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
+
+
+def find_rigid_motion(row: Array) -> None:
+    """Make the rigid motion of an island its reference; write the factor of all other motion."""
+    least = 0.0
+    if row[SUPPORT] == FREE:
+        mass = row[ISLAND_MASS]
+        place = position_island((row[MOMENT_X], row[MOMENT_Y]), mass)
+        velocity = velocity_island((row[MOMENTUM_X], row[MOMENTUM_Y]), mass)
+        inertia = inertia_island(row[MOMENT_OF_INERTIA], mass, place)
+        spin = 0.0
+        if inertia > 0.0:
+            spin = angular_velocity_island(row[ANGULAR_MOMENTUM], mass, place, velocity, inertia)
+        least = kinetic_energy(mass, velocity, inertia, spin)
+        by_x, by_y = point_velocity(velocity, spin, (-place[0], -place[1]))
+        row[REFERENCE] += by_x
+        row[REFERENCE + 1] += by_y
+        row[REFERENCE + 2] = spin
+    row[CALM_FACTOR] = 0.0
+    if row[ENERGY_BOUND] > least and row[ENERGY_KEPT] > least:
+        row[CALM_FACTOR] = calm_share(row[ENERGY_KEPT], row[ENERGY_BOUND], least)
+
+
+def calm(bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands) -> None:
+    """Scale the motion of bodies relative to the reference of their island."""
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if bodies.kind[i] == DYNAMIC:
+            factor = islands.energy[islands.links[i, ROOT], CALM_FACTOR]
+            if factor < 1.0:
+                velocity, spin = reference_at(i, bodies, islands)
+                now = bodies.motion[i]
+                now[VX], now[VY] = velocity_calmed((now[VX], now[VY]), velocity, factor)
+                now[SPIN] = angular_velocity_calmed(now[SPIN], spin, factor)

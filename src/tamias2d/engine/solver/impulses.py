@@ -1,0 +1,53 @@
+"""Impulses stored from blocks to manifolds: for the next step's warm start, and for users."""
+
+from tamias2d.engine.solver.blocks import lane_of, points_of
+from tamias2d.engine.tables import (
+    IS_TOUCHING,
+    NORMAL_IMPULSE,
+    P_NORMAL_IMPULSE,
+    P_TANGENT_IMPULSE,
+    P_TOTAL_IMPULSE,
+    POINT,
+    POINT_SIZE,
+    PX,
+    PY,
+    SHARED,
+    TANGENT_IMPULSE,
+    TOTAL_IMPULSE,
+    TOUCHES,
+    WORLD_POINT,
+    Bodies,
+    Constraints,
+    Contacts,
+    Touching,
+    X,
+    Y,
+)
+
+
+def store_impulses(
+    first: int,
+    last: int,
+    bodies: Bodies,
+    contacts: Contacts,
+    touching: Touching,
+    constraints: Constraints,
+) -> None:
+    """Store the impulses of touching contacts, which are listed by slabs, and where they acted.
+
+    A contact with an impulse touched.
+    """
+    for place in range(first, last):
+        k = touching.by_slab[place]
+        p, pose = touching.contact[k], bodies.pose[touching.body_a[k]]
+        b, m = lane_of(k, touching)
+        row, manifold = constraints.blocks[b], contacts.manifolds[p]
+        for n in range(points_of(k, touching)):
+            at, to = SHARED + n * POINT_SIZE + m, POINT * n
+            manifold[TOTAL_IMPULSE + to] = row[at + P_TOTAL_IMPULSE]
+            manifold[WORLD_POINT + to] = pose[X] + manifold[PX + to]
+            manifold[WORLD_POINT + to + 1] = pose[Y] + manifold[PY + to]
+            if row[at + P_TOTAL_IMPULSE] > 0.0:
+                contacts.flags[p, TOUCHES] |= IS_TOUCHING
+            manifold[NORMAL_IMPULSE + to] = row[at + P_NORMAL_IMPULSE]
+            manifold[TANGENT_IMPULSE + to] = row[at + P_TANGENT_IMPULSE]

@@ -1,0 +1,89 @@
+"""Velocities and positions of active bodies through a substep: forces, drag, and what contacts did.
+
+Cost: a visit to each body in each half of a substep.
+"""
+
+from tamias2d.engine.tables import (
+    ANGULAR,
+    CONTACT_CHANGE,
+    DANGLE,
+    DECAY,
+    DRAG_FACTOR,
+    DX,
+    DY,
+    DYNAMIC,
+    GAIN,
+    GRAVITY_X,
+    GRAVITY_Y,
+    INCREMENT,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    ONE_SUBSTEP,
+    PROPAGATOR,
+    SPIN,
+    STEP_START,
+    SUBSTEP_START,
+    VX,
+    VY,
+    Bodies,
+    Control,
+    Touching,
+)
+from tamias2d.generated.definitions import (
+    acceleration,
+    angular_acceleration,
+    pace_given,
+    pace_later,
+)
+from tamias2d.generated.soft_contact import shift_later, turn_later
+
+
+def begin_step(first: int, last: int, control: Control, bodies: Bodies, touching: Touching) -> None:
+    """Note velocities before the warm start, and what gravity, loads and drag do in a substep."""
+    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    for k in range(first, last):
+        i = touching.active_by_slab[k]
+        state, load, properties = bodies.substep_state[i], bodies.load[i], bodies.properties[i]
+        for n in range(3):
+            state[CONTACT_CHANGE + n], state[SUBSTEP_START + n] = 0.0, bodies.motion[i, n]
+            state[STEP_START + n] = bodies.motion[i, n]
+            state[DRAG_FACTOR + n], state[INCREMENT + n] = 1.0, 0.0
+        if bodies.kind[i] == DYNAMIC:
+            by_x, by_y = acceleration(gravity, (load[0], load[1]), properties[INVERSE_MASS])
+            turn = angular_acceleration(load[2], properties[INVERSE_INERTIA])
+            through = bodies.propagators[int(properties[PROPAGATOR])]
+            decay, gain = through[ONE_SUBSTEP + DECAY], through[ONE_SUBSTEP + GAIN]
+            state[DRAG_FACTOR] = state[DRAG_FACTOR + 1] = decay
+            state[INCREMENT], state[INCREMENT + 1] = pace_given(gain, by_x), pace_given(gain, by_y)
+            gain = through[ONE_SUBSTEP + ANGULAR + GAIN]
+            state[DRAG_FACTOR + 2] = through[ONE_SUBSTEP + ANGULAR + DECAY]
+            state[INCREMENT + 2] = pace_given(gain, turn)
+
+
+def apply_forces(again: bool, first: int, last: int, bodies: Bodies, touching: Touching) -> None:
+    """Let forces change velocities for a substep, and contacts as they have before.
+
+    The change by contacts so far is carried: impulses add up, so this is what a warm start of each
+    contact would do. In the first substep it is the warm start of the step, and bodies begin with
+    the velocities that were noted.
+    """
+    for k in range(first, last):
+        i = touching.active_by_slab[k]
+        state = bodies.substep_state[i]
+        for n in range(3):
+            state[CONTACT_CHANGE + n] += bodies.motion[i, n] - state[SUBSTEP_START + n]
+            before = bodies.motion[i, n] if again else state[SUBSTEP_START + n]
+            free = pace_later(state[DRAG_FACTOR + n], before, state[INCREMENT + n])
+            bodies.motion[i, n] = free + state[CONTACT_CHANGE + n]
+            state[SUBSTEP_START + n] = bodies.motion[i, n]
+
+
+def integrate_positions(
+    substep: float, first: int, last: int, bodies: Bodies, touching: Touching
+) -> None:
+    """Move bodies on for a substep, s."""
+    for k in range(first, last):
+        i = touching.active_by_slab[k]
+        now = bodies.motion[i]
+        now[DX], now[DY] = shift_later((now[DX], now[DY]), (now[VX], now[VY]), substep)
+        now[DANGLE] = turn_later(now[DANGLE], now[SPIN], substep)

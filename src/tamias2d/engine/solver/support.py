@@ -1,0 +1,98 @@
+"""The reference motion of islands: that of their support, or of their centre of mass.
+
+The energy of an island is measured as seen from its support, which may give any; an island whose
+supports move against each other has no bound. A free island is seen from its centre of mass as that
+moved when the step began: there, gravity does no work that contacts could take for theirs.
+"""
+
+from tamias2d.engine.tables import (
+    ACTIVE,
+    DYNAMIC,
+    INVERSE_MASS,
+    ISLAND_MASS,
+    MOMENTUM_X,
+    MOMENTUM_Y,
+    REFERENCE,
+    ROOT,
+    SPIN,
+    STEP_START,
+    SUPPORT,
+    TOUCHING,
+    VX,
+    VY,
+    Bodies,
+    Constraints,
+    Islands,
+    Touching,
+    X,
+    Y,
+)
+from tamias2d.generated.definitions import momentum, point_velocity
+from tamias2d.generated.island_energy import velocity_island
+from tamias2d.state import Vector
+
+ALIKE = 1e-9  # of their sizes: differences of velocities that are none
+
+FREE, SUPPORTED_BY_ONE, SUPPORTED_BY_MORE = 0.0, 1.0, 2.0  # motions that support an island
+
+
+def find_references(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> None:
+    """Write the reference motion of each island at its root."""
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if is_root(i, bodies, islands):
+            row = islands.energy[i]
+            row[SUPPORT] = FREE
+            row[ISLAND_MASS] = row[MOMENTUM_X] = row[MOMENTUM_Y] = 0.0
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if bodies.kind[i] == DYNAMIC:
+            row, state = islands.energy[islands.links[i, ROOT]], bodies.substep_state[i]
+            mass = 1.0 / bodies.properties[i, INVERSE_MASS]
+            x, y = momentum(mass, (state[STEP_START], state[STEP_START + 1]))
+            row[MOMENTUM_X] += x
+            row[MOMENTUM_Y] += y
+            row[ISLAND_MASS] += mass
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if is_root(i, bodies, islands):
+            row = islands.energy[i]
+            whole = (row[MOMENTUM_X], row[MOMENTUM_Y])
+            row[REFERENCE], row[REFERENCE + 1] = velocity_island(whole, row[ISLAND_MASS])
+            row[REFERENCE + 2] = 0.0
+    for k in range(touching.counts[TOUCHING]):
+        i, j = touching.body_a[k], touching.body_b[k]
+        if bodies.kind[i] != DYNAMIC:
+            i, j = j, i
+        if bodies.kind[j] != DYNAMIC:
+            support_island(j, islands.links[i, ROOT], bodies, islands)
+
+
+def is_root(i: int, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether a body is the root of an island."""
+    return bool(bodies.kind[i] == DYNAMIC and islands.links[i, ROOT] == i)
+
+
+def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
+    """Let an island be seen from a body that does not move freely."""
+    row, motion, spin = islands.energy[root], bodies.motion[j], bodies.motion[j, SPIN]
+    x, y = bodies.pose[root, X] - bodies.pose[j, X], bodies.pose[root, Y] - bodies.pose[j, Y]
+    by_x, by_y = point_velocity((motion[VX], motion[VY]), spin, (x, y))
+    if row[SUPPORT] == FREE:
+        row[SUPPORT] = SUPPORTED_BY_ONE
+        row[REFERENCE], row[REFERENCE + 1], row[REFERENCE + 2] = by_x, by_y, spin
+    apart = abs(row[REFERENCE] - by_x) + abs(row[REFERENCE + 1] - by_y)
+    speed = abs(by_x) + abs(by_y) + abs(motion[VX]) + abs(motion[VY])
+    if apart > ALIKE * speed or abs(row[REFERENCE + 2] - spin) > ALIKE * abs(spin):
+        row[SUPPORT] = SUPPORTED_BY_MORE
+
+
+def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
+    """Return the velocity, at a body, and the spin of the reference motion of its island."""
+    root = islands.links[i, ROOT]
+    row = islands.energy[root]
+    x, y = bodies.pose[i, X] - bodies.pose[root, X], bodies.pose[i, Y] - bodies.pose[root, Y]
+    spin = row[REFERENCE + 2]
+    return point_velocity((row[REFERENCE], row[REFERENCE + 1]), spin, (x, y)), spin
