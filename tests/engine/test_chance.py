@@ -11,6 +11,7 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import tamias2d as t2
+from tamias2d.engine.tables import INVERSE_INERTIA
 from tamias2d.state import Array
 
 ROUNDING = 1e-12
@@ -74,7 +75,7 @@ class Crowd:
             angular_velocity=rng.uniform(-chance.speed, chance.speed, chance.count),
             **self.surface,
         )
-        self.inertia = 1 / self.sim._world.body[self.bodies, 1]
+        self.inertia = 1 / self.sim._engine.world.state.properties[self.bodies, INVERSE_INERTIA]
 
     def wall_in(self) -> None:
         """Put the bodies into a box without a lid."""

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.engine.solver.prepare import CIRCLE, CYCLES, FIRMER
 from tamias2d.generated import soft_contact
 from tamias2d.scene import catalogue
 from tamias2d.simulator import Simulator
-from tamias2d.stepped.rows import CIRCLE, CYCLES, FIRMER
 
 GRAVITY = 9.81
 

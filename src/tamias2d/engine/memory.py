@@ -5,15 +5,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-CACHE_LINE = 64  # bytes
+LINE = 64  # bytes of a cache line
 
 
 def aligned_zeros(shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> NDArray[Any]:
     """Return zeros that begin at a cache line."""
     kind = np.dtype(dtype)
     size = int(np.prod(shape)) * kind.itemsize
-    unaligned = np.zeros(size + CACHE_LINE, dtype=np.uint8)
-    start = -unaligned.ctypes.data % CACHE_LINE
+    unaligned = np.zeros(size + LINE, dtype=np.uint8)
+    start = -unaligned.ctypes.data % LINE
     return unaligned[start : start + size].view(kind).reshape(shape)
 
 

@@ -91,7 +91,7 @@ def take_stage(stage: int, slab: int, substep: float, world: World, contacts: Co
 
 
 def bodies_of_stage(slab: int, constraints: Constraints) -> tuple[int, int]:
-    """Return the active bodies to take to a stage: those of the next slab; of slab 0 its own, too."""
+    """Return the active bodies to take to a stage: the next slab's; of slab 0 its own, too."""
     slabs = constraints.slabs
     first = slabs[slab + 1, S_BODY] if slab > 0 else 0
     return first, slabs[min(slab + 2, constraints.counts[SLABS]), S_BODY]
