@@ -133,7 +133,7 @@ def take_step(world: World) -> int:
 
 
 def find_moved(world: World) -> int:
-    """Wake islands that were changed, and turn vertices; return how many bodies left their bounds."""
+    """Wake islands that were changed; return how many bodies have left their bounds."""
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
