@@ -46,7 +46,7 @@ class Columns:
 
 @dataclass(frozen=True)
 class Sized:
-    """The length of an array along each axis: a number, or the name of a room in `world`."""
+    """The length of an array along each axis: a number, or the name of a capacity in `world`."""
 
     shape: tuple[int | str, ...]
 

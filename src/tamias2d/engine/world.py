@@ -16,7 +16,7 @@ from tamias2d.kernels.groups import array_type, fields_of, is_group
 
 @dataclass(frozen=True)
 class Rooms:
-    """For how many of what there is room; axes of the arrays follow from these numbers."""
+    """Capacities: the lengths of the axes of all arrays follow from these numbers."""
 
     slots: int = CHUNK  # one more than bodies, whole chunks
     shapes: int = 0

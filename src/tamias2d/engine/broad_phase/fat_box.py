@@ -33,7 +33,7 @@ from tamias2d.state import Array
 
 SPECULATIVE_MARGIN = 0.12  # of the bounding radius: how far around a shape others are known
 LONGER = 3.0  # than another shape: how long one is whose sides are tested, and not only its circle
-MOST_TURN = 2.0  # rad: a vertex that turns farther is nowhere farther from where it was
+MOST_DISPLACED = 2.0  # distances from the centre: a vertex that turns is displaced by no more
 
 
 def fatten_box(s: int, bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: BroadPhase) -> None:
@@ -53,7 +53,7 @@ def fatten_box(s: int, bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: 
     if bodies.kind[i] == DYNAMIC:
         margin += SPECULATIVE_MARGIN * bodies.properties[i, BOUNDING_RADIUS]
     if farthest > 0.0:
-        margin += min(bounds[ANGLE_MARGIN], MOST_TURN) * sqrt(farthest)
+        margin += min(bounds[ANGLE_MARGIN], MOST_DISPLACED) * sqrt(farthest)
     box[FAT], box[FAT + 2] = bounds[LOW_X] + low_x - margin, bounds[HIGH_X] + high_x + margin
     box[FAT + 1], box[FAT + 3] = bounds[LOW_Y] + low_y - margin, bounds[HIGH_Y] + high_y + margin
 

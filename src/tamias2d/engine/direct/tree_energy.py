@@ -74,9 +74,9 @@ def energy_without_contacts(n: int, constraints: Constraints, direct: Direct) ->
         mass, inertia = numbers[NODE_MASS], numbers[NODE_INERTIA]
         x, y = momentum(mass, (numbers[VELOCITY_START], numbers[VELOCITY_START + 1]))
         x, y = x + numbers[CHANGE], y + numbers[CHANGE + 1]
-        turn = angular_momentum_own(inertia, numbers[VELOCITY_START + 2]) + numbers[CHANGE + 2]
+        spinning = angular_momentum_own(inertia, numbers[VELOCITY_START + 2]) + numbers[CHANGE + 2]
         energy += linear_energy_start((x, y), mass) if mass > 0.0 else 0.0
-        energy += turning_energy_start(turn, inertia) if inertia > 0.0 else 0.0
+        energy += turning_energy_start(spinning, inertia) if inertia > 0.0 else 0.0
     return energy
 
 

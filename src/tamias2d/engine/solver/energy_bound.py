@@ -145,11 +145,11 @@ def sum_body_energy(i: int, velocity: Vector, spin: float, bodies: Bodies, row: 
     mass, inertia = mass_and_inertia(i, bodies.properties)
     then, now = bodies.substep_state[i], bodies.motion[i]
     seen = velocity_seen((then[STEP_START], then[STEP_START + 1]), velocity)
-    turn = angular_velocity_seen(then[STEP_START + 2], spin)
-    row[ENERGY_START] += kinetic_energy(mass, seen, inertia, turn)
+    spin_seen = angular_velocity_seen(then[STEP_START + 2], spin)
+    row[ENERGY_START] += kinetic_energy(mass, seen, inertia, spin_seen)
     seen = velocity_seen((now[VX], now[VY]), velocity)
-    turn = angular_velocity_seen(now[SPIN], spin)
-    row[ENERGY_AFTER] += kinetic_energy(mass, seen, inertia, turn)
+    spin_seen = angular_velocity_seen(now[SPIN], spin)
+    row[ENERGY_AFTER] += kinetic_energy(mass, seen, inertia, spin_seen)
 
 
 def sum_restitution_energy(
@@ -159,8 +159,8 @@ def sum_restitution_energy(
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, spin_before = bodies.motion[i], before[BEFORE_RESTITUTION + 2]
     was = velocity_seen((before[BEFORE_RESTITUTION], before[BEFORE_RESTITUTION + 1]), velocity)
-    turn = angular_velocity_seen(spin_before, spin)
-    row[ENERGY_BEFORE] += kinetic_energy(mass, was, inertia, turn)
+    spin_seen = angular_velocity_seen(spin_before, spin)
+    row[ENERGY_BEFORE] += kinetic_energy(mass, was, inertia, spin_seen)
     change = velocity_seen(velocity_seen((now[VX], now[VY]), velocity), was)
     row[ENERGY_OF_CHANGE] += kinetic_energy(mass, change, inertia, now[SPIN] - spin_before)
 

@@ -50,14 +50,14 @@ def begin_step(first: int, last: int, control: Control, bodies: Bodies, touching
             state[DRAG_FACTOR + n], state[INCREMENT + n] = 1.0, 0.0
         if bodies.kind[i] == DYNAMIC:
             by_x, by_y = acceleration(gravity, (load[0], load[1]), properties[INVERSE_MASS])
-            turn = angular_acceleration(load[2], properties[INVERSE_INERTIA])
+            by_angle = angular_acceleration(load[2], properties[INVERSE_INERTIA])
             through = bodies.propagators[int(properties[PROPAGATOR])]
             decay, gain = through[ONE_SUBSTEP + DECAY], through[ONE_SUBSTEP + GAIN]
             state[DRAG_FACTOR] = state[DRAG_FACTOR + 1] = decay
             state[INCREMENT], state[INCREMENT + 1] = pace_given(gain, by_x), pace_given(gain, by_y)
             gain = through[ONE_SUBSTEP + ANGULAR + GAIN]
             state[DRAG_FACTOR + 2] = through[ONE_SUBSTEP + ANGULAR + DECAY]
-            state[INCREMENT + 2] = pace_given(gain, turn)
+            state[INCREMENT + 2] = pace_given(gain, by_angle)
 
 
 def apply_forces(again: bool, first: int, last: int, bodies: Bodies, touching: Touching) -> None:
