@@ -19,7 +19,8 @@ Source: Mirtich, Impulse-based dynamic simulation (1996), with bounds of second 
 from math import cos, sin, sqrt
 
 from tamias2d.engine.narrow_phase.clip import TINY
-from tamias2d.engine.narrow_phase.manifold import touch_pair
+from tamias2d.engine.narrow_phase.collide import collide_cores
+from tamias2d.engine.narrow_phase.core import Core
 from tamias2d.engine.tables import GAP, HALF_PLANE, NX, NY, POINT, Events, Shapes
 from tamias2d.state import Array
 
@@ -87,18 +88,12 @@ def time_of_impact(
         x, y = delta_x + at * move_x, delta_y + at * move_y
         place_vertices(first_a, count_a, turn_a * at, plane, shapes.world_vertices, 0, rows)
         place_vertices(first_b, count_b, turn_b * at, False, shapes.world_vertices, count_a, rows)
-        _, second = touch_pair(
+        _, second = collide_cores(
             row,
-            int(shapes.kind[a]),
-            int(shapes.kind[b]),
-            0,
-            count_a,
-            count_a,
-            count_b,
+            Core(int(shapes.kind[a]), 0, count_a, radius_a, 0.0),
+            Core(int(shapes.kind[b]), count_a, count_b, radius_b, 0.0),
             x,
             y,
-            radius_a,
-            radius_b,
             WIDE,
             rows,
         )

@@ -12,7 +12,8 @@ from tamias2d.engine.continuous.conservative_advancement import (
 )
 from tamias2d.engine.continuous.event_queue import update_event
 from tamias2d.engine.continuous.impact import contact_point, path_speed_along, seen_from_b
-from tamias2d.engine.narrow_phase.manifold import touch_pair
+from tamias2d.engine.narrow_phase.collide import collide_cores
+from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.tables import (
     ANGLE,
     CONTACT_OF_BODY,
@@ -193,21 +194,7 @@ def manifold_at(
     x = bodies.pose[j, X] - bodies.pose[i, X] + now * (bodies.motion[j, DX] - bodies.motion[i, DX])
     y = bodies.pose[j, Y] - bodies.pose[i, Y] + now * (bodies.motion[j, DY] - bodies.motion[i, DY])
     row = events.scratch[0]
-    _, second = touch_pair(
-        row,
-        int(shapes.kind[s]),
-        int(shapes.kind[t]),
-        int(shapes.first[s]),
-        int(shapes.count[s]),
-        int(shapes.first[t]),
-        int(shapes.count[t]),
-        x,
-        y,
-        float(shapes.radius[s]),
-        float(shapes.radius[t]),
-        WIDE,
-        shapes.world_vertices,
-    )
+    _, second = collide_cores(row, core_of(s, shapes), core_of(t, shapes), x, y, WIDE, shapes.world_vertices)
     if second == 0:
         row[GAP + POINT] = WIDE
     return min(row[GAP], row[GAP + POINT])
