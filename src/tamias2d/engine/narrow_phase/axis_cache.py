@@ -36,9 +36,7 @@ class RelativePose(NamedTuple):
     sine: float
 
 
-def relative_pose(
-    first_a: int, first_b: int, x: float, y: float, vertices: Array
-) -> RelativePose:
+def relative_pose(first_a: int, first_b: int, x: float, y: float, vertices: Array) -> RelativePose:
     """Return the pose of B, which is at (x, y) from A, m, by their first sides."""
     ax, ay = vertices[first_a, 2], vertices[first_a, 3]
     bx, by = vertices[first_b, 2], vertices[first_b, 3]

@@ -51,9 +51,7 @@ def collide(
     a, b = core_of(s, shapes), core_of(t, shapes)
     dx, dy = float(x), float(y)
     if a.count > 1 and b.count > 1:
-        first, second = collide_cached(
-            manifold, flags, a, b, dx, dy, margin, shapes.world_vertices
-        )
+        first, second = collide_cached(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
     else:
         first, second = collide_cores(manifold, a, b, dx, dy, margin, shapes.world_vertices)
     return match_impulses(manifold, flags, first, second)

@@ -31,7 +31,9 @@ def collide_half_plane(
     manifold[NX], manifold[NY] = (-nx, -ny) if swapped else (nx, ny)
     if swapped:
         x, y = 0.0, 0.0
-    write_vertex_point(manifold, 0, q.first + lowest, x, y, base + height, q.radius, vertices, plane)
+    write_vertex_point(
+        manifold, 0, q.first + lowest, x, y, base + height, q.radius, vertices, plane
+    )
     first = 1 + (lowest * FEATURES if swapped else lowest)
     if q.count == 1:
         return first, 0

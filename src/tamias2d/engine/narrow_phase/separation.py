@@ -126,9 +126,7 @@ def best_side(
     return Best(separation, side, vertex, following)
 
 
-def separation_along(
-    side: int, q: Core, x: float, y: float, vertices: Array
-) -> tuple[float, int]:
+def separation_along(side: int, q: Core, x: float, y: float, vertices: Array) -> tuple[float, int]:
     """Return the separation of Q along a side of P, m, and the vertex of Q that is nearest."""
     nx, ny = vertices[side, 2], vertices[side, 3]
     low = NOTHING
