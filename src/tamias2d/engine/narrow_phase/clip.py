@@ -122,7 +122,7 @@ def facing_sides(
 
 
 def common_part(facing: Facing) -> tuple[float, float]:
-    """Return from where to where on the reference side both sides are, m; none if it is negative."""
+    """Return from where to where both sides are along the reference side, m; there may be none."""
     low = facing.along2 if facing.along2 > 0.0 else 0.0
     high = facing.along1 if facing.along1 < facing.length else facing.length
     return low, high

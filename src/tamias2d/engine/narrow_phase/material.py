@@ -34,14 +34,14 @@ def override_of(s: int, t: int, overrides: Array) -> int:
 
 
 def mixed_friction(first: float, second: float) -> float:
-    """Return the friction of two surfaces. Where one states none, -1, that of the other counts."""
+    """Return the friction of two surfaces. Where one states none, -1, the other's counts."""
     if first < 0.0 or second < 0.0:
         return max(first, second, 0.0)
     return pair_friction(first, second)
 
 
 def mixed_restitution(first: float, second: float) -> float:
-    """Return the restitution of two surfaces. Where one states none, -1, that of the other counts."""
+    """Return the restitution of two surfaces. Where one states none, -1, the other's counts."""
     if first < 0.0 or second < 0.0:
         return max(first, second, 0.0)
     return pair_restitution(first, second)

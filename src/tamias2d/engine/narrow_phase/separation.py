@@ -154,7 +154,7 @@ def side_separation(
 
 
 def inner_radius(p: Core, vertices: Array) -> float:
-    """Return the least distance of a side from the body's centre, m; negative if that is outside."""
+    """Return the least distance of a side from the body's centre, m; negative if outside."""
     near = NOTHING
     for k in range(p.first, p.first + p.count):
         near = min(near, vertices[k, 0] * vertices[k, 2] + vertices[k, 1] * vertices[k, 3])
