@@ -44,10 +44,10 @@ def advance(s: int, t: int, path: RelativePath, shapes: Shapes, events: Events) 
     p, q, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
     plane = p.kind == HALF_PLANE
     lever_a = 0.0 if plane else vertex_radius(p, vertices)
-    a = Sweep(0, 0 if plane else p.count, path.turn_a, lever_a)
-    b = Sweep(p.count, q.count, path.turn_b, vertex_radius(q, vertices))
-    placed_a = Core(p.kind, 0, p.count, p.radius, 0.0)
-    placed_b = Core(q.kind, p.count, q.count, q.radius, 0.0)
+    a = Sweep(0, 0 if plane else p.vertex_count, path.turn_a, lever_a)
+    b = Sweep(p.vertex_count, q.vertex_count, path.turn_b, vertex_radius(q, vertices))
+    placed_a = Core(p.kind, 0, p.vertex_count, p.radius, 0.0)
+    placed_b = Core(q.kind, p.vertex_count, q.vertex_count, q.radius, 0.0)
     near = NEAR * smaller_extent(p, q, vertices)
     reach = (a.lever + p.radius + b.lever + q.radius) * WIDER + near
     at, last = near_interval(p, path, reach, vertices)
@@ -58,7 +58,7 @@ def advance(s: int, t: int, path: RelativePath, shapes: Shapes, events: Events) 
             return MISSED
         x, y = path.x + at * path.dx, path.y + at * path.dy
         place_vertices(p, path.turn_a * at, vertices, 0, rows)
-        place_vertices(q, path.turn_b * at, vertices, p.count, rows)
+        place_vertices(q, path.turn_b * at, vertices, p.vertex_count, rows)
         gap = measure_gap(manifold, placed_a, placed_b, x, y, rows)
         if at == 0.0 and gap <= near:
             least = gap - near
@@ -89,7 +89,7 @@ def place_vertices(p: Core, turn: float, vertices: Array, to: int, rows: Array) 
     """
     c, d = cos(turn), sin(turn)
     fixed = p.kind == HALF_PLANE
-    for k in range(p.count):
+    for k in range(p.vertex_count):
         v = p.first + k
         x, y, nx, ny = vertices[v, 0], vertices[v, 1], vertices[v, 2], vertices[v, 3]
         rows[to + k, 0] = x if fixed else c * x - d * y
@@ -100,7 +100,7 @@ def place_vertices(p: Core, turn: float, vertices: Array, to: int, rows: Array) 
 def vertex_radius(p: Core, vertices: Array) -> float:
     """Return the distance of the farthest vertex from the body's centre, m."""
     far = 0.0
-    for k in range(p.first, p.first + p.count):
+    for k in range(p.first, p.first + p.vertex_count):
         far = max(far, vertices[k, 0] * vertices[k, 0] + vertices[k, 1] * vertices[k, 1])
     return sqrt(far)
 
@@ -116,7 +116,7 @@ def smaller_extent(p: Core, q: Core, vertices: Array) -> float:
 def extent_of(p: Core, vertices: Array) -> float:
     """Return half of the distance of the first vertex from the farthest one, m."""
     far = 0.0
-    for k in range(p.first + 1, p.first + p.count):
+    for k in range(p.first + 1, p.first + p.vertex_count):
         x, y = vertices[k, 0] - vertices[p.first, 0], vertices[k, 1] - vertices[p.first, 1]
         far = max(far, x * x + y * y)
     return 0.5 * sqrt(far)

@@ -29,7 +29,7 @@ class Sweep(NamedTuple):
     """A core that turns through a step."""
 
     first: int  # row of its first vertex
-    count: int  # of vertices; 0 for a half-plane, whose offset is in the first row
+    vertex_count: int  # 0 for a half-plane, whose offset is in the first row
     turn: float  # in the whole step, rad
     lever: float  # distance of its farthest vertex from the body's centre, m
 
@@ -68,15 +68,15 @@ def safe_advance(
     rate = nx * path.dx + ny * path.dy
     curvature_a, curvature_b = a.turn * a.turn * a.lever, b.turn * b.turn * b.lever
     turn_b = b.turn
-    if a.count == 0 and a.turn != 0.0:
+    if a.vertex_count == 0 and a.turn != 0.0:
         turn_b -= a.turn
         rate += a.turn * (nx * y - ny * x)
         curvature_a = half_plane_curvature(a.turn, b, x, y, path, rest)
-    base = nx * x + ny * y - radii - (rows[0, 0] if a.count == 0 else 0.0)
+    base = nx * x + ny * y - radii - (rows[0, 0] if a.vertex_count == 0 else 0.0)
     free = 0.0
     for choice in range(4):
         disc_a, disc_b = choice % 2 == 1, choice >= 2
-        if disc_a and (a.count == 0 or abs(a.turn) * rest < 1.0):
+        if disc_a and (a.vertex_count == 0 or abs(a.turn) * rest < 1.0):
             continue
         if disc_b and abs(b.turn) * rest < 1.0:
             continue
@@ -88,9 +88,9 @@ def safe_advance(
             (0.0 if disc_a else curvature_a) + (0.0 if disc_b else curvature_b),
             a.turn,
             turn_b,
-            0 if disc_a else a.count,
+            0 if disc_a else a.vertex_count,
             b.first,
-            0 if disc_b else b.count,
+            0 if disc_b else b.vertex_count,
         )
         free = max(free, fraction_below_root(bound, rest, rows))
         if free >= rest:

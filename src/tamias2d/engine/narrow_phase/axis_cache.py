@@ -142,9 +142,9 @@ def cache_axis(
 def largest_lever(a: Core, b: Core, x: float, y: float, vertices: Array) -> float:
     """Return the largest distance of a vertex of B from its centre, or of A from either, m."""
     far = 0.0
-    for k in range(b.first, b.first + b.count):
+    for k in range(b.first, b.first + b.vertex_count):
         far = max(far, vertices[k, 0] * vertices[k, 0] + vertices[k, 1] * vertices[k, 1])
-    for k in range(a.first, a.first + a.count):
+    for k in range(a.first, a.first + a.vertex_count):
         vx, vy = vertices[k, 0], vertices[k, 1]
         far = max(far, vx * vx + vy * vy, (vx - x) * (vx - x) + (vy - y) * (vy - y))
     return sqrt(far)

@@ -79,14 +79,16 @@ def clip_sides(
     Q's centre is at (x, y) from P's, m; `swapped` says that P is B. Returns the features of the
     points, 0 for one whose gap is not below the margin, m.
     """
-    end_p, end_q = next_vertex(side_p, p.count), next_vertex(side_q, q.count)
+    end_p, end_q = next_vertex(side_p, p.vertex_count), next_vertex(side_q, q.vertex_count)
     facing = facing_sides(
         p.first + side_p, p.first + end_p, q.first + side_q, q.first + end_q, x, y, swapped,
         vertices,
     )  # fmt: skip
     separation = facing.gap1 if facing.gap1 < facing.gap2 else facing.gap2
     low, high = common_part(facing)
-    if separation >= 0.0 or (p.count == 2 and q.count == 2):  # segments have no sides at their ends
+    if separation >= 0.0 or (
+        p.vertex_count == 2 and q.vertex_count == 2
+    ):  # segments have no sides at their ends
         which = nearest_vertices(facing)
         if which > 0 and (separation >= 0.0 or high < low):
             vertex_p, vertex_q = end_p if which > 2 else side_p, side_q

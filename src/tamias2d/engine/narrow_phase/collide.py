@@ -50,7 +50,7 @@ def collide(
     manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
     a, b = core_of(s, shapes), core_of(t, shapes)
     dx, dy = float(x), float(y)
-    if a.count > 1 and b.count > 1:
+    if a.vertex_count > 1 and b.vertex_count > 1:
         first, second = collide_cached(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
     else:
         first, second = collide_cores(manifold, a, b, dx, dy, margin, shapes.world_vertices)
@@ -70,11 +70,11 @@ def collide_cores(
         return collide_half_plane(manifold, a.first, b, x, y, margin, False, vertices)
     if b.kind == HALF_PLANE:
         return collide_half_plane(manifold, b.first, a, -x, -y, margin, True, vertices)
-    if a.count > 1:
-        if b.count > 1:
+    if a.vertex_count > 1:
+        if b.vertex_count > 1:
             return collide_polygons(manifold, a, b, x, y, margin, vertices)
         return collide_disc(manifold, a, b, x, y, margin, False, vertices), 0
-    if b.count > 1:
+    if b.vertex_count > 1:
         return collide_disc(manifold, b, a, -x, -y, margin, True, vertices), 0
     return collide_discs(manifold, a, b, x, y, margin, vertices), 0
 

@@ -10,7 +10,7 @@ class Core(NamedTuple):
 
     kind: int
     first: int  # vertex
-    count: int  # of vertices
+    vertex_count: int
     radius: float  # m
     inradius: float  # least distance of a side from the body's centre, m; negative if outside
 

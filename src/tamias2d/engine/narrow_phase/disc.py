@@ -63,7 +63,7 @@ def side_below(p: Core, x: float, y: float, vertices: Array) -> tuple[int, float
     """Return the side that a point is farthest in front of, and how far, m."""
     best = -1e308
     side = 0
-    for k in range(p.count):
+    for k in range(p.vertex_count):
         v = p.first + k
         height = vertices[v, 2] * (x - vertices[v, 0]) + vertices[v, 3] * (y - vertices[v, 1])
         if height > best:
@@ -76,7 +76,7 @@ def nearest_feature(
     p: Core, side: int, separation: float, x: float, y: float, vertices: Array
 ) -> tuple[float, float, float]:
     """Return the distance of a point from a side or its nearer vertex, m, and the normal there."""
-    v, w = p.first + side, p.first + next_vertex(side, p.count)
+    v, w = p.first + side, p.first + next_vertex(side, p.vertex_count)
     nx, ny = vertices[v, 2], vertices[v, 3]
     vx, vy = vertices[v, 0], vertices[v, 1]
     length = nx * (vertices[w, 1] - vy) - ny * (vertices[w, 0] - vx)

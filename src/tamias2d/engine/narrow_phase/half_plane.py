@@ -35,11 +35,11 @@ def collide_half_plane(
         manifold, 0, q.first + lowest, x, y, base + height, q.radius, vertices, plane
     )
     first = 1 + (lowest * FEATURES if swapped else lowest)
-    if q.count == 1:
+    if q.vertex_count == 1:
         return first, 0
     other = incident_side(q, lowest, nx, ny, vertices)
     if other == lowest:
-        other = next_vertex(lowest, q.count)
+        other = next_vertex(lowest, q.vertex_count)
     height = nx * vertices[q.first + other, 0] + ny * vertices[q.first + other, 1]
     if base + height >= margin:
         return first, 0
@@ -53,7 +53,7 @@ def lowest_vertex(q: Core, nx: float, ny: float, vertices: Array) -> tuple[int, 
     """Return the vertex that is least far along a direction, and how far, m."""
     lowest = 0
     least = 1e308
-    for k in range(q.count):
+    for k in range(q.vertex_count):
         height = nx * vertices[q.first + k, 0] + ny * vertices[q.first + k, 1]
         if height < least:
             least = height

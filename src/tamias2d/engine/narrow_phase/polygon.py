@@ -90,8 +90,8 @@ def collide_polygons(
 
     Inradii are measured, to the last bit those of the vertices as they are turned.
     """
-    one = Core(a.kind, a.first, a.count, a.radius, inner_radius(a, vertices))
-    other = Core(b.kind, b.first, b.count, b.radius, inner_radius(b, vertices))
+    one = Core(a.kind, a.first, a.vertex_count, a.radius, inner_radius(a, vertices))
+    other = Core(b.kind, b.first, b.vertex_count, b.radius, inner_radius(b, vertices))
     guess_a, guess_b = foremost_side(a, x, y, vertices), foremost_side(b, -x, -y, vertices)
     cutoff = margin + a.radius + b.radius
     axis = find_axis(one, guess_a, other, guess_b, x, y, cutoff, vertices)

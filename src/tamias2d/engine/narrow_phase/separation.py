@@ -42,7 +42,7 @@ def foremost_side(p: Core, x: float, y: float, vertices: Array) -> int:
     """Return the side that a point is farthest in front of, m from the body's centre."""
     side = 0
     most = -NOTHING
-    for k in range(p.count):
+    for k in range(p.vertex_count):
         height = height_over(p.first + k, x, y, vertices)
         side = k if height > most else side
         most = max(most, height)
@@ -108,7 +108,7 @@ def best_side(
     """
     separation, side, vertex = start.separation, start.side, start.vertex
     following = -NOTHING
-    for i in range(p.count):
+    for i in range(p.vertex_count):
         if i == guess:
             continue
         bound = height_over(p.first + i, x, y, vertices) - q.inradius
@@ -131,7 +131,7 @@ def separation_along(side: int, q: Core, x: float, y: float, vertices: Array) ->
     nx, ny = vertices[side, 2], vertices[side, 3]
     low = NOTHING
     nearest = 0
-    for j in range(q.count):
+    for j in range(q.vertex_count):
         height = nx * vertices[q.first + j, 0] + ny * vertices[q.first + j, 1]
         nearest = j if height < low else nearest
         low = min(low, height)
@@ -143,7 +143,7 @@ def side_separation(
 ) -> float:
     """Return the distance of the nearer end of a side of Q from the line of a side of P, m."""
     v = p.first + side_p
-    end1, end2 = q.first + side_q, q.first + next_vertex(side_q, q.count)
+    end1, end2 = q.first + side_q, q.first + next_vertex(side_q, q.vertex_count)
     nx, ny = vertices[v, 2], vertices[v, 3]
     low = min(
         nx * vertices[end1, 0] + ny * vertices[end1, 1],
@@ -156,14 +156,14 @@ def side_separation(
 def inner_radius(p: Core, vertices: Array) -> float:
     """Return the least distance of a side from the body's centre, m; negative if outside."""
     near = NOTHING
-    for k in range(p.first, p.first + p.count):
+    for k in range(p.first, p.first + p.vertex_count):
         near = min(near, vertices[k, 0] * vertices[k, 2] + vertices[k, 1] * vertices[k, 3])
     return near if near >= 0.0 else -NOTHING
 
 
 def incident_side(q: Core, vertex: int, nx: float, ny: float, vertices: Array) -> int:
     """Return which of the two sides at a vertex faces more against a direction."""
-    before = vertex - 1 if vertex > 0 else q.count - 1
+    before = vertex - 1 if vertex > 0 else q.vertex_count - 1
     here = nx * vertices[q.first + vertex, 2] + ny * vertices[q.first + vertex, 3]
     other = nx * vertices[q.first + before, 2] + ny * vertices[q.first + before, 3]
     return before if other < here else vertex
@@ -204,15 +204,15 @@ def incident_slack(
     the lever: a turn by a chord changes it by no more than twice that.
     """
     nx, ny = vertices[reference, 2], vertices[reference, 3]
-    following = next_vertex(side, q.count)
-    before = side - 1 if side > 0 else q.count - 1
+    following = next_vertex(side, q.vertex_count)
+    before = side - 1 if side > 0 else q.vertex_count - 1
     here = nx * vertices[q.first + side, 2] + ny * vertices[q.first + side, 3]
     beside = min(
         nx * vertices[q.first + before, 2] + ny * vertices[q.first + before, 3],
         nx * vertices[q.first + following, 2] + ny * vertices[q.first + following, 3],
     )
     near = far = NOTHING
-    for k in range(q.count):
+    for k in range(q.vertex_count):
         height = nx * vertices[q.first + k, 0] + ny * vertices[q.first + k, 1]
         if k in (side, following):
             near = min(near, height)
