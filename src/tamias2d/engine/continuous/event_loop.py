@@ -103,7 +103,7 @@ def solve_continuous(
             p, frozen = event - body_count, impacts_left <= 0
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
-            if not meet(p, now, frozen, control, bodies, shapes, contacts, events):
+            if not handle_meeting(p, now, frozen, control, bodies, shapes, contacts, events):
                 update_event(event, event_count, events.times, events.queue)
                 continue
         for one, other in ((i, -1), (j, i if bodies.kind[i] == DYNAMIC else -1)):
@@ -131,7 +131,7 @@ def begin_continuous(control: Control, bodies: Bodies) -> None:
         flight[SUPPORTED] = 1.0 if falls and held and bodies.kind[i] == DYNAMIC else 0.0
 
 
-def meet(
+def handle_meeting(
     p: int,
     now: float,
     frozen: bool,
@@ -179,11 +179,11 @@ def resolve_impact(
     manifold_at(s, t, now, bodies, shapes, events)
     manifold = events.scratch[0]
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
-    push = rebound(i, j, now, friction, restitution, control, bodies, manifold)
-    if push < 0.0:
+    impulse = rebound(i, j, now, friction, restitution, control, bodies, manifold)
+    if impulse < 0.0:
         return False
-    if push > 0.0:
+    if impulse > 0.0:
         recorded, flags = contacts.manifolds[p], contacts.flags[p]
-        record_impact(push, i, now, sense, bodies, manifold, recorded, flags)
+        record_impact(impulse, i, now, sense, bodies, manifold, recorded, flags)
     bodies.flight[i, REDIRECTED] = bodies.flight[j, REDIRECTED] = 1.0
     return True

@@ -99,11 +99,11 @@ def rebound(
     spin = bodies.motion[wall, SPIN]
     before = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     before -= work_ahead(k, left, control, bodies)
-    push = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+    impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
     after = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     after -= work_ahead(k, left, control, bodies)
     take_energy_back(k, after - before, support, spin, bodies.motion, bodies.properties)
-    return push
+    return impulse
 
 
 def apply_impact(
@@ -122,21 +122,21 @@ def apply_impact(
     """
     line = normal_line(i, j, now, manifold, bodies)
     supported = bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0
-    push = push_apart(line, now, time_step, supported, restitution, bodies)
-    if push < 0.0:
-        return push
-    push = hold_together(push, line, now, time_step, bodies)
+    impulse = stop_and_rebound(line, now, time_step, supported, restitution, bodies)
+    if impulse < 0.0:
+        return impulse
+    impulse = hold_together(impulse, line, now, time_step, bodies)
     if friction > 0.0:
         tangent = ImpulseLine(i, j, line.at_a, line.at_b, (-manifold[NY], manifold[NX]))
         left = 0.0 if supported else 1.0 - now
         speed = speed_along(tangent, left, bodies.motion, bodies.flight)
         mass = mass_along(tangent, bodies.properties)
-        rub = limited_rub(0.0, speed, mass, friction, push)
-        change_velocities_and_paths(tangent, now, time_step, rub, bodies)
-    return push
+        friction_impulse = limited_rub(0.0, speed, mass, friction, impulse)
+        change_velocities_and_paths(tangent, now, time_step, friction_impulse, bodies)
+    return impulse
 
 
-def push_apart(
+def stop_and_rebound(
     line: ImpulseLine,
     now: float,
     time_step: float,
@@ -156,18 +156,18 @@ def push_apart(
     if before >= 0.0 and rate >= 0.0:
         return -1.0
     if supported:
-        back = bouncing_push(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
-        push = max(-mass * before, 0.0) + back
-        change_velocities(line, push, bodies.motion, bodies.properties)
-        change_paths(line, now, (max(-mass * rate, 0.0) + back) * time_step, bodies)
-        return push
-    push = bouncing_push(0.0, before, before, restitution, mass) if before < 0.0 else 0.0
-    change_velocities_and_paths(line, now, time_step, push, bodies)
-    return push
+        bounce = bouncing_push(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
+        impulse = max(-mass * before, 0.0) + bounce
+        change_velocities(line, impulse, bodies.motion, bodies.properties)
+        change_paths(line, now, (max(-mass * rate, 0.0) + bounce) * time_step, bodies)
+        return impulse
+    impulse = bouncing_push(0.0, before, before, restitution, mass) if before < 0.0 else 0.0
+    change_velocities_and_paths(line, now, time_step, impulse, bodies)
+    return impulse
 
 
 def hold_together(
-    push: float, line: ImpulseLine, now: float, time_step: float, bodies: Bodies
+    impulse: float, line: ImpulseLine, now: float, time_step: float, bodies: Bodies
 ) -> float:
     """Let bodies stay together that forces press together again in the rest of the step.
 
@@ -175,17 +175,17 @@ def hold_together(
     """
     rate = path_speed_along(line, time_step, bodies.motion)
     if not rate < 0.0:
-        return push
+        return impulse
     mass = mass_along(line, bodies.properties)
     change_paths(line, now, -mass * rate * time_step, bodies)
     after = speed_along(line, 0.0, bodies.motion, bodies.flight)
     held = max(-mass * after, 0.0)
     change_velocities(line, held, bodies.motion, bodies.properties)
-    return push + held
+    return impulse + held
 
 
 def record_impact(
-    push: float,
+    impulse: float,
     i: int,
     now: float,
     sense: float,
@@ -196,10 +196,10 @@ def record_impact(
 ) -> None:
     """Add an impact to what is told of a contact in this step, at the place of the first one."""
     if flags[TOUCHES] & IS_TOUCHING:
-        recorded[TOTAL_IMPULSE] += push
+        recorded[TOTAL_IMPULSE] += impulse
         return
     flags[TOUCHES] |= IS_TOUCHING
-    recorded[TOTAL_IMPULSE] = push
+    recorded[TOTAL_IMPULSE] = impulse
     if flags[POINT_COUNT] == 0:
         pose, motion = bodies.pose, bodies.motion
         x, y = contact_point(manifold)

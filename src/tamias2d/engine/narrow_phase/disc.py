@@ -83,8 +83,8 @@ def nearest_feature(
     along = nx * (y - vy) - ny * (x - vx)
     distance = separation
     if separation >= 0.0 and (along < 0.0 or along > length):
-        corner = v if along < 0.0 else w
-        dx, dy = x - vertices[corner, 0], y - vertices[corner, 1]
+        vertex = v if along < 0.0 else w
+        dx, dy = x - vertices[vertex, 0], y - vertices[vertex, 1]
         square = dx * dx + dy * dy
         distance = sqrt(square)
         if square > TINY:

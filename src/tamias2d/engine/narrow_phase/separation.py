@@ -16,7 +16,7 @@ from tamias2d.state import Array
 
 # states of an axis: the shapes are apart along it; whose side is the reference side
 SEPARATED, REFERENCE_A, REFERENCE_B, EITHER_IS_REFERENCE = 1, 2, 3, 4
-NOTHING = 1e308
+INFINITE = 1e308
 
 
 class Axis(NamedTuple):
@@ -41,7 +41,7 @@ class Best(NamedTuple):
 def foremost_side(p: Core, x: float, y: float, vertices: Array) -> int:
     """Return the side that a point is farthest in front of, m from the body's centre."""
     side = 0
-    most = -NOTHING
+    most = -INFINITE
     for k in range(p.vertex_count):
         height = height_over(p.first + k, x, y, vertices)
         side = k if height > most else side
@@ -107,7 +107,7 @@ def best_side(
     measured, and this bound counts as theirs. The search ends at the cutoff, m.
     """
     separation, side, vertex = start.separation, start.side, start.vertex
-    following = -NOTHING
+    following = -INFINITE
     for i in range(p.vertex_count):
         if i == guess:
             continue
@@ -129,7 +129,7 @@ def best_side(
 def separation_along(side: int, q: Core, x: float, y: float, vertices: Array) -> tuple[float, int]:
     """Return the separation of Q along a side of P, m, and the vertex of Q that is nearest."""
     nx, ny = vertices[side, 2], vertices[side, 3]
-    low = NOTHING
+    low = INFINITE
     nearest = 0
     for j in range(q.vertex_count):
         height = nx * vertices[q.first + j, 0] + ny * vertices[q.first + j, 1]
@@ -155,10 +155,10 @@ def side_separation(
 
 def inner_radius(p: Core, vertices: Array) -> float:
     """Return the least distance of a side from the body's centre, m; negative if outside."""
-    near = NOTHING
+    near = INFINITE
     for k in range(p.first, p.first + p.vertex_count):
         near = min(near, vertices[k, 0] * vertices[k, 2] + vertices[k, 1] * vertices[k, 3])
-    return near if near >= 0.0 else -NOTHING
+    return near if near >= 0.0 else -INFINITE
 
 
 def incident_side(q: Core, vertex: int, nx: float, ny: float, vertices: Array) -> int:
@@ -211,7 +211,7 @@ def incident_slack(
         nx * vertices[q.first + before, 2] + ny * vertices[q.first + before, 3],
         nx * vertices[q.first + following, 2] + ny * vertices[q.first + following, 3],
     )
-    near = far = NOTHING
+    near = far = INFINITE
     for k in range(q.vertex_count):
         height = nx * vertices[q.first + k, 0] + ny * vertices[q.first + k, 1]
         if k in (side, following):

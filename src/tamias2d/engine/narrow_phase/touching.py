@@ -105,12 +105,12 @@ def speculative_margin(
     """
     motion, time_step = bodies.motion, control.settings[TIME_STEP]
     speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
-    way = speed * time_step
+    distance = speed * time_step
     turn_a = abs(motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS] if shapes.count[s] > 1 else 0.0
     turn_b = abs(motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS] if shapes.count[t] > 1 else 0.0
-    if way + (turn_a + turn_b) * time_step > BULLET * smaller:
+    if distance + (turn_a + turn_b) * time_step > BULLET * smaller:
         return 0.0
-    return CLOSE * smaller + min(way, AHEAD * smaller)
+    return CLOSE * smaller + min(distance, AHEAD * smaller)
 
 
 @inlined

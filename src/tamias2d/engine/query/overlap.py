@@ -196,7 +196,7 @@ def line_reaches_box(
     size = by_x * by_x + by_y * by_y
     if size == 0.0:
         return False
-    beside = far = False  # of the line are corners of the box
+    beside = far = False  # of the line are vertices of the box
     for k in range(4):
         to_x = (half_x if k % 2 else -half_x) - x
         to_y = (half_y if k // 2 else -half_y) - y
