@@ -5,7 +5,7 @@ import math
 from hypothesis import example, given, strategies as st
 from mpmath import mp, mpf
 
-from tamias2d.stepped.rotation import cosine_sine
+from tamias2d.engine.motion.rotation import cosine_sine
 
 ROUNDING = 2.0**-52
 
@@ -16,7 +16,7 @@ ROUNDING = 2.0**-52
 @example(-math.pi)
 @example(355.0)  # nearly a multiple of pi
 @example(1e6)
-def test_they_are_right_to_the_last_bit_but_one(angle: float) -> None:
+def test_cosine_and_sine_are_right_to_the_last_bit_but_one(angle: float) -> None:
     with mp.workprec(200):
         exact = float(mp.cos(mpf(angle))), float(mp.sin(mpf(angle)))
     cosine, sine = cosine_sine(angle)
@@ -25,7 +25,7 @@ def test_they_are_right_to_the_last_bit_but_one(angle: float) -> None:
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
-def test_nothing_is_turned_out_of_shape_however_far_it_has_turned(angle: float) -> None:
+def test_cosine_and_sine_are_near_the_circle_at_any_angle(angle: float) -> None:
     cosine, sine = cosine_sine(angle)
     assert abs(cosine * cosine + sine * sine - 1.0) < 1e-3
     if abs(angle) <= 1e9:  # beyond, a turn is known to less than that

@@ -14,7 +14,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
-from tests.engine.test_extremes import totals
+from tests.engine.conserved import totals
 
 STEPS = 20
 FLAT, UPRIGHT = t2.Box(width=2.0, height=0.02), t2.Box(width=0.02, height=2.04)
@@ -100,7 +100,7 @@ def test_nothing_gets_out_of_a_box_of_thin_walls(kind: str, seeds: int) -> None:
 
 
 @pytest.mark.parametrize("speed", [31.0, 100.0, 310.0])
-def test_a_wall_that_is_driven_passes_nothing_that_rests_in_its_way(speed: float) -> None:
+def test_a_driven_wall_passes_no_body_at_rest_in_its_way(speed: float) -> None:
     """Wherever it stands: the wall comes there at any age of the list of pairs."""
     for place in np.linspace(2.0, 150.0, 60):
         scene = t2.Scene(gravity=(0.0, -10.0))

@@ -15,7 +15,7 @@ from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bo
 from tamias2d.engine.broad_phase.pairs import rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
-from tamias2d.engine.continuous.continuous import MOST_UPDATES, solve_continuous
+from tamias2d.engine.continuous.event_loop import MOST_UPDATES, solve_continuous
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
 from tamias2d.engine.sleep import (

@@ -1,322 +1,148 @@
-"""When two shapes that move on first come close: conservative advancement within a step.
+"""Conservative advancement: when two shapes that move through a step first come close.
 
-Serves: a step, for what moves far in it. Hides: how an instant is found that passes no meeting.
-
-The gap after a further fraction has a bound that is concave (DD48), so that it is positive before
-its root, and secants find the root from below. A body that turns far is taken as a disc around its
-centre where that allows a longer stride. Shapes meet where the gap falls to `NEAR` of the smaller
-one's size (IM12).
-
-Source: Mirtich, Impulse-based dynamic simulation (1996), with bounds of second order.
+Over a step the centres move in straight lines and the bodies turn evenly. A lower bound of the gap
+tells for how long the shapes stay apart; from there it is found anew. Shapes meet where the gap
+falls to `NEAR` of the smaller one's size (IM12). Source: Mirtich, Impulse-based dynamic
+simulation (1996).
 """
 
 from math import cos, sin, sqrt
 
+from tamias2d.engine.continuous.gap_bound import UNBOUNDED, Sweep, safe_advance
+from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.clip import TINY
-from tamias2d.engine.narrow_phase.manifold import touch_pair
-from tamias2d.engine.tables import GAP, HALF_PLANE, NX, NY, POINT, Events, Shapes
-from tamias2d.generated.continuous_collision import (
-    arc_bend,
-    centre_acceleration_turning,
-    circling,
-    distance_bound,
-    fraction_closest,
-    gap_change,
-    half_interval,
-    miss_distance,
-    motion_bound,
-    normal_turned,
-    separation_least,
-)
+from tamias2d.engine.narrow_phase.collide import collide_cores
+from tamias2d.engine.narrow_phase.core import Core, core_of
+from tamias2d.engine.tables import GAP, HALF_PLANE, POINT, Events, Shapes
+from tamias2d.generated.continuous_collision import fraction_closest, half_interval, miss_distance
 from tamias2d.state import Array
 
-NEAR = 2.0**-13  # of the smaller shape's size: a gap that counts as met
-LOOKS = 4096  # poses looked at, at most: a bar that spins 50 times within a hair of a wall
-CLOSE_LOOKS = 64  # of these, while a pair is as close as at the start
-MISSED = 2.0
-WIDE = 1e100  # m, farther than anything
+MISSED = 2.0  # the fraction of the step at which pairs meet that do not
+NEAR = 2.0**-13  # of the smaller shape's size: a gap that counts as a meeting
+MOST_POSES = 4096  # that are tried: a bar that spins 50 times within a hair of a wall
+MOST_CLOSE_POSES = 64  # of these, while a pair is as close as at the start
 WIDER = 1.0 + 2.0**-20  # of a circle, against rounding
-ROUNDS = 6  # halvings of what is not yet known to be free
 
 
-def time_of_impact(
-    a: int,
-    b: int,
-    delta_x: float,
-    delta_y: float,
-    move_x: float,
-    move_y: float,
-    turn_a: float,
-    turn_b: float,
-    shapes: Shapes,
-    events: Events,
-) -> float:
-    """Return the fraction of a step at which shapes a and b first come close, or `MISSED`.
+def time_of_impact(s: int, t: int, path: RelativePath, shapes: Shapes, events: Events) -> float:
+    """Return the fraction of a path at which shapes s and t first come close, or `MISSED`.
 
-    B's body starts at (delta_x, delta_y) from A's and moves by (move_x, move_y) more than it, m;
-    the bodies turn by turn_a and turn_b, rad; `turned` is as at the start. `scratch` (k, 32) has a
-    row for the result and one for each corner of both shapes.
+    Vertices are turned as at the start of the path.
 
     At the fraction the gap is positive, and at most `NEAR` of the smaller shape's size: their
     manifold at that pose has the normal and the points. A pair that is as close already at the
-    start is met when it has come as much closer, or close again after it was apart.
+    start meets when it has come as much closer, or close again after it was apart.
     """
-    if shapes.kind[b] == HALF_PLANE:
-        a, b = b, a
-        delta_x, delta_y, move_x, move_y = -delta_x, -delta_y, -move_x, -move_y
-        turn_a, turn_b = turn_b, turn_a
-    if shapes.kind[b] == HALF_PLANE:
+    if shapes.kind[t] != HALF_PLANE:
+        return advance(s, t, path, shapes, events)
+    if shapes.kind[s] == HALF_PLANE:
         return MISSED
-    plane = shapes.kind[a] == HALF_PLANE
-    first_a, count_a = int(shapes.first[a]), int(shapes.count[a])
-    first_b, count_b = int(shapes.first[b]), int(shapes.count[b])
-    radius_a, radius_b = float(shapes.radius[a]), float(shapes.radius[b])
-    lever_a = 0.0 if plane else vertex_radius(first_a, count_a, shapes.world_vertices)
-    lever_b = vertex_radius(first_b, count_b, shapes.world_vertices)
-    size = extent(first_b, count_b, shapes.world_vertices) + radius_b
-    if not plane:
-        size = min(size, extent(first_a, count_a, shapes.world_vertices) + radius_a)
-    near = NEAR * size
-    reach = (lever_a + radius_a + lever_b + radius_b) * WIDER + near
-    at, last = 0.0, 1.0
-    if not plane:
-        at, last = within_circle(delta_x, delta_y, move_x, move_y, reach)
-    elif turn_a == 0.0:
-        nx, ny = shapes.world_vertices[first_a, 2], shapes.world_vertices[first_a, 3]
-        height = nx * delta_x + ny * delta_y - shapes.world_vertices[first_a, 0] - reach
-        at, last = below(height, nx * move_x + ny * move_y)
-    row = events.scratch[0]
-    rows = events.scratch[1:]
+    reverse = RelativePath(-path.x, -path.y, -path.dx, -path.dy, path.turn_b, path.turn_a)
+    return advance(t, s, reverse, shapes, events)
+
+
+def advance(s: int, t: int, path: RelativePath, shapes: Shapes, events: Events) -> float:
+    """Return the same where shape t is not a half-plane."""
+    p, q, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
+    plane = p.kind == HALF_PLANE
+    lever_a = 0.0 if plane else vertex_radius(p, vertices)
+    a = Sweep(0, 0 if plane else p.vertex_count, path.turn_a, lever_a)
+    b = Sweep(p.vertex_count, q.vertex_count, path.turn_b, vertex_radius(q, vertices))
+    placed_a = Core(p.kind, 0, p.vertex_count, p.radius, 0.0)
+    placed_b = Core(q.kind, p.vertex_count, q.vertex_count, q.radius, 0.0)
+    near = NEAR * smaller_extent(p, q, vertices)
+    reach = (a.lever + p.radius + b.lever + q.radius) * WIDER + near
+    at, last = near_interval(p, path, reach, vertices)
+    manifold, rows = events.scratch[0], events.scratch[1:]
     least = near
-    for look in range(LOOKS):
+    for pose in range(MOST_POSES):
         if at >= last:
             return MISSED
-        x, y = delta_x + at * move_x, delta_y + at * move_y
-        place_vertices(first_a, count_a, turn_a * at, plane, shapes.world_vertices, 0, rows)
-        place_vertices(first_b, count_b, turn_b * at, False, shapes.world_vertices, count_a, rows)
-        _, second = touch_pair(
-            row,
-            int(shapes.kind[a]),
-            int(shapes.kind[b]),
-            0,
-            count_a,
-            count_a,
-            count_b,
-            x,
-            y,
-            radius_a,
-            radius_b,
-            WIDE,
-            rows,
-        )
-        gap = row[GAP]
-        if second > 0:
-            gap = min(gap, row[GAP + POINT])
+        x, y = path.x + at * path.dx, path.y + at * path.dy
+        place_vertices(p, path.turn_a * at, vertices, 0, rows)
+        place_vertices(q, path.turn_b * at, vertices, p.vertex_count, rows)
+        gap = measure_gap(manifold, placed_a, placed_b, x, y, rows)
         if at == 0.0 and gap <= near:
             least = gap - near
         elif gap > near:
             least = near
-        if gap > least and (least == near or look < CLOSE_LOOKS):
-            free = safe_advance(
-                row[NX],
-                row[NY],
-                radius_a + radius_b + least - 0.5 * near,
-                x,
-                y,
-                move_x,
-                move_y,
-                turn_a,
-                turn_b,
-                lever_a,
-                lever_b,
-                0 if plane else count_a,
-                count_a,
-                count_b,
-                last - at,
-                rows,
-            )
-            if at + free == at:
-                return at
-            at += free
-        else:
+        if not (gap > least and (least == near or pose < MOST_CLOSE_POSES)):
             return at
+        radii = p.radius + q.radius + least - 0.5 * near
+        free = safe_advance(manifold, a, b, x, y, path, radii, last - at, rows)
+        if at + free == at:
+            return at
+        at += free
     return at
 
 
-def place_vertices(
-    first: int, count: int, turn: float, fixed: bool, vertices: Array, to: int, rows: Array
-) -> None:
-    """Write the corners of a shape, turned on by an angle, from a row on; an offset is fixed."""
+def measure_gap(manifold: Array, a: Core, b: Core, x: float, y: float, vertices: Array) -> float:
+    """Write the manifold of two cores, however far apart; return their gap, m."""
+    _, second = collide_cores(manifold, a, b, x, y, UNBOUNDED, vertices)
+    if second == 0:
+        manifold[GAP + POINT] = UNBOUNDED
+    return min(manifold[GAP], manifold[GAP + POINT])
+
+
+def place_vertices(p: Core, turn: float, vertices: Array, to: int, rows: Array) -> None:
+    """Write the vertices of a core, turned by an angle, from a row on.
+
+    Of a half-plane, whose row holds its offset and its normal, the normal turns alone.
+    """
     c, d = cos(turn), sin(turn)
-    for k in range(count):
-        x, y, nx, ny = (
-            vertices[first + k, 0],
-            vertices[first + k, 1],
-            vertices[first + k, 2],
-            vertices[first + k, 3],
-        )
+    fixed = p.kind == HALF_PLANE
+    for k in range(p.vertex_count):
+        v = p.first + k
+        x, y, nx, ny = vertices[v, 0], vertices[v, 1], vertices[v, 2], vertices[v, 3]
         rows[to + k, 0] = x if fixed else c * x - d * y
         rows[to + k, 1] = y if fixed else d * x + c * y
         rows[to + k, 2], rows[to + k, 3] = c * nx - d * ny, d * nx + c * ny
 
 
-def safe_advance(
-    nx: float,
-    ny: float,
-    radii: float,
-    x: float,
-    y: float,
-    move_x: float,
-    move_y: float,
-    turn_a: float,
-    turn_b: float,
-    lever_a: float,
-    lever_b: float,
-    count_a: int,
-    first_b: int,
-    count_b: int,
-    rest: float,
-    rows: Array,
-) -> float:
-    """Return the fraction, at most the rest, for which the cores stay more than `radii` apart.
-
-    `count_a` is 0 for a half-plane, with which n turns; its offset is then in the first row.
-    """
-    bend_a, bend_b = arc_bend(turn_a, lever_a), arc_bend(turn_b, lever_b)
-    spin = turn_a if count_a == 0 else 0.0  # of the normal
-    rate = gap_change((move_x, move_y), (nx, ny), spin, (x, y))
-    if spin != 0.0:
-        centre = motion_bound((move_x, move_y), 0.0, 0.0)
-        far = distance_bound(sqrt(x * x + y * y), lever_b, rest, centre)
-        speed = motion_bound((move_x, move_y), turn_b, lever_b)
-        bend_a = -centre_acceleration_turning(circling(turn_a, 0.0), far, abs(turn_a), speed, 0.0)
-    base = nx * x + ny * y - radii - (rows[0, 0] if count_a == 0 else 0.0)
-    free = 0.0
-    for way in range(4):  # with corners or as a disc: A is one in ways 1 and 3, B in 2 and 3
-        round_a, round_b = way % 2 == 1, way >= 2
-        if round_a and (count_a == 0 or abs(turn_a) * rest < 1.0):
-            continue
-        if round_b and abs(turn_b) * rest < 1.0:
-            continue
-        free = max(
-            free,
-            below_root(
-                nx,
-                ny,
-                base - (lever_a if round_a else 0.0) - (lever_b if round_b else 0.0),
-                rate,
-                (0.0 if round_a else bend_a) + (0.0 if round_b else bend_b),
-                turn_a,
-                turn_b - spin,
-                0 if round_a else count_a,
-                first_b,
-                0 if round_b else count_b,
-                rest,
-                rows,
-            ),
-        )
-        if free >= rest:
-            break
-    return free
-
-
-def below_root(
-    nx: float,
-    ny: float,
-    base: float,
-    rate: float,
-    bend: float,
-    turn_a: float,
-    turn_b: float,
-    count_a: int,
-    first_b: int,
-    count_b: int,
-    rest: float,
-    rows: Array,
-) -> float:
-    """Return a fraction below the root of phi, near it, or the rest if the root is not within."""
-    low, high = 0.0, rest
-    over = least_gap(low, nx, ny, base, rate, bend, turn_a, turn_b, count_a, first_b, count_b, rows)
-    if over <= 0.0:
-        return 0.0
-    enough = 2.0**-4 * over
-    under = least_gap(
-        high, nx, ny, base, rate, bend, turn_a, turn_b, count_a, first_b, count_b, rows
-    )
-    if under >= 0.0:
-        return rest
-    for _ in range(ROUNDS):
-        low += (high - low) * over / (over - under)
-        over = least_gap(
-            low, nx, ny, base, rate, bend, turn_a, turn_b, count_a, first_b, count_b, rows
-        )
-        if over <= enough:
-            break
-        middle = 0.5 * (low + high)
-        value = least_gap(
-            middle, nx, ny, base, rate, bend, turn_a, turn_b, count_a, first_b, count_b, rows
-        )
-        if value > 0.0:
-            low, over = middle, value
-        else:
-            high, under = middle, value
-    return low
-
-
-def least_gap(
-    ahead: float,
-    nx: float,
-    ny: float,
-    base: float,
-    rate: float,
-    bend: float,
-    turn_a: float,
-    turn_b: float,
-    count_a: int,
-    first_b: int,
-    count_b: int,
-    rows: Array,
-) -> float:
-    """Return the least that the gap can be after a further fraction, m."""
-    against_x, against_y = normal_turned((-nx, -ny), turn_a, ahead)
-    along_x, along_y = normal_turned((nx, ny), turn_b, ahead)
-    low_a = least_along(0, count_a, against_x, against_y, rows)
-    low_b = least_along(first_b, count_b, along_x, along_y, rows)
-    return separation_least(base, low_a, low_b, rate, bend, ahead)
-
-
-def least_along(first: int, count: int, nx: float, ny: float, rows: Array) -> float:
-    """Return how far the corners reach along a direction at least, m; 0 for none."""
-    low = WIDE if count > 0 else 0.0
-    for k in range(first, first + count):
-        low = min(low, nx * rows[k, 0] + ny * rows[k, 1])
-    return low
-
-
-def vertex_radius(first: int, count: int, vertices: Array) -> float:
-    """Return how far the corners are from the centre at most, m."""
+def vertex_radius(p: Core, vertices: Array) -> float:
+    """Return the distance of the farthest vertex from the body's centre, m."""
     far = 0.0
-    for k in range(first, first + count):
+    for k in range(p.first, p.first + p.vertex_count):
         far = max(far, vertices[k, 0] * vertices[k, 0] + vertices[k, 1] * vertices[k, 1])
     return sqrt(far)
 
 
-def extent(first: int, count: int, vertices: Array) -> float:
-    """Return half of the distance of the first corner from the farthest one, m."""
+def smaller_extent(p: Core, q: Core, vertices: Array) -> float:
+    """Return the smaller extent of two shapes, m; Q is no half-plane, whose extent is infinite."""
+    extent = extent_of(q, vertices) + q.radius
+    if p.kind == HALF_PLANE:
+        return extent
+    return min(extent, extent_of(p, vertices) + p.radius)
+
+
+def extent_of(p: Core, vertices: Array) -> float:
+    """Return half of the distance of the first vertex from the farthest one, m."""
     far = 0.0
-    for k in range(first + 1, first + count):
-        x, y = vertices[k, 0] - vertices[first, 0], vertices[k, 1] - vertices[first, 1]
+    for k in range(p.first + 1, p.first + p.vertex_count):
+        x, y = vertices[k, 0] - vertices[p.first, 0], vertices[k, 1] - vertices[p.first, 1]
         far = max(far, x * x + y * y)
     return 0.5 * sqrt(far)
 
 
-def within_circle(
-    x: float, y: float, move_x: float, move_y: float, reach: float
+def near_interval(
+    p: Core, path: RelativePath, reach: float, vertices: Array
 ) -> tuple[float, float]:
-    """Return between which fractions a point that moves is within reach of the origin."""
-    if move_x * move_x + move_y * move_y <= TINY:
-        return (0.0, 1.0) if x * x + y * y <= reach * reach else (0.0, 0.0)
-    at, by = (x, y), (move_x, move_y)
+    """Return between which fractions B is within reach of A, or of a half-plane that is fixed."""
+    if p.kind != HALF_PLANE:
+        return within_circle(path, reach)
+    if path.turn_a != 0.0:
+        return 0.0, 1.0
+    nx, ny = vertices[p.first, 2], vertices[p.first, 3]
+    height = nx * path.x + ny * path.y - vertices[p.first, 0] - reach
+    return below(height, nx * path.dx + ny * path.dy)
+
+
+def within_circle(path: RelativePath, reach: float) -> tuple[float, float]:
+    """Return between which fractions B's centre is within reach of A's."""
+    at, by = (path.x, path.y), (path.dx, path.dy)
+    if path.dx * path.dx + path.dy * path.dy <= TINY:
+        near = path.x * path.x + path.y * path.y <= reach * reach
+        return (0.0, 1.0) if near else (0.0, 0.0)
     beside = miss_distance(at, by)
     if abs(beside) > reach:
         return 0.0, 0.0

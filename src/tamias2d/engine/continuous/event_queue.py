@@ -1,12 +1,9 @@
-"""What happens next in a flight, and which pairs are those of a body.
+"""The event that comes first: a tournament tree; and the contacts of each body.
 
-Serves: flight. Hides: that what happens first is the winner of a tournament, of which a change
-plays anew one path only, and that pairs are listed by their bodies.
+An event is a body that leaves its bounds, or, numbered after the bodies, a contact whose shapes
+meet. Of two at the same instant the first one counts.
 
-An event is a body that leaves its room, or after the bodies a pair that meets. Of two at the same
-instant the first one counts.
-
-Cost: for all events a pass over them, then for each change the logarithm of their number.
+Cost: linear for all events, then the logarithm of their number for each change.
 """
 
 from tamias2d.engine.tables import (
@@ -23,14 +20,11 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.state import Array
 
-# rows of the agenda: where the pairs of each body begin, these pairs, and the tournament, which has
-# its winner first
-
 
 def list_contacts_by_body(
     broad_phase: BroadPhase, contacts: Contacts, events: Events, body_count: int
 ) -> None:
-    """List the pairs of each body, in their order: by counting."""
+    """List the contacts of each body, in their order: by counting."""
     starts, listed = events.queue[FIRST_OF_BODY], events.queue[CONTACT_OF_BODY]
     for i in range(body_count + 2):
         starts[i] = 0
@@ -48,15 +42,15 @@ def list_contacts_by_body(
 def build_tournament(event_count: int, times: Array, queue: Integers) -> None:
     """Let all events play for being the first."""
     tournament = queue[TOURNAMENT]
-    half = first_tournament_leaf(event_count)
-    for k in range(half):
-        tournament[half + k] = min(k, event_count - 1)
-    for node in range(half - 1, 0, -1):
+    leaf = first_tournament_leaf(event_count)
+    for k in range(leaf):
+        tournament[leaf + k] = min(k, event_count - 1)
+    for node in range(leaf - 1, 0, -1):
         tournament[node] = sooner(tournament[2 * node], tournament[2 * node + 1], times)
 
 
 def update_event(event: int, event_count: int, times: Array, queue: Integers) -> None:
-    """Let an event play anew, whose time is another."""
+    """Play the matches of an event anew, whose time has changed."""
     tournament = queue[TOURNAMENT]
     node = (first_tournament_leaf(event_count) + event) // 2
     while node > 0:
@@ -70,8 +64,8 @@ def sooner(one: int, other: int, times: Array) -> int:
 
 
 def first_tournament_leaf(event_count: int) -> int:
-    """Return the first leaf of a tournament of so many events."""
-    half = 1
-    while half < event_count:
-        half *= 2
-    return half
+    """Return the node of the first event in a tournament of some events."""
+    leaf = 1
+    while leaf < event_count:
+        leaf *= 2
+    return leaf

@@ -1,19 +1,18 @@
-"""When two bodies on their ways meet.
-
-Serves: flight. Hides: how shapes are turned to where they are at an instant.
-"""
+"""When two bodies meet on their paths through a step."""
 
 from tamias2d.engine.continuous.conservative_advancement import (
     MISSED,
     NEAR,
-    WIDE,
+    measure_gap,
     place_vertices,
     time_of_impact,
 )
 from tamias2d.engine.continuous.event_queue import update_event
-from tamias2d.engine.continuous.impact import contact_point, path_speed_along, seen_from_b
-from tamias2d.engine.continuous.trajectory import offset_at
-from tamias2d.engine.narrow_phase.manifold import touch_pair
+from tamias2d.engine.continuous.gap_bound import UNBOUNDED
+from tamias2d.engine.continuous.impact import normal_line
+from tamias2d.engine.continuous.impulse import path_speed_along
+from tamias2d.engine.continuous.trajectory import relative_path, relative_place
+from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.tables import (
     ANGLE,
     CONTACT_OF_BODY,
@@ -24,14 +23,12 @@ from tamias2d.engine.tables import (
     DY,
     DYNAMIC,
     FIRST_OF_BODY,
-    GAP,
     HALF_PLANE,
     MIN_EXTENT,
     NX,
     NY,
     PATH_EXCESS,
     PATH_LENGTH,
-    POINT,
     POINT_COUNT,
     REDIRECTED,
     SENSOR,
@@ -44,15 +41,18 @@ from tamias2d.engine.tables import (
     Contacts,
     Control,
     Events,
+    Integers,
     Shapes,
 )
 from tamias2d.generated.continuous_collision import fraction_closest, motion_bound
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
-THROUGH = 0.7  # of half the widths of both: how far one may go into another and be pushed back,
-# but not farther than the smaller one reaches
-SHALLOW = 0.5  # of that: how far what waits may come into what is not a wall, or that into it
-SWUNG = 0.35  # of the smaller reach: how far one may turn about a contact, which the solver follows
+# how far one body may go into another, from where the solver pushes it back, as a fraction of half
+# the widths of both; it is not farther than the smaller bounding radius
+PUSHED_BACK = 0.7
+SHALLOW = 0.5  # of that: how far a frozen body, which is no wall, and another may come together
+SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
 
 
 def find_events(
@@ -64,47 +64,57 @@ def find_events(
     contacts: Contacts,
     events: Events,
 ) -> int:
-    """Find when all pairs meet from `now` on that the solver may let through; return how many do.
-
-    The line that parts two bodies in contact holds them back: only what goes through it, or turns,
-    can come farther in.
-    """
+    """Find when pairs meet, from `now` on, that the solver may let through; return how many do."""
     found = 0
     body_count = len(bodies.pose)
     for p in range(broad_phase.counts[CONTACTS]):
         events.times[body_count + p] = MISSED
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        bent = bodies.flight[i, REDIRECTED] + bodies.flight[j, REDIRECTED] > 0.0
-        reach = min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
-        if not bent and stay_near(bodies.flight[i], bodies.flight[j], reach):
+        redirected = bodies.flight[i, REDIRECTED] + bodies.flight[j, REDIRECTED] > 0.0
+        reach = smaller_radius(s, t, shapes.material)
+        if not redirected and stay_near(bodies.flight[i], bodies.flight[j], reach):
             continue
-        touches = contacts.flags[p, POINT_COUNT] > 0
-        if shapes.filters[s, SENSOR] != 0 or shapes.filters[t, SENSOR] != 0:
+        if senses(s, t, shapes.filters):
             continue
-        by_x, by_y = (
-            bodies.motion[j, DX] - bodies.motion[i, DX],
-            bodies.motion[j, DY] - bodies.motion[i, DY],
-        )
-        turn = turning_reach(i, j, bodies.motion, bodies.properties)
-        deep = allowed_depth(i, j, reach, bodies.properties)
-        if not bent and abs(by_x) + abs(by_y) + turn <= deep:
-            continue
-        into = (
-            max(0.0, -contacts.manifolds[p, NX] * by_x - contacts.manifolds[p, NY] * by_y)
-            if touches
-            else WIDE
-        )
-        if bent or into + turn > max(deep, SWUNG * reach):
-            events.times[body_count + p] = next_event(
-                s, t, now, control.settings[TIME_STEP], bodies, shapes, events
-            )
-            found += events.times[body_count + p] <= 1.0
+        if redirected or may_pass(p, i, j, reach, bodies, contacts):
+            time = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+            events.times[body_count + p] = time
+            found += time <= 1.0
     return found
 
 
+def smaller_radius(s: int, t: int, material: Array) -> float:
+    """Return the smaller bounding radius of two shapes, m."""
+    return min(material[s, SHAPE_RADIUS], material[t, SHAPE_RADIUS])
+
+
+def senses(s: int, t: int, filters: Integers) -> bool:
+    """Return whether one of two shapes is a sensor."""
+    return bool(filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0)
+
+
+@inlined
+def may_pass(p: int, i: int, j: int, reach: float, bodies: Bodies, contacts: Contacts) -> bool:
+    """Return whether the paths of two bodies may lead one through the other.
+
+    The solver holds bodies in contact back along the normal: only what goes against it, or turns,
+    can come farther in.
+    """
+    motion = bodies.motion
+    by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    turn = turning_reach(i, j, motion, bodies.properties)
+    deep = allowed_depth(i, j, reach, bodies.properties)
+    if abs(by_x) + abs(by_y) + turn <= deep:
+        return False
+    into = UNBOUNDED
+    if contacts.flags[p, POINT_COUNT] > 0:
+        into = max(0.0, -contacts.manifolds[p, NX] * by_x - contacts.manifolds[p, NY] * by_y)
+    return bool(into + turn > max(deep, SWUNG * reach))
+
+
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
-    """Return how far corners of two bodies go by turning in a step, m."""
+    """Return how far vertices of two bodies go by turning in a step, m."""
     none = (0.0, 0.0)
     of_i = motion_bound(none, motion[i, DANGLE], properties[i, CORE_RADIUS])
     return of_i + motion_bound(none, motion[j, DANGLE], properties[j, CORE_RADIUS])
@@ -112,7 +122,13 @@ def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
 
 def allowed_depth(i: int, j: int, reach: float, properties: Array) -> float:
     """Return how far one body may go into another and be pushed back, m."""
-    return min(THROUGH * half_widths(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT]), reach)
+    half = half_widths(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT])
+    return min(PUSHED_BACK * half, reach)
+
+
+def half_widths(one: float, other: float) -> float:
+    """Return half the widths of two bodies, m; of a half-plane only the other's counts."""
+    return one if other > UNBOUNDED else other if one > UNBOUNDED else one + other
 
 
 def stay_near(one: Array, other: Array, reach: float) -> bool:
@@ -128,7 +144,7 @@ def stay_near(one: Array, other: Array, reach: float) -> bool:
 
 def update_events_of(
     i: int,
-    but: int,
+    except_for: int,
     now: float,
     shallow: float,
     control: Control,
@@ -138,92 +154,35 @@ def update_events_of(
     contacts: Contacts,
     events: Events,
 ) -> None:
-    """Find anew when a body meets others `but` one: its line is not what it was.
+    """Find anew when a body meets all others but one: its path has changed.
 
-    What can be pushed comes into it, if by no more than a share of what can be undone.
+    Pairs of moving bodies that come together by no more than a share of the depth from which they
+    are pushed back do not count.
     """
     if bodies.kind[i] != DYNAMIC:
         return
-    body_count = len(bodies.pose)
+    body_count, event_count = len(bodies.pose), len(bodies.pose) + broad_phase.counts[CONTACTS]
     for k in range(events.queue[FIRST_OF_BODY, i], events.queue[FIRST_OF_BODY, i + 1]):
         p = events.queue[CONTACT_OF_BODY, k]
-        s, t, a, b = (
-            contacts.pairs[p, 0],
-            contacts.pairs[p, 1],
-            contacts.pairs[p, SLOT_A],
-            contacts.pairs[p, SLOT_B],
-        )
-        if but in (a, b) or shapes.filters[s, SENSOR] != 0 or shapes.filters[t, SENSOR] != 0:
+        s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+        a, b = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+        if except_for in (a, b) or senses(s, t, shapes.filters):
             continue
-        way = abs(bodies.motion[b, DX] - bodies.motion[a, DX]) + abs(
-            bodies.motion[b, DY] - bodies.motion[a, DY]
-        )
-        way += turning_reach(a, b, bodies.motion, bodies.properties)
-        deep = allowed_depth(
-            a,
-            b,
-            min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]),
-            bodies.properties,
-        )
-        harmless = bodies.kind[a] == bodies.kind[b] and way * (1.0 - now) <= shallow * deep
-        events.times[body_count + p] = (
-            MISSED
-            if harmless
-            else next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
-        )
-        update_event(
-            body_count + p, body_count + broad_phase.counts[CONTACTS], events.times, events.queue
-        )
+        time = MISSED
+        reach = smaller_radius(s, t, shapes.material)
+        if not harmless(a, b, now, shallow, reach, bodies):
+            time = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+        events.times[body_count + p] = time
+        update_event(body_count + p, event_count, events.times, events.queue)
 
 
-def half_widths(one: float, other: float) -> float:
-    """Return half the widths of two bodies, m; of a half-plane only the other's counts."""
-    return one if other > WIDE else other if one > WIDE else one + other
-
-
-def manifold_at(
-    s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, events: Events
-) -> float:
-    """Write the manifold of two shapes at a fraction of the step; return their gap, m."""
-    i, j = shapes.slot[s], shapes.slot[t]
-    half_plane = shapes.kind[s] == HALF_PLANE
-    turn_shape_to(s, i, now, half_plane, bodies, shapes)
-    turn_shape_to(t, j, now, False, bodies, shapes)
-    x, y = offset_at(i, j, now, bodies.pose, bodies.motion)
-    row = events.scratch[0]
-    _, second = touch_pair(
-        row,
-        int(shapes.kind[s]),
-        int(shapes.kind[t]),
-        int(shapes.first[s]),
-        int(shapes.count[s]),
-        int(shapes.first[t]),
-        int(shapes.count[t]),
-        x,
-        y,
-        float(shapes.radius[s]),
-        float(shapes.radius[t]),
-        WIDE,
-        shapes.world_vertices,
-    )
-    if second == 0:
-        row[GAP + POINT] = WIDE
-    return min(row[GAP], row[GAP + POINT])
-
-
-def turn_shape_to(s: int, i: int, now: float, fixed: bool, bodies: Bodies, shapes: Shapes) -> None:
-    """Turn the corners of a shape to where they are at a fraction of the step."""
-    first = int(shapes.first[s])
-    turn = bodies.pose[i, ANGLE] + now * bodies.motion[i, DANGLE]
-    place_vertices(
-        first,
-        int(shapes.count[s]),
-        turn,
-        fixed,
-        shapes.local_vertices,
-        first,
-        shapes.world_vertices,
-    )
+def harmless(i: int, j: int, now: float, shallow: float, reach: float, bodies: Bodies) -> bool:
+    """Return whether two bodies of a kind come together by no more than a share of the depth."""
+    motion = bodies.motion
+    by = abs(motion[j, DX] - motion[i, DX]) + abs(motion[j, DY] - motion[i, DY])
+    by += turning_reach(i, j, motion, bodies.properties)
+    deep = allowed_depth(i, j, reach, bodies.properties)
+    return bool(bodies.kind[i] == bodies.kind[j] and by * (1.0 - now) <= shallow * deep)
 
 
 def next_event(
@@ -236,46 +195,46 @@ def next_event(
     if shapes.kind[t] == HALF_PLANE:
         s, t = t, s
     i, j = shapes.slot[s], shapes.slot[t]
-    near = NEAR * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
-    if passes_by(
-        i,
-        j,
-        now,
-        shapes.material[s, SHAPE_RADIUS] + shapes.material[t, SHAPE_RADIUS] + near,
-        bodies.pose,
-        bodies.motion,
-    ):
+    near = NEAR * smaller_radius(s, t, shapes.material)
+    reach = shapes.material[s, SHAPE_RADIUS] + shapes.material[t, SHAPE_RADIUS] + near
+    if passes_by(i, j, now, reach, bodies.pose, bodies.motion):
         return MISSED
     gap = manifold_at(s, t, now, bodies, shapes, events)
     rest = 1.0 - now
     if gap <= near:
-        at_a = contact_point(events.scratch[0])
-        at_b = seen_from_b(i, j, now, at_a, bodies.pose, bodies.motion)
-        line = (events.scratch[0, NX], events.scratch[0, NY])
-        closing = time_step * path_speed_along(i, j, time_step, at_a, at_b, line, bodies.motion)
+        line = normal_line(i, j, now, events.scratch[0], bodies)
+        closing = time_step * path_speed_along(line, time_step, bodies.motion)
         if closing * rest < -near:
             return now
-    x, y = offset_at(i, j, now, bodies.pose, bodies.motion)
-    ahead = time_of_impact(
-        s,
-        t,
-        x,
-        y,
-        rest * (bodies.motion[j, DX] - bodies.motion[i, DX]),
-        rest * (bodies.motion[j, DY] - bodies.motion[i, DY]),
-        rest * bodies.motion[i, DANGLE],
-        rest * bodies.motion[j, DANGLE],
-        shapes,
-        events,
-    )
+    path = relative_path(i, j, now, bodies)
+    ahead = time_of_impact(s, t, path, shapes, events)
     return now + ahead * rest if ahead <= 1.0 else MISSED
 
 
 def passes_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Array) -> bool:
     """Return whether the centres of two bodies come no nearer to each other than a reach, m."""
     by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
-    x, y = offset_at(i, j, now, pose, motion)
+    x, y = relative_place(i, j, now, pose, motion)
     if x * by_x + y * by_y < 0.0:  # to where they are nearest, but not beyond the step
         until = min(fraction_closest((x, y), (by_x, by_y)), 1.0 - now)
         x, y = x + until * by_x, y + until * by_y
     return bool(x * x + y * y > reach * reach)
+
+
+def manifold_at(
+    s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, events: Events
+) -> float:
+    """Write the manifold of two shapes at a fraction of the step; return their gap, m."""
+    i, j = shapes.slot[s], shapes.slot[t]
+    turn_shape_to(s, i, now, bodies, shapes)
+    turn_shape_to(t, j, now, bodies, shapes)
+    x, y = relative_place(i, j, now, bodies.pose, bodies.motion)
+    a, b = core_of(s, shapes), core_of(t, shapes)
+    return measure_gap(events.scratch[0], a, b, x, y, shapes.world_vertices)
+
+
+def turn_shape_to(s: int, i: int, now: float, bodies: Bodies, shapes: Shapes) -> None:
+    """Turn the vertices of a shape to where they are at a fraction of the step."""
+    core = core_of(s, shapes)
+    turn = bodies.pose[i, ANGLE] + now * bodies.motion[i, DANGLE]
+    place_vertices(core, turn, shapes.local_vertices, core.first, shapes.world_vertices)

@@ -1,10 +1,21 @@
-"""One impact in flight: two bodies part, or stay together.
+"""One impact in flight: two bodies rebound, or stay together.
 
-Serves: flight. Hides: how velocities of the step's end are seen from an instant within it.
+Velocities are those at the end of the step, with all that forces do in it; those at the instant of
+an impact lack what forces do in the rest of the step.
 """
 
-from tamias2d.engine.continuous.conservative_advancement import NEAR, WIDE
-from tamias2d.engine.continuous.trajectory import offset_at, redirect_both
+from tamias2d.engine.continuous.conservative_advancement import NEAR
+from tamias2d.engine.continuous.gap_bound import UNBOUNDED
+from tamias2d.engine.continuous.impulse import (
+    ImpulseLine,
+    change_paths,
+    change_velocities,
+    change_velocities_and_paths,
+    mass_along,
+    path_speed_along,
+    speed_along,
+)
+from tamias2d.engine.continuous.trajectory import relative_place
 from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,
@@ -12,15 +23,12 @@ from tamias2d.engine.continuous.work import (
     work_ahead,
 )
 from tamias2d.engine.tables import (
-    DANGLE,
     DX,
     DY,
     DYNAMIC,
-    FORCE_GAIN,
     GAP,
     IMPACT_NORMAL,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
+    IS_TOUCHING,
     NX,
     NY,
     POINT,
@@ -32,8 +40,6 @@ from tamias2d.engine.tables import (
     TIME_STEP,
     TOTAL_IMPULSE,
     TOUCHES,
-    VX,
-    VY,
     WORLD_POINT,
     Bodies,
     Control,
@@ -42,35 +48,33 @@ from tamias2d.engine.tables import (
     Y,
 )
 from tamias2d.generated.continuous_collision import position_later
-from tamias2d.generated.soft_contact import (
-    angular_velocity_a_kicked,
-    angular_velocity_b_kicked,
-    bouncing_push,
-    limited_rub,
-    row_mass,
-    row_velocity,
-    turning_arm,
-    velocity_a_kicked,
-    velocity_b_kicked,
-)
+from tamias2d.generated.soft_contact import bouncing_push, limited_rub
 from tamias2d.state import Array, Vector
 
 
-def seen_from_b(i: int, j: int, now: float, at_a: Vector, pose: Array, motion: Array) -> Vector:
-    """Return from the centre of B what is known from that of A, at a fraction of the step."""
-    x, y = offset_at(i, j, now, pose, motion)
-    return at_a[0] - x, at_a[1] - y
-
-
-def contact_point(row: Array) -> tuple[float, float]:
+def contact_point(manifold: Array) -> Vector:
     """Return where two shapes touch: the deeper point, or midway where both are as deep."""
-    apart = row[GAP + POINT] - row[GAP]
-    near = NEAR * (abs(row[PX + POINT] - row[PX]) + abs(row[PY + POINT] - row[PY]))
-    if row[GAP + POINT] < WIDE and abs(apart) <= near:
-        return 0.5 * (row[PX] + row[PX + POINT]), 0.5 * (row[PY] + row[PY + POINT])
+    apart = manifold[GAP + POINT] - manifold[GAP]
+    x, y, other_x, other_y = (
+        manifold[PX],
+        manifold[PY],
+        manifold[PX + POINT],
+        manifold[PY + POINT],
+    )
+    near = NEAR * (abs(other_x - x) + abs(other_y - y))
+    if manifold[GAP + POINT] < UNBOUNDED and abs(apart) <= near:
+        return 0.5 * (x + other_x), 0.5 * (y + other_y)
     if apart < 0.0:
-        return row[PX + POINT], row[PY + POINT]
-    return row[PX], row[PY]
+        return other_x, other_y
+    return x, y
+
+
+def normal_line(i: int, j: int, now: float, manifold: Array, bodies: Bodies) -> ImpulseLine:
+    """Return the line of the normal impulse between bodies i and j at a fraction of the step."""
+    at_a = contact_point(manifold)
+    place = relative_place(i, j, now, bodies.pose, bodies.motion)
+    at_b = (at_a[0] - place[0], at_a[1] - place[1])
+    return ImpulseLine(i, j, at_a, at_b, (manifold[NX], manifold[NY]))
 
 
 def rebound(
@@ -81,28 +85,26 @@ def rebound(
     restitution: float,
     control: Control,
     bodies: Bodies,
-    row: Array,
+    manifold: Array,
 ) -> float:
-    """Let the impact of two bodies happen, as `part` does, so that it makes no energy.
+    """Apply the impact of two bodies, so that it makes no energy; return as `apply_impact` does.
 
-    Impacts take none of the way that both go in all, as masses count. But a body whose way leads
-    into something that nothing moves loses a part of it.
+    Impacts between moving bodies take none of the displacement that both have in all, as masses
+    count. But a body whose path leads into one that nothing moves loses a part of its work.
     """
     time_step, left = control.settings[TIME_STEP], 1.0 - now
     if bodies.kind[i] == bodies.kind[j]:
-        return apply_impact(i, j, now, time_step, friction, restitution, bodies, row)
+        return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
     k, wall = (i, j) if bodies.kind[i] == DYNAMIC else (j, i)
-    support, spin = (
-        support_velocity(k, wall, now, bodies.pose, bodies.motion),
-        bodies.motion[wall, SPIN],
-    )
+    support = support_velocity(k, wall, now, bodies.pose, bodies.motion)
+    spin = bodies.motion[wall, SPIN]
     before = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     before -= work_ahead(k, left, control, bodies)
-    push = apply_impact(i, j, now, time_step, friction, restitution, bodies, row)
+    impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
     after = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     after -= work_ahead(k, left, control, bodies)
     take_energy_back(k, after - before, support, spin, bodies.motion, bodies.properties)
-    return push
+    return impulse
 
 
 def apply_impact(
@@ -113,171 +115,96 @@ def apply_impact(
     friction: float,
     restitution: float,
     bodies: Bodies,
-    row: Array,
+    manifold: Array,
 ) -> float:
-    """Let the impact of two bodies happen, by one row along the normal and one along the tangent.
+    """Apply the impact of two bodies, by one row along the normal and one along the tangent.
 
-    Where forces press them together again in the rest of the step, they stay together. Returns the
-    impulse along the normal, N s; a negative number where nothing happens.
+    Returns the normal impulse, N s; a negative number where nothing happens.
     """
-    at_a = contact_point(row)
-    at_b = seen_from_b(i, j, now, at_a, bodies.pose, bodies.motion)
-    line = (row[NX], row[NY])
-    mass = mass_along(i, j, at_a, at_b, line, bodies.properties)
-    leant = bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0
-    left = 0.0 if leant else 1.0 - now
-    before = speed_along(i, j, left, at_a, at_b, line, bodies.motion, bodies.flight)
-    rate = path_speed_along(i, j, time_step, at_a, at_b, line, bodies.motion)
+    line = normal_line(i, j, now, manifold, bodies)
+    supported = bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0
+    impulse = stop_and_rebound(line, now, time_step, supported, restitution, bodies)
+    if impulse < 0.0:
+        return impulse
+    impulse = hold_together(impulse, line, now, time_step, bodies)
+    if friction > 0.0:
+        tangent = ImpulseLine(i, j, line.at_a, line.at_b, (-manifold[NY], manifold[NX]))
+        left = 0.0 if supported else 1.0 - now
+        speed = speed_along(tangent, left, bodies.motion, bodies.flight)
+        mass = mass_along(tangent, bodies.properties)
+        friction_impulse = limited_rub(0.0, speed, mass, friction, impulse)
+        change_velocities_and_paths(tangent, now, time_step, friction_impulse, bodies)
+    return impulse
+
+
+def stop_and_rebound(
+    line: ImpulseLine,
+    now: float,
+    time_step: float,
+    supported: bool,
+    restitution: float,
+    bodies: Bodies,
+) -> float:
+    """Apply the normal impulse that stops two bodies and lets them rebound; return it, N s.
+
+    A negative number says that neither their velocities nor their paths approach. Where a body was
+    supported, its velocity and its path are stopped each for itself.
+    """
+    mass = mass_along(line, bodies.properties)
+    left = 0.0 if supported else 1.0 - now
+    before = speed_along(line, left, bodies.motion, bodies.flight)
+    rate = path_speed_along(line, time_step, bodies.motion)
     if before >= 0.0 and rate >= 0.0:
         return -1.0
-    back = bouncing_push(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
-    if leant:
-        push = max(-mass * before, 0.0) + back
-        apply_impulse_to_both(i, j, push, at_a, at_b, line, bodies.motion, bodies.properties)
-        way = (max(-mass * rate, 0.0) + back) * time_step
-        redirect_both(i, j, now, way, at_a, at_b, line, bodies)
-    else:
-        push = bouncing_push(0.0, before, before, restitution, mass) if before < 0.0 else 0.0
-        strike(i, j, now, time_step, push, at_a, at_b, line, bodies)
-    rate = path_speed_along(i, j, time_step, at_a, at_b, line, bodies.motion)
-    if rate < 0.0:
-        redirect_both(i, j, now, -mass * rate * time_step, at_a, at_b, line, bodies)
-        after = speed_along(i, j, 0.0, at_a, at_b, line, bodies.motion, bodies.flight)
-        held = max(-mass * after, 0.0)
-        apply_impulse_to_both(i, j, held, at_a, at_b, line, bodies.motion, bodies.properties)
-        push += held
-    if friction > 0.0:
-        line = (-row[NY], row[NX])
-        speed = speed_along(i, j, left, at_a, at_b, line, bodies.motion, bodies.flight)
-        mass = mass_along(i, j, at_a, at_b, line, bodies.properties)
-        rub = limited_rub(0.0, speed, mass, friction, push)
-        strike(i, j, now, time_step, rub, at_a, at_b, line, bodies)
-    return push
+    if supported:
+        bounce = bouncing_push(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
+        impulse = max(-mass * before, 0.0) + bounce
+        change_velocities(line, impulse, bodies.motion, bodies.properties)
+        change_paths(line, now, (max(-mass * rate, 0.0) + bounce) * time_step, bodies)
+        return impulse
+    impulse = bouncing_push(0.0, before, before, restitution, mass) if before < 0.0 else 0.0
+    change_velocities_and_paths(line, now, time_step, impulse, bodies)
+    return impulse
+
+
+def hold_together(
+    impulse: float, line: ImpulseLine, now: float, time_step: float, bodies: Bodies
+) -> float:
+    """Let bodies stay together that forces press together again in the rest of the step.
+
+    Returns the normal impulse with what that takes, N s.
+    """
+    rate = path_speed_along(line, time_step, bodies.motion)
+    if not rate < 0.0:
+        return impulse
+    mass = mass_along(line, bodies.properties)
+    change_paths(line, now, -mass * rate * time_step, bodies)
+    after = speed_along(line, 0.0, bodies.motion, bodies.flight)
+    held = max(-mass * after, 0.0)
+    change_velocities(line, held, bodies.motion, bodies.properties)
+    return impulse + held
 
 
 def record_impact(
-    push: float,
+    impulse: float,
     i: int,
     now: float,
     sense: float,
-    pose: Array,
-    motion: Array,
-    row: Array,
-    manifolds: Array,
+    bodies: Bodies,
+    manifold: Array,
+    recorded: Array,
     flags: Integers,
 ) -> None:
-    """Note an impact for what is told of the step: those of a pair add up, at the first place."""
-    if flags[TOUCHES] & 1:
-        manifolds[TOTAL_IMPULSE] += push
+    """Add an impact to what is told of a contact in this step, at the place of the first one."""
+    if flags[TOUCHES] & IS_TOUCHING:
+        recorded[TOTAL_IMPULSE] += impulse
         return
-    flags[TOUCHES] |= 1
-    manifolds[TOTAL_IMPULSE] = push
+    flags[TOUCHES] |= IS_TOUCHING
+    recorded[TOTAL_IMPULSE] = impulse
     if flags[POINT_COUNT] == 0:
-        at_x, at_y = position_later((pose[i, X], pose[i, Y]), (motion[i, DX], motion[i, DY]), now)
-        x, y = contact_point(row)
-        manifolds[WORLD_POINT], manifolds[WORLD_POINT + 1] = at_x + x, at_y + y
-        manifolds[IMPACT_NORMAL], manifolds[IMPACT_NORMAL + 1] = sense * row[NX], sense * row[NY]
-
-
-def speed_along(
-    i: int,
-    j: int,
-    left: float,
-    at_a: Vector,
-    at_b: Vector,
-    line: Vector,
-    motion: Array,
-    flight: Array,
-) -> float:
-    """Return the velocity of B's point against A's along a line, m/s.
-
-    `left` is the share of the step for which forces have not acted yet.
-    """
-    return row_velocity(
-        (
-            motion[i, VX] - left * flight[i, FORCE_GAIN],
-            motion[i, VY] - left * flight[i, FORCE_GAIN + 1],
-        ),
-        motion[i, SPIN] - left * flight[i, FORCE_GAIN + 2],
-        turning_arm(at_a, line),
-        (
-            motion[j, VX] - left * flight[j, FORCE_GAIN],
-            motion[j, VY] - left * flight[j, FORCE_GAIN + 1],
-        ),
-        motion[j, SPIN] - left * flight[j, FORCE_GAIN + 2],
-        turning_arm(at_b, line),
-        line,
-    )
-
-
-def path_speed_along(
-    i: int, j: int, time_step: float, at_a: Vector, at_b: Vector, line: Vector, motion: Array
-) -> float:
-    """Return the same along the lines on which bodies go, m/s."""
-    return (
-        row_velocity(
-            (motion[i, DX], motion[i, DY]),
-            motion[i, DANGLE],
-            turning_arm(at_a, line),
-            (motion[j, DX], motion[j, DY]),
-            motion[j, DANGLE],
-            turning_arm(at_b, line),
-            line,
-        )
-        / time_step
-    )
-
-
-def mass_along(
-    i: int, j: int, at_a: Vector, at_b: Vector, line: Vector, properties: Array
-) -> float:
-    """Return the mass that an impulse along a line meets, kg."""
-    return row_mass(
-        properties[i, INVERSE_MASS],
-        properties[i, INVERSE_INERTIA],
-        turning_arm(at_a, line),
-        properties[j, INVERSE_MASS],
-        properties[j, INVERSE_INERTIA],
-        turning_arm(at_b, line),
-    )
-
-
-def strike(
-    i: int,
-    j: int,
-    now: float,
-    time_step: float,
-    amount: float,
-    at_a: Vector,
-    at_b: Vector,
-    line: Vector,
-    bodies: Bodies,
-) -> None:
-    """Let an impulse act on both bodies, on their velocities and on their lines from now on."""
-    apply_impulse_to_both(i, j, amount, at_a, at_b, line, bodies.motion, bodies.properties)
-    redirect_both(i, j, now, amount * time_step, at_a, at_b, line, bodies)
-
-
-def apply_impulse_to_both(
-    i: int,
-    j: int,
-    amount: float,
-    at_a: Vector,
-    at_b: Vector,
-    line: Vector,
-    motion: Array,
-    properties: Array,
-) -> None:
-    """Let an impulse change the velocities of both bodies."""
-    motion[i, VX], motion[i, VY] = velocity_a_kicked(
-        (motion[i, VX], motion[i, VY]), amount, line, properties[i, INVERSE_MASS]
-    )
-    motion[i, SPIN] = angular_velocity_a_kicked(
-        motion[i, SPIN], amount, turning_arm(at_a, line), properties[i, INVERSE_INERTIA]
-    )
-    motion[j, VX], motion[j, VY] = velocity_b_kicked(
-        (motion[j, VX], motion[j, VY]), amount, line, properties[j, INVERSE_MASS]
-    )
-    motion[j, SPIN] = angular_velocity_b_kicked(
-        motion[j, SPIN], amount, turning_arm(at_b, line), properties[j, INVERSE_INERTIA]
-    )
+        at, shift = bodies.pose[i], bodies.motion[i]
+        at_x, at_y = position_later((at[X], at[Y]), (shift[DX], shift[DY]), now)
+        x, y = contact_point(manifold)
+        recorded[WORLD_POINT], recorded[WORLD_POINT + 1] = at_x + x, at_y + y
+        recorded[IMPACT_NORMAL] = sense * manifold[NX]
+        recorded[IMPACT_NORMAL + 1] = sense * manifold[NY]

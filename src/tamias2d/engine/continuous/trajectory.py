@@ -1,19 +1,11 @@
-"""The lines along which bodies go through a step, and how they are bent.
+"""The straight paths along which bodies go through a step, and how they are redirected.
 
-Serves: flight. Hides: that a line is kept as where it would have begun, and how far it goes in all.
+A path is kept as the pose from which it would have begun, and its displacement over a whole step.
 """
 
-from tamias2d.engine.tables import (
-    ANGLE,
-    DANGLE,
-    DX,
-    DY,
-    INVERSE_INERTIA,
-    INVERSE_MASS,
-    Bodies,
-    X,
-    Y,
-)
+from typing import NamedTuple
+
+from tamias2d.engine.tables import ANGLE, DANGLE, DX, DY, Bodies, X, Y
 from tamias2d.generated.continuous_collision import (
     orientation_redirected,
     position_redirected,
@@ -21,18 +13,32 @@ from tamias2d.generated.continuous_collision import (
     span,
     turn_redirected,
 )
-from tamias2d.generated.soft_contact import (
-    angular_velocity_a_kicked,
-    angular_velocity_b_kicked,
-    turning_arm,
-    velocity_a_kicked,
-    velocity_b_kicked,
-)
 from tamias2d.state import Array, Vector
 
 
-def offset_at(i: int, j: int, now: float, pose: Array, motion: Array) -> Vector:
-    """Return where the centre of j is from that of i at a fraction of the step, m."""
+class RelativePath(NamedTuple):
+    """The path of a body B as seen from A, and the turns of both."""
+
+    x: float  # where it begins, m
+    y: float
+    dx: float  # displacement, m
+    dy: float
+    turn_a: float  # rad
+    turn_b: float
+
+
+def relative_path(i: int, j: int, now: float, bodies: Bodies) -> RelativePath:
+    """Return the path of body j as seen from i, from a fraction of the step to its end."""
+    pose, motion, left = bodies.pose, bodies.motion, 1.0 - now
+    x, y = relative_place(i, j, now, pose, motion)
+    dx, dy = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    return RelativePath(
+        x, y, left * dx, left * dy, left * motion[i, DANGLE], left * motion[j, DANGLE]
+    )
+
+
+def relative_place(i: int, j: int, now: float, pose: Array, motion: Array) -> Vector:
+    """Return where body j is from i at a fraction of the step, m."""
     return span(
         (pose[i, X], pose[i, Y]),
         (motion[i, DX], motion[i, DY]),
@@ -42,35 +48,8 @@ def offset_at(i: int, j: int, now: float, pose: Array, motion: Array) -> Vector:
     )
 
 
-def redirect_both(
-    i: int,
-    j: int,
-    now: float,
-    amount: float,
-    at_a: Vector,
-    at_b: Vector,
-    line: Vector,
-    bodies: Bodies,
-) -> None:
-    """Bend the lines of both bodies as an impulse does, in N s times the time step, s."""
-    none = (0.0, 0.0)
-    by = velocity_a_kicked(none, amount, line, bodies.properties[i, INVERSE_MASS])
-    turn = angular_velocity_a_kicked(
-        0.0, amount, turning_arm(at_a, line), bodies.properties[i, INVERSE_INERTIA]
-    )
-    redirect_path(i, now, by, turn, bodies.pose, bodies.motion)
-    by = velocity_b_kicked(none, amount, line, bodies.properties[j, INVERSE_MASS])
-    turn = angular_velocity_b_kicked(
-        0.0, amount, turning_arm(at_b, line), bodies.properties[j, INVERSE_INERTIA]
-    )
-    redirect_path(j, now, by, turn, bodies.pose, bodies.motion)
-
-
 def redirect_path(i: int, now: float, by: Vector, turn: float, pose: Array, motion: Array) -> None:
-    """Let a line go on from where it is now with another way over a whole step, m and rad.
-
-    It is kept as where it would have begun, and how far it goes in all (GD14).
-    """
+    """Change the displacement over a whole step, m and rad, from where a path is now (GD14)."""
     pose[i, X], pose[i, Y] = position_redirected((pose[i, X], pose[i, Y]), by, now)
     pose[i, ANGLE] = orientation_redirected(pose[i, ANGLE], turn, now)
     motion[i, DX], motion[i, DY] = shift_redirected((motion[i, DX], motion[i, DY]), by)

@@ -1,14 +1,12 @@
-"""What forces give a body in flight on its way, and what is taken back where it goes another.
-
-Serves: impacts in flight, and what waits. Hides: from where energy is seen.
+"""What forces give a body in flight along its path, and what is taken back where that changes.
 
 A step gives a velocity what forces do to it in all of the step, and thus the energy that they give
-on all of the way. Where the way is changed and no impulse changes the velocity as much, the
+along all of the path. Where the path is changed and no impulse changes the velocity as much, the
 difference is taken back, so that kinetic energy rises by no more than the work of forces (DD36). It
-is seen from what the body meets, which may move.
+is seen from the other body, which may move.
 """
 
-from tamias2d.engine.continuous.trajectory import offset_at
+from tamias2d.engine.continuous.trajectory import relative_place
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.tables import (
     DANGLE,
@@ -36,7 +34,7 @@ from tamias2d.state import Array, Vector
 
 def support_velocity(i: int, j: int, now: float, pose: Array, motion: Array) -> Vector:
     """Return the velocity that a body i would have as a part of j, m/s."""
-    at = offset_at(j, i, now, pose, motion)
+    at = relative_place(j, i, now, pose, motion)
     return point_velocity((motion[j, VX], motion[j, VY]), motion[j, SPIN], at)
 
 
@@ -48,7 +46,7 @@ def energy_seen(i: int, support: Vector, spin: float, motion: Array, properties:
 
 
 def work_ahead(i: int, left: float, control: Control, bodies: Bodies) -> float:
-    """Return the work of forces on the way that a body has left of a step, J."""
+    """Return the work of forces along the path that a body has left of a step, J."""
     mass, _ = mass_and_inertia(i, bodies.properties)
     return work(
         mass,
@@ -63,10 +61,10 @@ def work_ahead(i: int, left: float, control: Control, bodies: Bodies) -> float:
 def take_energy_back(
     i: int, surplus: float, support: Vector, spin: float, motion: Array, properties: Array
 ) -> None:
-    """Take energy from a body, J, if that is positive, as far as it has some as seen from there."""
+    """Take a surplus from a body's energy as seen from its support, J, if it is positive."""
     energy = energy_seen(i, support, spin, motion, properties)
     if surplus > 0.0 and energy > 0.0:
         share = calm_share(energy, max(energy - surplus, 0.0), 0.0)
-        now = motion[i]
-        now[VX], now[VY] = velocity_calmed((now[VX], now[VY]), support, share)
-        now[SPIN] = angular_velocity_calmed(now[SPIN], spin, share)
+        row = motion[i]
+        row[VX], row[VY] = velocity_calmed((row[VX], row[VY]), support, share)
+        row[SPIN] = angular_velocity_calmed(row[SPIN], spin, share)

@@ -1,6 +1,6 @@
 """Where bodies get to in a step: those without contacts along their closed forms (IM1, IM6).
 
-Serves: a step. Hides: that a body is moved at its end only, once it is known what it meets.
+A body is moved at the end of the step only, once it is known what it meets.
 """
 
 from tamias2d.engine.continuous.bounds import goes_far
@@ -33,10 +33,9 @@ from tamias2d.state import Array
 
 
 def integrate_free(control: Control, bodies: Bodies) -> bool:
-    """Find how far bodies without contacts go in this step: they have a closed form (IM1, IM6).
+    """Find the displacements of bodies without contacts (IM1, IM6), and what forces give them.
 
-    What forces add to their velocities is noted; for all others that is nothing already. Returns
-    whether some body goes so far that flight is to look after it.
+    Returns whether some body goes so far that it needs continuous collision.
     """
     far = False
     for i in range(len(bodies.kind)):
@@ -48,26 +47,26 @@ def integrate_free(control: Control, bodies: Bodies) -> bool:
 
 
 def integrate_body(i: int, control: Control, bodies: Bodies) -> None:
-    """Find how far a body goes on which no contact acts."""
-    by_x = by_y = turn = 0.0
+    """Find the displacement of a body on which no contact acts, and its new velocity."""
+    by_x = by_y = turning = 0.0
     if bodies.kind[i] == DYNAMIC:
         gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
-        by_x, by_y = acceleration(
-            gravity, (bodies.load[i, 0], bodies.load[i, 1]), bodies.properties[i, INVERSE_MASS]
-        )
-        turn = angular_acceleration(bodies.load[i, 2], bodies.properties[i, INVERSE_INERTIA])
-    so = bodies.propagators[int(bodies.properties[i, PROPAGATOR])]
-    integrate_coordinate(i, 0, WHOLE_STEP, by_x, so, bodies.motion, bodies.flight)
-    integrate_coordinate(i, 1, WHOLE_STEP, by_y, so, bodies.motion, bodies.flight)
-    integrate_coordinate(i, 2, WHOLE_STEP + ANGULAR, turn, so, bodies.motion, bodies.flight)
+        force, torque = (bodies.load[i, 0], bodies.load[i, 1]), bodies.load[i, 2]
+        by_x, by_y = acceleration(gravity, force, bodies.properties[i, INVERSE_MASS])
+        turning = angular_acceleration(torque, bodies.properties[i, INVERSE_INERTIA])
+    propagator = bodies.propagators[int(bodies.properties[i, PROPAGATOR])]
+    motion, flight = bodies.motion, bodies.flight
+    integrate_coordinate(i, 0, WHOLE_STEP, by_x, propagator, motion, flight)
+    integrate_coordinate(i, 1, WHOLE_STEP, by_y, propagator, motion, flight)
+    integrate_coordinate(i, 2, WHOLE_STEP + ANGULAR, turning, propagator, motion, flight)
 
 
 def integrate_coordinate(
-    i: int, axis: int, at: int, by: float, so: Array, motion: Array, flight: Array
+    i: int, axis: int, at: int, by: float, propagator: Array, motion: Array, flight: Array
 ) -> None:
     """Take one coordinate of a body through the step, under an acceleration (DD41)."""
-    before, gain = motion[i, axis], so[at + GAIN]
-    after = pace_later(so[at + DECAY], before, pace_given(gain, by))
-    motion[i, DX + axis] = way(gain, so[at + LIFT], before, by)
+    before, gain = motion[i, axis], propagator[at + GAIN]
+    after = pace_later(propagator[at + DECAY], before, pace_given(gain, by))
+    motion[i, DX + axis] = way(gain, propagator[at + LIFT], before, by)
     motion[i, axis] = after
     flight[i, FORCE_GAIN + axis] = after - before

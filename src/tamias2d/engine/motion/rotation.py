@@ -1,16 +1,15 @@
 """Cosine and sine by products and sums alone, so that they are the same on every machine.
 
-Serves: corners that turn with their bodies. Hides: how an angle is brought into an eighth of a
-circle, and that no branch is taken. Up to 1e6 rad they are right to 2e-16; beyond, as well as the
-angle itself is known. A C library may differ in the last bit, and takes three times as long.
+Up to 1e6 rad they are right to 2e-16; beyond, as well as the angle itself is known. A C library may
+differ in the last bit, and takes three times as long. No branch is taken.
 
 Source: fdlibm (Sun Microsystems, 1993): its parts of pi/2 and its polynomials.
 """
 
 from tamias2d.kernels.assembled import inlined
 
-QUARTERS = 0.6366197723675814  # of a circle in a radian
-WHOLE_PART = 6755399441055744.0  # 1.5 * 2^52: added and taken away, it leaves a whole number
+QUARTERS = 0.6366197723675814  # quarters of a circle in a radian
+TO_WHOLE = 6755399441055744.0  # 1.5 * 2^52: added and subtracted, it rounds a number
 FIRST_PART, SECOND_PART, THIRD_PART = (  # of a quarter circle, rad: 33 bits, 33 bits, the rest
     1.57079632673412561417e00,
     6.07710050630396597660e-11,
@@ -21,9 +20,9 @@ FIRST_PART, SECOND_PART, THIRD_PART = (  # of a quarter circle, rad: 33 bits, 33
 @inlined
 def cosine_sine(angle: float) -> tuple[float, float]:
     """Return the cosine and the sine of an angle in rad."""
-    quarter = (angle * QUARTERS + WHOLE_PART) - WHOLE_PART
+    quarter = (angle * QUARTERS + TO_WHOLE) - TO_WHOLE
     rest = ((angle - quarter * FIRST_PART) - quarter * SECOND_PART) - quarter * THIRD_PART
-    rest = min(max(rest, -0.8), 0.8)  # an angle beyond all bounds still turns nothing out of shape
+    rest = min(max(rest, -0.8), 0.8)  # the result stays near the circle, whatever the angle
     square = rest * rest
     sine = rest + rest * square * (
         -1.66666666666666324348e-01
@@ -63,7 +62,7 @@ def cosine_sine(angle: float) -> tuple[float, float]:
             )
         )
     )
-    turn = quarter - 4.0 * ((quarter * 0.25 + WHOLE_PART) - WHOLE_PART)  # -2, -1, 0, 1 or 2
+    turn = quarter - 4.0 * ((quarter * 0.25 + TO_WHOLE) - TO_WHOLE)  # -2, -1, 0, 1 or 2
     across = abs(turn) == 1.0
     first, second = (sine, cosine) if across else (cosine, sine)
     first = -first if turn == 1.0 or abs(turn) == 2.0 else first

@@ -1,168 +1,150 @@
-"""Which two sides led to a manifold, and how far bodies may move until others could.
-
-Serves: manifolds of bodies that rest, or pass slowly. Hides: how a relative pose is kept, and why
-a search would find the same sides again.
+"""The separating axis of a pair, cached from step to step, and how far it holds.
 
 In the axes of A, which turn with its first side, B has a place and a turn. Where the place has
-changed by d and the turn by k, as a chord, no corner of B has moved by more than d + k times its
-distance from B's centre, as seen from A, and no corner of A by more than d + k times its distance
-from B's centre, as seen from B. So with `lever` the largest of these distances, the room that a
-side leaves, and a corner's height over a side, have changed by at most d + k lever each. What was
-ahead by `slack` is still ahead while that is less than half the slack: d and k lever may take a
-quarter each.
+changed by d and the turn by k, as a chord, no vertex of B has moved by more than d + k times its
+distance from B's centre, as seen from A, and no vertex of A by more than d + k times its distance
+from B's centre, as seen from B. So with `lever` the largest of these distances, the separation
+along a side, and a vertex's height over a side, have changed by at most d + k lever each. A side
+that was ahead by `slack` is still ahead while that is less than half the slack: d and k lever may
+take a quarter each.
 """
 
 from math import sqrt
+from typing import NamedTuple
 
+from tamias2d.engine.narrow_phase.core import Core
+from tamias2d.engine.narrow_phase.separation import SEPARATED, Axis
 from tamias2d.engine.tables import AXIS_CACHE, CACHED_AXIS, Integers
 from tamias2d.state import Array
 
-NONE, APART, LED_BY_A, LED_BY_B, LED_BY_EITHER = 0, 1, 2, 3, 4
-STATES, TURNS, SIDES = 8, 4, 1 << 12  # states, codes of a turn and sides that a hint has room for
-FINE = 2.0**30  # units of a turn's room
-STRAIGHT = 0.6  # of the cosine of the kept angle: bounds how fast its sine changes
-ROUNDING = 2.0**-40  # of the lever: more than rounding does to a room
-TOO_FAR_MOVED = 0.004  # of their distance, or as a sine: a motion after which no hint is kept
-NOTHING = 1e308
+NOT_CACHED = 0  # beside the states of an axis
+STATES, TURNS, SIDES = 8, 4, 1 << 12  # how many states, codes of a turn and sides fit a cached axis
+CHORD_UNITS = 2.0**30  # of a chord, in flags
+LEAST_COSINE = 0.6  # of the change of the cached angle: bounds how fast its sine changes
+ROUNDING = 2.0**-40  # of the lever: more than rounding does to a separation
+TOO_FAR_MOVED = 0.004  # of the distance, or as a sine: a motion after which no axis is cached
 
 
-def relative_pose(
-    first_a: int, first_b: int, x: float, y: float, vertices: Array
-) -> tuple[float, float, float, float]:
-    """Return B's place, m, and the cosine and sine of its turn, in the axes of A's first side."""
+class RelativePose(NamedTuple):
+    """Where B is from A, in the axes of the world and in those of A's first side."""
+
+    x: float  # m
+    y: float
+    along: float  # m
+    across: float
+    cosine: float
+    sine: float
+
+
+def relative_pose(first_a: int, first_b: int, x: float, y: float, vertices: Array) -> RelativePose:
+    """Return the pose of B, which is at (x, y) from A, m, by their first sides."""
     ax, ay = vertices[first_a, 2], vertices[first_a, 3]
     bx, by = vertices[first_b, 2], vertices[first_b, 3]
-    return ax * x + ay * y, ax * y - ay * x, ax * bx + ay * by, ax * by - ay * bx
+    along, across = ax * x + ay * y, ax * y - ay * x
+    return RelativePose(x, y, along, across, ax * bx + ay * by, ax * by - ay * bx)
 
 
-def recalled(
-    row: Array,
-    ids: Integers,
-    along: float,
-    across: float,
-    cosine: float,
-    sine: float,
-    enough: float,
+def cached_sides(
+    manifold: Array, flags: Integers, pose: RelativePose, cutoff: float
 ) -> tuple[int, int, int]:
-    """Return the state of a hint and its sides of A and B; `NONE` where it may not hold.
+    """Return the state of the cached axis and its sides of A and B.
 
-    Its sides are a guess then.
+    `NOT_CACHED` where it may not hold; its sides are guesses then.
     """
-    hint = int(ids[CACHED_AXIS])
-    state = hint % STATES
-    code = hint // STATES % TURNS
-    sides = hint // (STATES * TURNS)
-    turn, other = (cosine, sine) if code % 2 == 1 else (sine, cosine)
+    cached = int(flags[CACHED_AXIS])
+    state = cached % STATES
+    code = cached // STATES % TURNS
+    sides = cached // (STATES * TURNS)
+    turn, other = (pose.cosine, pose.sine) if code % 2 == 1 else (pose.sine, pose.cosine)
     if code >= 2:
         other = -other
-    moved = abs(along - row[AXIS_CACHE]) + abs(across - row[AXIS_CACHE + 1])
-    if state == APART:
-        moved += enough
+    moved = abs(pose.along - manifold[AXIS_CACHE]) + abs(pose.across - manifold[AXIS_CACHE + 1])
+    if state == SEPARATED:
+        moved += cutoff
     holds = (
-        (other >= STRAIGHT)
-        & (abs(turn - row[AXIS_CACHE + 2]) * FINE <= ids[CACHED_AXIS + 1])
-        & (moved <= row[AXIS_CACHE + 3])
+        (other >= LEAST_COSINE)
+        & (abs(turn - manifold[AXIS_CACHE + 2]) * CHORD_UNITS <= flags[CACHED_AXIS + 1])
+        & (moved <= manifold[AXIS_CACHE + 3])
     )
-    return state if holds else NONE, sides % SIDES, sides // SIDES
+    return state if holds else NOT_CACHED, sides % SIDES, sides // SIDES
 
 
-def moved_too_far(row: Array, ids: Integers, along: float, across: float, sine: float) -> bool:
-    """Return whether a pair has moved so far since its last search that a hint is not worth it."""
-    moved = abs(along - row[AXIS_CACHE]) + abs(across - row[AXIS_CACHE + 1])
-    turned = (
-        abs(sine - row[AXIS_CACHE + 2]) if int(ids[CACHED_AXIS]) // STATES % TURNS % 2 == 0 else 0.0
-    )
-    return bool(moved > TOO_FAR_MOVED * (abs(along) + abs(across)) or turned > TOO_FAR_MOVED)
+def moved_too_far(manifold: Array, flags: Integers, pose: RelativePose) -> bool:
+    """Return whether a pair has moved so far since its last search that a cache is not worth it."""
+    moved = abs(pose.along - manifold[AXIS_CACHE]) + abs(pose.across - manifold[AXIS_CACHE + 1])
+    turned = 0.0
+    if int(flags[CACHED_AXIS]) // STATES % TURNS % 2 == 0:
+        turned = abs(pose.sine - manifold[AXIS_CACHE + 2])
+    far = moved > TOO_FAR_MOVED * (abs(pose.along) + abs(pose.across))
+    return bool(far or turned > TOO_FAR_MOVED)
 
 
-def keep_guess(
-    row: Array,
-    ids: Integers,
-    along: float,
-    across: float,
-    sine: float,
-    side_a: int,
-    side_b: int,
+def cache_guess(
+    manifold: Array, flags: Integers, pose: RelativePose, side_a: int, side_b: int
 ) -> None:
-    """Keep two sides, and where they were found, as a hint that never holds."""
-    row[AXIS_CACHE], row[AXIS_CACHE + 1], row[AXIS_CACHE + 2] = along, across, sine
+    """Keep two sides, and where they were found, as a guess for the next search."""
+    manifold[AXIS_CACHE], manifold[AXIS_CACHE + 1] = pose.along, pose.across
+    manifold[AXIS_CACHE + 2] = pose.sine
     known = side_a < SIDES and side_b < SIDES
-    ids[CACHED_AXIS] = APART + STATES * TURNS * (side_a + SIDES * side_b) if known else 0
-    ids[CACHED_AXIS + 1] = -1
+    sides = side_a + SIDES * side_b
+    flags[CACHED_AXIS] = SEPARATED + STATES * TURNS * sides if known else 0
+    flags[CACHED_AXIS + 1] = -1
 
 
-def cache_apart(
-    row: Array,
-    ids: Integers,
-    along: float,
-    across: float,
-    cosine: float,
-    sine: float,
-    lever: float,
-    side_a: int,
-    side_b: int,
-    room: float,
-    enough: float,
+def cache_separation(
+    manifold: Array, flags: Integers, pose: RelativePose, lever: float, axis: Axis, cutoff: float
 ) -> None:
-    """Keep that one of two sides leaves a room, m, where enough would do."""
-    half = 0.5 * (room - enough) - ROUNDING * lever
-    cache_pose(row, ids, along, across, cosine, sine, APART, side_a, side_b, half / lever)
-    row[AXIS_CACHE + 3] = enough + half
+    """Cache an axis with a separation that is larger than the cutoff, m."""
+    half = 0.5 * (axis.separation - cutoff) - ROUNDING * lever
+    cache_axis(manifold, flags, pose, SEPARATED, axis.side_a, axis.side_b, half / lever)
+    manifold[AXIS_CACHE + 3] = cutoff + half
 
 
 def cache_sides(
-    row: Array,
-    ids: Integers,
-    along: float,
-    across: float,
-    cosine: float,
-    sine: float,
+    manifold: Array,
+    flags: Integers,
+    pose: RelativePose,
     lever: float,
     state: int,
-    side_a: int,
-    side_b: int,
+    axis: Axis,
     slack: float,
 ) -> None:
-    """Keep two sides that are ahead of all others by a slack, m."""
+    """Cache two sides that are ahead of all others by a slack, m."""
     quarter = 0.25 * slack - ROUNDING * lever
-    cache_pose(row, ids, along, across, cosine, sine, state, side_a, side_b, quarter / lever)
-    row[AXIS_CACHE + 3] = quarter
+    cache_axis(manifold, flags, pose, state, axis.side_a, axis.side_b, quarter / lever)
+    manifold[AXIS_CACHE + 3] = quarter
 
 
-def cache_pose(
-    row: Array,
-    ids: Integers,
-    along: float,
-    across: float,
-    cosine: float,
-    sine: float,
+def cache_axis(
+    manifold: Array,
+    flags: Integers,
+    pose: RelativePose,
     state: int,
     side_a: int,
     side_b: int,
     chord: float,
 ) -> None:
-    """Keep a pose with the chord by which the turn may change, or a guess where there is none."""
+    """Cache two sides with the chord by which B may turn, or as a guess if that is not positive."""
     if chord <= 0.0 or side_a >= SIDES or side_b >= SIDES:
-        keep_guess(row, ids, along, across, sine, side_a, side_b)
+        cache_guess(manifold, flags, pose, side_a, side_b)
         return
-    code, turn, other = 0, sine, cosine
-    if abs(sine) > abs(cosine):
-        code, turn, other = 1, cosine, sine
+    code, turn, other = 0, pose.sine, pose.cosine
+    if abs(pose.sine) > abs(pose.cosine):
+        code, turn, other = 1, pose.cosine, pose.sine
     if other < 0.0:
         code += 2
-    ids[CACHED_AXIS] = state + STATES * (code + TURNS * (side_a + SIDES * side_b))
-    ids[CACHED_AXIS + 1] = int(FINE * STRAIGHT * min(chord, 1.0))
-    row[AXIS_CACHE], row[AXIS_CACHE + 1], row[AXIS_CACHE + 2] = along, across, turn
+    flags[CACHED_AXIS] = state + STATES * (code + TURNS * (side_a + SIDES * side_b))
+    flags[CACHED_AXIS + 1] = int(CHORD_UNITS * LEAST_COSINE * min(chord, 1.0))
+    manifold[AXIS_CACHE], manifold[AXIS_CACHE + 1] = pose.along, pose.across
+    manifold[AXIS_CACHE + 2] = turn
 
 
-def largest_lever(
-    first_a: int, count_a: int, first_b: int, count_b: int, x: float, y: float, vertices: Array
-) -> float:
-    """Return the largest distance of B's corners, and of A's from either centre, at most, m."""
+def largest_lever(a: Core, b: Core, x: float, y: float, vertices: Array) -> float:
+    """Return the largest distance of a vertex of B from its centre, or of A from either, m."""
     far = 0.0
-    for k in range(first_b, first_b + count_b):
+    for k in range(b.first, b.first + b.vertex_count):
         far = max(far, vertices[k, 0] * vertices[k, 0] + vertices[k, 1] * vertices[k, 1])
-    for k in range(first_a, first_a + count_a):
+    for k in range(a.first, a.first + a.vertex_count):
         vx, vy = vertices[k, 0], vertices[k, 1]
         far = max(far, vx * vx + vy * vy, (vx - x) * (vx - x) + (vy - y) * (vy - y))
     return sqrt(far)

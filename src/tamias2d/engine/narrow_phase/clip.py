@@ -1,119 +1,189 @@
-"""Where two sides that face each other touch: the ends of what they have in common.
+"""Clipping: the ends of what a reference side and an incident side have in common.
 
-Serves: manifolds. Hides: clipping, and which two corners are nearest where nothing is in common.
-
-Along the leading side, from its first corner v1 to v2 at `length`, the other side runs from w1
-down to w2. What they have in common has an end at v1 or w2 and one at v2 or w1: these pairs of
-corners name the two points whichever of the sides leads and whichever of the corners is the end,
-so that a point keeps its name, and with it its impulses, while bodies rock and slide.
+Along the reference side, from its first vertex p1 to p2, the incident side runs from q1 down to
+q2. What they have in common has an end at p1 or q2 and one at p2 or q1: these pairs of vertices are
+the features of the two points, whichever of the sides is the reference and whichever of the
+vertices is the end. So a point keeps its feature, and with it its impulses, while bodies rock and
+slide. Source: Catto, Box2D v3 (2024).
 """
 
 from math import sqrt
+from typing import NamedTuple
 
+from tamias2d.engine.narrow_phase.core import Core, next_vertex
+from tamias2d.engine.narrow_phase.separation import (
+    EITHER_IS_REFERENCE,
+    REFERENCE_B,
+    side_separation,
+)
 from tamias2d.engine.tables import GAP, NX, NY, POINT, PX, PY
 from tamias2d.state import Array
 
-NAMES = 1 << 15  # more than the corners of a shape
-PARALLEL = 2.0**-6  # of one side's slope to the other: as if parallel; errs by 2**-13 of the gap
-TINY = 1e-290  # m^2, for no size: below, squares of lengths are not exact enough for a direction
+FEATURES = 1 << 15  # more than the vertices of a shape
+PARALLEL = 2.0**-6  # slope to the other side, as if parallel: an error of 2**-13 of the gap
+TINY = 1e-290  # m^2: squares of lengths below are too inexact for a direction
+NO_GAP = 1e308  # m, of a point that is not there
 
 
-def touch_sides(
-    row: Array,
-    first_p: int,
-    p1: int,
-    p2: int,
-    first_q: int,
-    q1: int,
-    q2: int,
+class Facing(NamedTuple):
+    """An incident side in the axes of its reference side, m."""
+
+    nx: float  # outward normal of the reference side
+    ny: float
+    x: float  # first vertex of the reference side, from the centre of A
+    y: float
+    length: float  # of the reference side
+    along1: float  # first vertex of the incident side
+    gap1: float
+    along2: float  # its second vertex
+    gap2: float
+
+
+def clip_reference(
+    manifold: Array,
+    state: int,
+    a: Core,
+    side_a: int,
+    b: Core,
+    side_b: int,
     x: float,
     y: float,
-    radius_p: float,
-    radius_q: float,
     margin: float,
-    bare: bool,
+    vertices: Array,
+) -> tuple[int, int]:
+    """Write the points between two sides that face each other; the state tells the reference."""
+    b_is_reference = state == REFERENCE_B
+    if state == EITHER_IS_REFERENCE:
+        b_is_reference = side_separation(b, side_b, a, side_a, -x, -y, vertices) > side_separation(
+            a, side_a, b, side_b, x, y, vertices
+        )
+    if b_is_reference:
+        return clip_sides(manifold, b, side_b, a, side_a, -x, -y, margin, True, vertices)
+    return clip_sides(manifold, a, side_a, b, side_b, x, y, margin, False, vertices)
+
+
+def clip_sides(
+    manifold: Array,
+    p: Core,
+    side_p: int,
+    q: Core,
+    side_q: int,
+    x: float,
+    y: float,
+    margin: float,
     swapped: bool,
     vertices: Array,
 ) -> tuple[int, int]:
-    """Write the points between a leading side and a facing one to a row of `touch`.
+    """Write the points between P's reference side and Q's incident side.
 
-    P's leading side has the corners p1 and p2, Q's facing one q1 and q2; Q's centre is at (x, y)
-    from P's, m; `swapped` says that P is B, `bare` that both are lines without sides at their
-    ends. Return the names of the points, 0 for one that is not nearer than the margin, m.
+    Q's centre is at (x, y) from P's, m; `swapped` says that P is B. Returns the features of the
+    points, 0 for one whose gap is not below the margin, m.
     """
-    nx, ny = vertices[first_p + p1, 2], vertices[first_p + p1, 3]
-    vx, vy = vertices[first_p + p1, 0], vertices[first_p + p1, 1]
-    x1, y1 = vertices[first_q + q1, 0] + (x - vx), vertices[first_q + q1, 1] + (y - vy)
-    x2, y2 = vertices[first_q + q2, 0] + (x - vx), vertices[first_q + q2, 1] + (y - vy)
-    length = nx * (vertices[first_p + p2, 1] - vy) - ny * (vertices[first_p + p2, 0] - vx)
+    end_p, end_q = next_vertex(side_p, p.vertex_count), next_vertex(side_q, q.vertex_count)
+    facing = facing_sides(
+        p.first + side_p, p.first + end_p, q.first + side_q, q.first + end_q, x, y, swapped,
+        vertices,
+    )  # fmt: skip
+    separation = facing.gap1 if facing.gap1 < facing.gap2 else facing.gap2
+    low, high = common_part(facing)
+    if separation >= 0.0 or (
+        p.vertex_count == 2 and q.vertex_count == 2
+    ):  # segments have no sides at their ends
+        which = nearest_vertices(facing)
+        if which > 0 and (separation >= 0.0 or high < low):
+            vertex_p, vertex_q = end_p if which > 2 else side_p, side_q
+            if which == 1 or which == 4:
+                vertex_q = end_q
+            near = collide_vertices(manifold, facing, which, p.radius, q.radius, margin, swapped)
+            return feature_of(vertex_p, vertex_q, swapped) if near else 0, 0
+    manifold[NX] = -facing.nx if swapped else facing.nx
+    manifold[NY] = -facing.ny if swapped else facing.ny
+    first, second = clip_points(manifold, facing, low, high, p.radius, q.radius, margin)
+    feature1 = feature_of(side_p, end_q, swapped) if first else 0
+    feature2 = feature_of(end_p, side_q, swapped) if second else 0
+    return (feature1, feature2) if first else (feature2, 0)
+
+
+def facing_sides(
+    p1: int, p2: int, q1: int, q2: int, x: float, y: float, swapped: bool, vertices: Array
+) -> Facing:
+    """Return the side from vertex q1 to q2 in the axes of that from p1 to p2.
+
+    Q's centre is at (x, y) from P's, m; `swapped` says that Q is A.
+    """
+    nx, ny = vertices[p1, 2], vertices[p1, 3]
+    vx, vy = vertices[p1, 0], vertices[p1, 1]
+    x1, y1 = vertices[q1, 0] + (x - vx), vertices[q1, 1] + (y - vy)
+    x2, y2 = vertices[q2, 0] + (x - vx), vertices[q2, 1] + (y - vy)
+    length = nx * (vertices[p2, 1] - vy) - ny * (vertices[p2, 0] - vx)
     gap1, gap2 = nx * x1 + ny * y1, nx * x2 + ny * y2
     along1, along2 = nx * y1 - ny * x1, nx * y2 - ny * x2
-    low = along2 if along2 > 0.0 else 0.0
-    high = along1 if along1 < length else length
     if swapped:
         vx, vy = vx - x, vy - y
-    room = gap1 if gap1 < gap2 else gap2
-    if room >= 0.0 or bare:
-        which = nearest_corners(along1, gap1, along2, gap2, length)
-        if which > 0 and (room >= 0.0 or high < low):
-            at = length if which > 2 else 0.0
-            first = which == 2 or which == 3
-            beside = (along1 if first else along2) - at
-            across = gap1 if first else gap2
-            found = touch_corners(
-                row, nx, ny, vx, vy, at, beside, across, radius_p, radius_q, margin, swapped
-            )
-            p, q = p2 if which > 2 else p1, q1 if first else q2
-            return name_of(p, q, swapped) if found else 0, 0
-    if high < low or along1 <= along2:  # nothing in common: the deepest corner alone
-        low = high = along1 if gap1 < gap2 else along2
-        gap_low, gap_high = room, 1e308
+    return Facing(nx, ny, vx, vy, length, along1, gap1, along2, gap2)
+
+
+def common_part(facing: Facing) -> tuple[float, float]:
+    """Return from where to where both sides are along the reference side, m; there may be none."""
+    low = facing.along2 if facing.along2 > 0.0 else 0.0
+    high = facing.along1 if facing.along1 < facing.length else facing.length
+    return low, high
+
+
+def clip_points(
+    manifold: Array,
+    facing: Facing,
+    low: float,
+    high: float,
+    radius_p: float,
+    radius_q: float,
+    margin: float,
+) -> tuple[bool, bool]:
+    """Write the points at both ends of the common part; return which are within the margin."""
+    if high < low or facing.along1 <= facing.along2:  # no common part: the deepest vertex alone
+        deepest_first = facing.gap1 < facing.gap2
+        low = high = facing.along1 if deepest_first else facing.along2
+        gap_low, gap_high = facing.gap1 if deepest_first else facing.gap2, NO_GAP
     else:
-        span = along1 - along2
-        gap_low = gap2 + (gap1 - gap2) * ((low - along2) / span)
-        gap_high = gap1 + (gap2 - gap1) * ((along1 - high) / span) if high > low else 1e308
-    radii = radius_p + radius_q
-    uneven = radius_p - radius_q
-    row[NX] = -nx if swapped else nx
-    row[NY] = -ny if swapped else ny
-    name = 0
-    other = 0
-    if gap_low - radii < margin:
-        middle = 0.5 * (gap_low + uneven)
-        row[PX] = vx + nx * middle - ny * low
-        row[PY] = vy + ny * middle + nx * low
-        row[GAP] = gap_low - radii
-        name = name_of(p1, q2, swapped)
-    if gap_high - radii < margin:
-        k = POINT if name > 0 else 0
-        middle = 0.5 * (gap_high + uneven)
-        row[PX + k] = vx + nx * middle - ny * high
-        row[PY + k] = vy + ny * middle + nx * high
-        row[GAP + k] = gap_high - radii
-        other = name_of(p2, q1, swapped)
-        if name == 0:
-            name, other = other, 0
-    return name, other
+        span, rise = facing.along1 - facing.along2, facing.gap1 - facing.gap2
+        gap_low = facing.gap2 + rise * ((low - facing.along2) / span)
+        gap_high = NO_GAP
+        if high > low:
+            gap_high = facing.gap1 + (facing.gap2 - facing.gap1) * ((facing.along1 - high) / span)
+    radii, uneven = radius_p + radius_q, radius_p - radius_q
+    first, second = gap_low - radii < margin, gap_high - radii < margin
+    if first:
+        write_point(manifold, 0, facing, low, 0.5 * (gap_low + uneven), gap_low - radii)
+    if second:
+        at = POINT if first else 0
+        write_point(manifold, at, facing, high, 0.5 * (gap_high + uneven), gap_high - radii)
+    return first, second
 
 
-def touch_corners(
-    row: Array,
-    nx: float,
-    ny: float,
-    vx: float,
-    vy: float,
-    at: float,
-    beside: float,
-    across: float,
+def write_point(
+    manifold: Array, at: int, facing: Facing, along: float, height: float, gap: float
+) -> None:
+    """Write a point along the reference side and over it, m."""
+    manifold[PX + at] = facing.x + facing.nx * height - facing.ny * along
+    manifold[PY + at] = facing.y + facing.ny * height + facing.nx * along
+    manifold[GAP + at] = gap
+
+
+def collide_vertices(
+    manifold: Array,
+    facing: Facing,
+    which: int,
     radius_p: float,
     radius_q: float,
     margin: float,
     swapped: bool,
 ) -> bool:
-    """Write the point between two corners to a row of `touch`, if they are within the margin.
-
-    P's corner is `at` from v along its side with normal n, Q's is `beside` and `across` from that.
-    """
+    """Write the point between the vertices that are nearest; return whether it is near enough."""
+    nx, ny = facing.nx, facing.ny
+    at = facing.length if which > 2 else 0.0
+    of_first = which == 2 or which == 3
+    beside = (facing.along1 if of_first else facing.along2) - at
+    across = facing.gap1 if of_first else facing.gap2
     square = beside * beside + across * across
     distance = sqrt(square)
     gap = distance - radius_p - radius_q
@@ -122,36 +192,37 @@ def touch_corners(
     ux, uy = nx, ny
     if square > TINY:
         ux, uy = (nx * across - ny * beside) / distance, (ny * across + nx * beside) / distance
-    row[NX] = -ux if swapped else ux
-    row[NY] = -uy if swapped else uy
+    manifold[NX] = -ux if swapped else ux
+    manifold[NY] = -uy if swapped else uy
     middle = 0.5 * (distance + radius_p - radius_q)
-    row[PX] = vx - ny * at + ux * middle
-    row[PY] = vy + nx * at + uy * middle
-    row[GAP] = gap
+    manifold[PX] = facing.x - ny * at + ux * middle
+    manifold[PY] = facing.y + nx * at + uy * middle
+    manifold[GAP] = gap
     return True
 
 
-def nearest_corners(along1: float, gap1: float, along2: float, gap2: float, length: float) -> int:
-    """Return which corners are nearest: 1 v1 and w2, 2 v1 and w1, 3 v2 and w1, 4 v2 and w2.
+def nearest_vertices(facing: Facing) -> int:
+    """Return which vertices are nearest: 1 p1 and q2, 2 p1 and q1, 3 p2 and q1, 4 p2 and q2.
 
     0 where the inside of a side is nearest, or nearly so: of sides that are almost parallel and
-    beside each other both ends count, since what lies in line is to rest on two points.
+    beside each other both ends count, since bodies in line are to rest on two points.
     """
-    span, rise = along1 - along2, gap1 - gap2
+    along1, along2, length = facing.along1, facing.along2, facing.length
+    span, rise = along1 - along2, facing.gap1 - facing.gap2
     beside = along1 >= 0.0 and along2 <= length
     if beside and abs(rise) <= PARALLEL * span:
         return 0
-    if along2 < 0.0 and -along2 * span <= gap2 * rise:
+    if along2 < 0.0 and -along2 * span <= facing.gap2 * rise:
         return 1
     if along1 < 0.0:
         return 2
-    if along1 > length and (along1 - length) * span <= -gap1 * rise:
+    if along1 > length and (along1 - length) * span <= -facing.gap1 * rise:
         return 3
     if along2 > length:
         return 4
     return 0
 
 
-def name_of(p: int, q: int, swapped: bool) -> int:
-    """Return the name of a point between a corner of P and one of Q."""
-    return 1 + (q * NAMES + p if swapped else p * NAMES + q)
+def feature_of(p: int, q: int, swapped: bool) -> int:
+    """Return the feature of a point between a vertex of P and one of Q."""
+    return 1 + (q * FEATURES + p if swapped else p * FEATURES + q)

@@ -1,7 +1,4 @@
-"""How the surfaces of two shapes mix: by the rules of the scene, or as was set for the pair.
-
-Serves: contacts, and impacts in flight. Hides: how what was set is found.
-"""
+"""Friction and restitution of two shapes: by the rules of the scene, or as set for the pair."""
 
 from tamias2d.engine.tables import FRICTION, RESTITUTION
 from tamias2d.generated.definitions import pair_friction, pair_restitution
@@ -11,8 +8,8 @@ from tamias2d.state import Array
 def mixed_material(s: int, t: int, material: Array, overrides: Array) -> tuple[float, float]:
     """Return the friction and the restitution of two shapes.
 
-    `mixed` (k, 4) holds what was set for pairs, by the lower shape and then by the other one: both,
-    friction, restitution; -1 where that was not set.
+    `overrides` (k, 4) holds what was set for pairs, sorted: the lower shape, the other one,
+    friction, restitution; -1 where that was not set. Cost: the logarithm of its length.
     """
     friction = mixed_friction(material[s, FRICTION], material[t, FRICTION])
     restitution = mixed_restitution(material[s, RESTITUTION], material[t, RESTITUTION])
@@ -24,7 +21,7 @@ def mixed_material(s: int, t: int, material: Array, overrides: Array) -> tuple[f
 
 
 def override_of(s: int, t: int, overrides: Array) -> int:
-    """Return in which row something was set for a pair; the number of rows where nothing was."""
+    """Return the row that was set for a pair, or the number of rows if there is none."""
     low, high = 0, len(overrides)
     while low < high:
         middle = (low + high) // 2
@@ -37,14 +34,14 @@ def override_of(s: int, t: int, overrides: Array) -> int:
 
 
 def mixed_friction(first: float, second: float) -> float:
-    """Return the friction of two surfaces; -1 where one states none, and 0 if neither does."""
+    """Return the friction of two surfaces. Where one states none, -1, the other's counts."""
     if first < 0.0 or second < 0.0:
         return max(first, second, 0.0)
     return pair_friction(first, second)
 
 
 def mixed_restitution(first: float, second: float) -> float:
-    """Return the restitution of two surfaces; -1 where one states none, and 0 if neither does."""
+    """Return the restitution of two surfaces. Where one states none, -1, the other's counts."""
     if first < 0.0 or second < 0.0:
         return max(first, second, 0.0)
     return pair_restitution(first, second)

@@ -1,232 +1,219 @@
-"""The sides of two convex shapes that leave most room between them.
+"""The separating axis test: the side normal along which two convex shapes are least deep.
 
-Serves: manifolds and sweeps. Hides: how sides and corners are searched, and what decides.
+A shape is its vertices, grown by a radius; sides have outward normals. The separation along a side
+is the distance of the other shape's nearest vertex from its line, negative where that lies behind
+it. Over all sides of both shapes the largest separation is at most the distance, and equal to it
+where a side is among the nearest features.
 
-A shape is its corners, grown by a radius; sides have outward normals. The room that a side leaves
-is the distance of the other's nearest corner from its line, negative where that lies behind it.
-Over all sides of both shapes the largest room is at most the distance, and all of it where a side
-is among the nearest features.
-
+Cost: the product of the numbers of vertices at worst, their sum where the guesses are right.
 Source: Gregorius, The separating axis test between convex polyhedra (GDC 2013).
 """
 
-from tamias2d.engine.narrow_phase.axis_cache import APART, LED_BY_A, LED_BY_B, NOTHING
+from typing import NamedTuple
+
+from tamias2d.engine.narrow_phase.core import Core, next_vertex
 from tamias2d.state import Array
 
+# states of an axis: the shapes are apart along it; whose side is the reference side
+SEPARATED, REFERENCE_A, REFERENCE_B, EITHER_IS_REFERENCE = 1, 2, 3, 4
+INFINITE = 1e308
 
-def most_facing(first: int, count: int, x: float, y: float, vertices: Array) -> int:
-    """Return the side that is farthest behind a point, m from the body's centre."""
+
+class Axis(NamedTuple):
+    """The sides of A and B that face each other, and how far they are ahead of others."""
+
+    state: int
+    side_a: int
+    side_b: int
+    separation: float  # m
+    next_separation: float  # along the next best side, m
+
+
+class Best(NamedTuple):
+    """The best side in a search over the sides of one shape."""
+
+    separation: float  # m
+    side: int  # -1 if it is one of the other shape
+    vertex: int  # nearest vertex of the other shape
+    next_separation: float  # along the next best side of this shape, m
+
+
+def foremost_side(p: Core, x: float, y: float, vertices: Array) -> int:
+    """Return the side that a point is farthest in front of, m from the body's centre."""
     side = 0
-    most = -NOTHING
-    for k in range(count):
-        room = height_over(first + k, x, y, vertices)
-        side = k if room > most else side
-        most = max(most, room)
+    most = -INFINITE
+    for k in range(p.vertex_count):
+        height = height_over(p.first + k, x, y, vertices)
+        side = k if height > most else side
+        most = max(most, height)
     return side
 
 
 def height_over(side: int, x: float, y: float, vertices: Array) -> float:
-    """Return how far a point is before a side, m."""
-    room: float = vertices[side, 2] * (x - vertices[side, 0]) + vertices[side, 3] * (
+    """Return how far a point is in front of a side, m."""
+    height: float = vertices[side, 2] * (x - vertices[side, 0]) + vertices[side, 3] * (
         y - vertices[side, 1]
     )
-    return room
+    return height
+
+
+def find_axis(
+    a: Core, guess_a: int, b: Core, guess_b: int, x: float, y: float, cutoff: float, vertices: Array
+) -> Axis:
+    """Return the axis of the largest separation.
+
+    `SEPARATED` where a side has a separation of the cutoff, m. The nearer the guessed sides are to
+    what is found, the fewer others are measured; of equal ones a guess is found, and A's side is
+    the reference.
+    """
+    along_a, vertex_b = separation_along(a.first + guess_a, b, x, y, vertices)
+    if along_a >= cutoff:
+        return Axis(SEPARATED, guess_a, guess_b, along_a, 0.0)
+    along_b, vertex_a = separation_along(b.first + guess_b, a, -x, -y, vertices)
+    if along_b >= cutoff:
+        return Axis(SEPARATED, guess_a, guess_b, along_b, 0.0)
+    side_a, side_b = (guess_a, -1) if along_a >= along_b else (-1, guess_b)
+    start_a = Best(max(along_a, along_b), side_a, vertex_b, 0.0)
+    best_a = best_side(a, guess_a, start_a, b, x, y, cutoff, vertices)
+    if best_a.separation >= cutoff:
+        return Axis(SEPARATED, best_a.side, guess_b, best_a.separation, 0.0)
+    start_b = Best(best_a.separation, side_b if best_a.side < 0 else -1, vertex_a, 0.0)
+    best_b = best_side(b, guess_b, start_b, a, -x, -y, cutoff, vertices)
+    if best_b.separation >= cutoff:
+        return Axis(SEPARATED, guess_a, best_b.side, best_b.separation, 0.0)
+    state = REFERENCE_A
+    side_a, side_b = best_a.side, best_b.side
+    if side_b < 0:
+        v = a.first + side_a
+        side_b = incident_side(b, best_a.vertex, vertices[v, 2], vertices[v, 3], vertices)
+    else:
+        state = REFERENCE_B
+        v = b.first + side_b
+        side_a = incident_side(a, best_b.vertex, vertices[v, 2], vertices[v, 3], vertices)
+    next_a = best_a.next_separation
+    next_a = next_a if side_a == guess_a else max(next_a, along_a)
+    next_b = best_b.next_separation
+    next_b = next_b if side_b == guess_b else max(next_b, along_b)
+    return Axis(state, side_a, side_b, best_b.separation, max(next_a, next_b))
 
 
 def best_side(
-    first_p: int,
-    count_p: int,
-    known: int,
-    side: int,
-    corner: int,
-    best: float,
-    first_q: int,
-    count_q: int,
-    inner_q: float,
-    x: float,
-    y: float,
-    enough: float,
-    vertices: Array,
-) -> tuple[float, int, int, float]:
-    """Return the room of P's roomiest side, m, its index, Q's nearest corner, the next room.
+    p: Core, guess: int, start: Best, q: Core, x: float, y: float, cutoff: float, vertices: Array
+) -> Best:
+    """Return the side of P with the largest separation, if it is larger than that of the start.
 
-    Q's centre is at (x, y) from P's, and no side of Q is nearer to it than `inner_q`, m. The best
-    so far is a room, m, with its side of P, -1 if it is not P's, and its corner; the known side
-    has been measured. Sides that cannot leave more are not, and what they might leave counts as
-    theirs. The search ends where there is room enough, m.
+    Q's centre is at (x, y) from P's, m. The guessed side has been measured. Sides whose separation
+    cannot be larger, since no side of Q is nearer to its centre than the inradius, are not
+    measured, and this bound counts as theirs. The search ends at the cutoff, m.
     """
-    second = -NOTHING
-    for i in range(count_p):
-        if i == known:
+    separation, side, vertex = start.separation, start.side, start.vertex
+    following = -INFINITE
+    for i in range(p.vertex_count):
+        if i == guess:
             continue
-        most = height_over(first_p + i, x, y, vertices) - inner_q
-        if most <= best:
-            second = max(second, most)
+        bound = height_over(p.first + i, x, y, vertices) - q.inradius
+        if bound <= separation:
+            following = max(following, bound)
             continue
-        room, at = separation_over(first_p + i, first_q, count_q, x, y, vertices)
-        if room > best:
-            second = best if side >= 0 else second
-            best, side, corner = room, i, at
-            if best >= enough:
+        along, nearest = separation_along(p.first + i, q, x, y, vertices)
+        if along > separation:
+            following = separation if side >= 0 else following
+            separation, side, vertex = along, i, nearest
+            if separation >= cutoff:
                 break
         else:
-            second = max(second, room)
-    return best, side, corner, second
+            following = max(following, along)
+    return Best(separation, side, vertex, following)
 
 
-def separation_over(
-    side: int, first_q: int, count_q: int, x: float, y: float, vertices: Array
-) -> tuple[float, int]:
-    """Return the room that a side of P leaves to Q, m, and the corner of Q that is nearest."""
+def separation_along(side: int, q: Core, x: float, y: float, vertices: Array) -> tuple[float, int]:
+    """Return the separation of Q along a side of P, m, and the vertex of Q that is nearest."""
     nx, ny = vertices[side, 2], vertices[side, 3]
-    low = NOTHING
-    at = 0
-    for j in range(count_q):
-        height = nx * vertices[first_q + j, 0] + ny * vertices[first_q + j, 1]
-        at = j if height < low else at
+    low = INFINITE
+    nearest = 0
+    for j in range(q.vertex_count):
+        height = nx * vertices[q.first + j, 0] + ny * vertices[q.first + j, 1]
+        nearest = j if height < low else nearest
         low = min(low, height)
-    return nx * (x - vertices[side, 0]) + ny * (y - vertices[side, 1]) + low, at
+    return nx * (x - vertices[side, 0]) + ny * (y - vertices[side, 1]) + low, nearest
 
 
-def inner_radius(first: int, count: int, vertices: Array) -> float:
-    """Return how near the sides of a shape are to the centre of its body, m.
+def side_separation(
+    p: Core, side_p: int, q: Core, side_q: int, x: float, y: float, vertices: Array
+) -> float:
+    """Return the distance of the nearer end of a side of Q from the line of a side of P, m."""
+    v = p.first + side_p
+    end1, end2 = q.first + side_q, q.first + next_vertex(side_q, q.vertex_count)
+    nx, ny = vertices[v, 2], vertices[v, 3]
+    low = min(
+        nx * vertices[end1, 0] + ny * vertices[end1, 1],
+        nx * vertices[end2, 0] + ny * vertices[end2, 1],
+    )
+    separation: float = nx * (x - vertices[v, 0]) + ny * (y - vertices[v, 1]) + low
+    return separation
 
-    Where the centre is not within the shape this says nothing.
-    """
-    near = NOTHING
-    for k in range(first, first + count):
+
+def inner_radius(p: Core, vertices: Array) -> float:
+    """Return the least distance of a side from the body's centre, m; negative if outside."""
+    near = INFINITE
+    for k in range(p.first, p.first + p.vertex_count):
         near = min(near, vertices[k, 0] * vertices[k, 2] + vertices[k, 1] * vertices[k, 3])
-    return near if near >= 0.0 else -NOTHING
+    return near if near >= 0.0 else -INFINITE
 
 
-def facing_side(first: int, count: int, corner: int, nx: float, ny: float, vertices: Array) -> int:
-    """Return which of the two sides at a corner looks more against a direction."""
-    before = corner - 1 if corner > 0 else count - 1
-    here = nx * vertices[first + corner, 2] + ny * vertices[first + corner, 3]
-    other = nx * vertices[first + before, 2] + ny * vertices[first + before, 3]
-    return before if other < here else corner
-
-
-def find_sides(
-    first_a: int,
-    count_a: int,
-    guess_a: int,
-    first_b: int,
-    count_b: int,
-    guess_b: int,
-    inner_a: float,
-    inner_b: float,
-    x: float,
-    y: float,
-    enough: float,
-    vertices: Array,
-) -> tuple[int, int, int, float, float]:
-    """Return who leads, the sides of A and B that face each other, their room and the next, m.
-
-    `APART` where a side leaves enough room. The nearer the guessed sides are to what is found, the
-    fewer others are measured; of equal ones a guess is found, and A leads.
-    """
-    room_a, corner_b = separation_over(first_a + guess_a, first_b, count_b, x, y, vertices)
-    if room_a >= enough:
-        return APART, guess_a, guess_b, room_a, 0.0
-    room_b, corner_a = separation_over(first_b + guess_b, first_a, count_a, -x, -y, vertices)
-    if room_b >= enough:
-        return APART, guess_a, guess_b, room_b, 0.0
-    side_a, side_b = (guess_a, -1) if room_a >= room_b else (-1, guess_b)
-    best, side_a, corner_b, next_a = best_side(
-        first_a,
-        count_a,
-        guess_a,
-        side_a,
-        corner_b,
-        max(room_a, room_b),
-        first_b,
-        count_b,
-        inner_b,
-        x,
-        y,
-        enough,
-        vertices,
-    )
-    if best >= enough:
-        return APART, side_a, guess_b, best, 0.0
-    best, side_b, corner_a, next_b = best_side(
-        first_b,
-        count_b,
-        guess_b,
-        side_b if side_a < 0 else -1,
-        corner_a,
-        best,
-        first_a,
-        count_a,
-        inner_a,
-        -x,
-        -y,
-        enough,
-        vertices,
-    )
-    if best >= enough:
-        return APART, guess_a, side_b, best, 0.0
-    state = LED_BY_A
-    if side_b < 0:
-        nx, ny = vertices[first_a + side_a, 2], vertices[first_a + side_a, 3]
-        side_b = facing_side(first_b, count_b, corner_b, nx, ny, vertices)
-    else:
-        state = LED_BY_B
-        nx, ny = vertices[first_b + side_b, 2], vertices[first_b + side_b, 3]
-        side_a = facing_side(first_a, count_a, corner_a, nx, ny, vertices)
-    next_a = next_a if side_a == guess_a else max(next_a, room_a)
-    next_b = next_b if side_b == guess_b else max(next_b, room_b)
-    return state, side_a, side_b, best, max(next_a, next_b)
+def incident_side(q: Core, vertex: int, nx: float, ny: float, vertices: Array) -> int:
+    """Return which of the two sides at a vertex faces more against a direction."""
+    before = vertex - 1 if vertex > 0 else q.vertex_count - 1
+    here = nx * vertices[q.first + vertex, 2] + ny * vertices[q.first + vertex, 3]
+    other = nx * vertices[q.first + before, 2] + ny * vertices[q.first + before, 3]
+    return before if other < here else vertex
 
 
 def side_slack(
-    first_p: int,
-    count_p: int,
+    p: Core,
     side_p: int,
-    first_q: int,
-    count_q: int,
+    q: Core,
     side_q: int,
     x: float,
     y: float,
     lever: float,
-    room: float,
-    other: float,
+    axis: Axis,
     vertices: Array,
 ) -> tuple[bool, float]:
-    """Return whether either of two sides may lead, and by how much they are ahead of others, m.
+    """Return whether either side may be the reference, and how far both are ahead of others, m.
 
-    P's side leads with a room, the next but Q's leaves another; Q is at (x, y) from P. Either may
-    lead where the corners of each are nearest to the other, and each faces the other.
+    P's side is the reference of the axis; Q is at (x, y) from P. Either may be where the ends of
+    each are nearest to the other, and each faces the other.
     """
-    near_q, _ = nearness(first_p + side_p, first_q, count_q, side_q, lever, vertices)
-    near_p, low = nearness(first_q + side_q, first_p, count_p, side_p, lever, vertices)
-    q = first_q + side_q
-    mx, my = vertices[q, 2], vertices[q, 3]
-    behind = room - (mx * (-x - vertices[q, 0]) + my * (-y - vertices[q, 1]) + low)
-    slack = min(room - other, near_q)
-    return near_p > behind, min(slack, max(near_p, behind))
+    slack_q, _ = incident_slack(p.first + side_p, q, side_q, lever, vertices)
+    slack_p, low = incident_slack(q.first + side_q, p, side_p, lever, vertices)
+    v = q.first + side_q
+    mx, my = vertices[v, 2], vertices[v, 3]
+    other = mx * (-x - vertices[v, 0]) + my * (-y - vertices[v, 1]) + low
+    behind = axis.separation - other
+    slack = min(axis.separation - axis.next_separation, slack_q)
+    return slack_p > behind, min(slack, max(slack_p, behind))
 
 
-def nearness(
-    lead: int, first: int, count: int, side: int, lever: float, vertices: Array
+def incident_slack(
+    reference: int, q: Core, side: int, lever: float, vertices: Array
 ) -> tuple[float, float]:
-    """Return how much nearer a side's corners are to a leading side than others, and the nearest.
+    """Return how much nearer a side's ends are to a reference side than others, and the nearest.
 
-    Counted also is how much better the side faces the leading one than those beside it do, times
+    Counted also is how much better the side faces the reference side than those beside it do, times
     the lever: a turn by a chord changes it by no more than twice that.
     """
-    nx, ny = vertices[lead, 2], vertices[lead, 3]
-    following = side + 1 if side + 1 < count else 0
-    before = side - 1 if side > 0 else count - 1
-    here = nx * vertices[first + side, 2] + ny * vertices[first + side, 3]
+    nx, ny = vertices[reference, 2], vertices[reference, 3]
+    following = next_vertex(side, q.vertex_count)
+    before = side - 1 if side > 0 else q.vertex_count - 1
+    here = nx * vertices[q.first + side, 2] + ny * vertices[q.first + side, 3]
     beside = min(
-        nx * vertices[first + before, 2] + ny * vertices[first + before, 3],
-        nx * vertices[first + following, 2] + ny * vertices[first + following, 3],
+        nx * vertices[q.first + before, 2] + ny * vertices[q.first + before, 3],
+        nx * vertices[q.first + following, 2] + ny * vertices[q.first + following, 3],
     )
-    near = far = NOTHING
-    for k in range(count):
-        height = nx * vertices[first + k, 0] + ny * vertices[first + k, 1]
+    near = far = INFINITE
+    for k in range(q.vertex_count):
+        height = nx * vertices[q.first + k, 0] + ny * vertices[q.first + k, 1]
         if k in (side, following):
             near = min(near, height)
         else:

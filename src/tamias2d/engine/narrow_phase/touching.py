@@ -1,9 +1,6 @@
-"""Which pairs touch, or may in this step, and where.
+"""Which contacts touch, or may in this step, and where. Cost: linear in the contacts."""
 
-Serves: a step. Hides: how near is near, which follows from sizes and from the motion at hand.
-"""
-
-from tamias2d.engine.narrow_phase.manifold import collide
+from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import (
     ARRANGED,
     AWAKE,
@@ -29,16 +26,20 @@ from tamias2d.engine.tables import (
     BroadPhase,
     Contacts,
     Control,
+    Integers,
     Islands,
     Shapes,
     Touching,
     X,
     Y,
 )
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
 
-CLOSE = 0.02  # of the smaller reach: what is nearer is a contact already
-AHEAD = 0.1  # of the smaller reach: how far the motion of a step can make it one
-BULLET = 2.0  # of the smaller reach: what moves farther in a step is met in flight
+# fractions of the smaller bounding radius of two shapes
+CLOSE = 0.02  # the gap below which there is a contact already
+AHEAD = 0.1  # the most by which the motion of a step raises that
+BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 
 
 def find_touching(
@@ -51,10 +52,10 @@ def find_touching(
     touching: Touching,
     islands: Islands,
 ) -> None:
-    """Find the contacts of all pairs, and list the pairs that have some.
+    """Find the points of all contacts, and list the contacts that have some.
 
-    What was noted of the last step is aged, unless that has been done. Where contacts are those of
-    the last step, with as many points, their arrangement holds.
+    Flags of the last step are aged, unless they were found in this step already. If the contacts
+    are those of the last step, with as many points, their arrangement holds.
     """
     total = 0
     same = touching.counts[ARRANGED] == 1
@@ -66,28 +67,12 @@ def find_touching(
         if islands.counts[SLEEPING] > 0 and islands.links[i, AWAKE] + islands.links[j, AWAKE] == 0:
             continue
         x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
-        reach, other = shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
-        radii = reach + other
-        reach = min(reach, other)
-        radii += (CLOSE + AHEAD) * reach
+        radius_s, radius_t = shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
+        smaller = min(radius_s, radius_t)
+        radii = radius_s + radius_t + (CLOSE + AHEAD) * smaller
         if x * x + y * y > radii * radii and contacts.flags[p, POINT_COUNT] == 0:
             continue
-        by_x = bodies.motion[j, VX] - bodies.motion[i, VX]
-        by_y = bodies.motion[j, VY] - bodies.motion[i, VY]
-        speed = (abs(by_x) + abs(by_y)) * control.settings[TIME_STEP]
-        turn_a = (
-            abs(bodies.motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS]
-            if shapes.count[s] > 1
-            else 0.0
-        )
-        turn_b = (
-            abs(bodies.motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS]
-            if shapes.count[t] > 1
-            else 0.0
-        )
-        whirl = speed + (turn_a + turn_b) * control.settings[TIME_STEP]
-        margin = CLOSE * reach + min(speed, AHEAD * reach)
-        margin = 0.0 if whirl > BULLET * reach else margin
+        margin = speculative_margin(i, j, s, t, smaller, control, bodies, shapes)
         count = collide(p, s, t, x, y, margin, shapes, contacts)
         if count == 0:
             continue
@@ -95,10 +80,41 @@ def find_touching(
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
             total += 1
-        elif contacts.manifolds[p, GAP] <= 0.0 or (
-            count == 2 and contacts.manifolds[p, GAP + POINT] <= 0.0
-        ):
-            contacts.flags[p, TOUCHES] |= IS_TOUCHING  # it overlaps a sensor
+        else:
+            mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
     if not same or touching.counts[TOUCHING] != total:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
     touching.counts[TOUCHING] = total
+
+
+@inlined
+def speculative_margin(
+    i: int,
+    j: int,
+    s: int,
+    t: int,
+    smaller: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+) -> float:
+    """Return below which gap two shapes, of the bodies i and j, have a contact, m.
+
+    It follows the motion of a step, up to a fraction of the smaller radius, and is 0 for a fast
+    pair.
+    """
+    motion, time_step = bodies.motion, control.settings[TIME_STEP]
+    speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
+    distance = speed * time_step
+    turn_a = abs(motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS] if shapes.count[s] > 1 else 0.0
+    turn_b = abs(motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS] if shapes.count[t] > 1 else 0.0
+    if distance + (turn_a + turn_b) * time_step > BULLET * smaller:
+        return 0.0
+    return CLOSE * smaller + min(distance, AHEAD * smaller)
+
+
+@inlined
+def mark_sensor(count: int, manifold: Array, flags: Integers) -> None:
+    """Mark a contact with a sensor as touching if the shapes overlap."""
+    if manifold[GAP] <= 0.0 or (count == 2 and manifold[GAP + POINT] <= 0.0):
+        flags[TOUCHES] |= IS_TOUCHING

@@ -1,13 +1,13 @@
-"""Region queries: what lies at a point or in a box, asked of the places as they are now.
+"""Region queries: the shapes at a point or in a box, with bodies where they are now.
 
-Serves: the simulator, and rays, which meet no body that they start in. Hides: the tree that is
-asked, which is not that of the step: users move bodies between steps. Sensors are not solid, and no
-query finds them.
+Users move bodies between steps, so that queries have a tree of their own. Sensors are not solid,
+and no query finds them.
 
-Cost: n log n for a tree where something moved, then log n and what is found for each question.
+Cost: n log n for a tree where something moved, then log n and the shapes found for each query.
 """
 
 from math import sqrt
+from typing import NamedTuple
 
 from tamias2d.engine.broad_phase.bvh import BUNCH, build_tree, first_leaf_node
 from tamias2d.engine.motion.rotation import cosine_sine
@@ -22,6 +22,7 @@ from tamias2d.engine.tables import (
     PLANES,
     POLYGON,
     SENSOR,
+    BodyState,
     Integers,
     Shapes,
     Tree,
@@ -29,16 +30,14 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
-from tamias2d.kernels.arrays import (
-    Places,
-)
+from tamias2d.kernels.arrays import Places
 from tamias2d.state import Array
 
-SLACK = 1e-12  # relative: how much larger boxes are than what is in them
+SLACK = 1e-12  # by which boxes are larger than their shapes, of their sizes and places
 
 
 def build_query_tree(world: World) -> None:
-    """Make the tree for all shapes where they are; half-planes stand behind its leaves."""
+    """Build the tree of all shapes where they are; half-planes stand behind its leaves."""
     state, shapes, tree, broad_phase = world.state, world.shapes, world.tree, world.broad_phase
     for s in range(len(shapes.kind)):
         i = state.body_of_shape[s]
@@ -54,26 +53,30 @@ def build_query_tree(world: World) -> None:
     tree.counts[LEAVES], tree.counts[PLANES] = leaves, planes
 
 
-def fit_box(s: int, place: Array, shapes: Shapes, tree: Tree) -> None:
-    """Put a box around a shape."""
-    c, d = cosine_sine(place[ANGLE])
-    first = shapes.first[s]
-    low_x = high_x = c * shapes.local_vertices[first, 0] - d * shapes.local_vertices[first, 1]
-    low_y = high_y = d * shapes.local_vertices[first, 0] + c * shapes.local_vertices[first, 1]
+def fit_box(s: int, pose: Array, shapes: Shapes, tree: Tree) -> None:
+    """Put a box around a shape of a body with a pose."""
+    c, d = cosine_sine(pose[ANGLE])
+    first, local = shapes.first[s], shapes.local_vertices
+    low_x = high_x = c * local[first, 0] - d * local[first, 1]
+    low_y = high_y = d * local[first, 0] + c * local[first, 1]
     for k in range(first + 1, first + shapes.count[s]):
-        x, y = (
-            c * shapes.local_vertices[k, 0] - d * shapes.local_vertices[k, 1],
-            d * shapes.local_vertices[k, 0] + c * shapes.local_vertices[k, 1],
-        )
+        x, y = c * local[k, 0] - d * local[k, 1], d * local[k, 0] + c * local[k, 1]
         low_x, high_x = min(low_x, x), max(high_x, x)
         low_y, high_y = min(low_y, y), max(high_y, y)
     size = high_x - low_x + high_y - low_y + shapes.radius[s]
-    more = shapes.radius[s] + SLACK * (size + abs(place[X]) + abs(place[Y]))
-    tree.boxes[s, FAT], tree.boxes[s, FAT + 1] = place[X] + low_x - more, place[Y] + low_y - more
-    tree.boxes[s, FAT + 2], tree.boxes[s, FAT + 3] = (
-        place[X] + high_x + more,
-        place[Y] + high_y + more,
-    )
+    more = shapes.radius[s] + SLACK * (size + abs(pose[X]) + abs(pose[Y]))
+    tree.boxes[s, FAT], tree.boxes[s, FAT + 1] = pose[X] + low_x - more, pose[Y] + low_y - more
+    tree.boxes[s, FAT + 2] = pose[X] + high_x + more
+    tree.boxes[s, FAT + 3] = pose[Y] + high_y + more
+
+
+class Box(NamedTuple):
+    """A box of the world, which may be a point, m."""
+
+    low_x: float
+    low_y: float
+    high_x: float
+    high_y: float
 
 
 def shapes_in_box(
@@ -86,40 +89,43 @@ def shapes_in_box(
     found: Places,
 ) -> int:
     """Write the shapes that overlap a box, which may be a point, into `found`; return how many."""
-    state, shapes, tree = world.state, world.shapes, world.tree
-    leaves, total = tree.counts[LEAVES], 0
+    shapes, tree = world.shapes, world.tree
+    box = Box(low_x, low_y, high_x, high_y)
+    leaves = tree.counts[LEAVES]
+    total = half_planes_in_box(box, mask, shapes, tree, found)
     deep = first_leaf_node(leaves)
-    for m in range(leaves, leaves + tree.counts[PLANES]):
-        s = tree.morton[LEAF, m]
-        side = shapes.local_vertices[shapes.first[s]]
-        x = low_x if side[2] > 0.0 else high_x
-        y = low_y if side[3] > 0.0 else high_y
-        if is_asked(s, mask, shapes.filters) and x * side[2] + y * side[3] <= side[0]:
-            found[total] = s
-            total += 1
     at = 1 if leaves > 0 else 0
     while at > 0:
-        while at < deep and meets_box(tree.nodes[at], low_x, low_y, high_x, high_y):
+        while at < deep and meets_box(tree.nodes[at], box):
             at = 2 * at
         if at >= deep:
             bunch = (at - deep) * BUNCH
             for m in range(bunch, min(bunch + BUNCH, leaves)):
                 s = tree.morton[LEAF, m]
-                if is_asked(s, mask, shapes.filters) and meets_box(
-                    tree.boxes[s, FAT:], low_x, low_y, high_x, high_y
-                ):
-                    place, first = state.pose[state.body_of_shape[s]], shapes.first[s]
-                    corners = shapes.local_vertices[first : first + shapes.count[s]]
-                    of, radius = shapes.kind[s], shapes.radius[s]
-                    if overlaps_box(low_x, low_y, high_x, high_y, place, of, radius, corners):
-                        found[total] = s
-                        total += 1
+                near = is_selected(s, mask, shapes.filters) and meets_box(tree.boxes[s, FAT:], box)
+                if near and overlaps_box(s, box, world.state, shapes):
+                    found[total] = s
+                    total += 1
         at = next_node(at)
     return total
 
 
-def is_asked(s: int, mask: int, filters: Integers) -> bool:
-    """Return whether a shape is solid, and of a category that is asked for."""
+def half_planes_in_box(box: Box, mask: int, shapes: Shapes, tree: Tree, found: Integers) -> int:
+    """Write the half-planes that overlap a box into `found`; return how many."""
+    leaves, total = tree.counts[LEAVES], 0
+    for m in range(leaves, leaves + tree.counts[PLANES]):
+        s = tree.morton[LEAF, m]
+        side = shapes.local_vertices[shapes.first[s]]
+        x = box.low_x if side[2] > 0.0 else box.high_x
+        y = box.low_y if side[3] > 0.0 else box.high_y
+        if is_selected(s, mask, shapes.filters) and x * side[2] + y * side[3] <= side[0]:
+            found[total] = s
+            total += 1
+    return total
+
+
+def is_selected(s: int, mask: int, filters: Integers) -> bool:
+    """Return whether a shape is solid, and of a category in the mask."""
     return bool(filters[s, SENSOR] == 0 and (filters[s, CATEGORY] & mask) != 0)
 
 
@@ -130,46 +136,53 @@ def next_node(at: int) -> int:
     return at + 1 if at > 0 else 0
 
 
-def meets_box(boxes: Array, low_x: float, low_y: float, high_x: float, high_y: float) -> bool:
+def meets_box(bounds: Array, box: Box) -> bool:
     """Return whether two boxes overlap."""
     return bool(
-        (boxes[0] <= high_x) & (boxes[2] >= low_x) & (boxes[1] <= high_y) & (boxes[3] >= low_y)
+        (bounds[0] <= box.high_x)
+        & (bounds[2] >= box.low_x)
+        & (bounds[1] <= box.high_y)
+        & (bounds[3] >= box.low_y)
     )
 
 
-def overlaps_box(
-    low_x: float,
-    low_y: float,
-    high_x: float,
-    high_y: float,
-    place: Array,
-    kind: int,
-    radius: float,
-    corners: Array,
-) -> bool:
-    """Return whether a shape overlaps a box of the world; touching counts.
+def overlaps_box(s: int, box: Box, state: BodyState, shapes: Shapes) -> bool:
+    """Return whether a shape that is not a half-plane overlaps a box; touching counts.
 
-    Convex shapes are apart if a side of one of them has all of the other beyond it.
+    The box around the shape overlaps it.
     """
-    c, d = cosine_sine(place[ANGLE])
-    mid_x, mid_y = 0.5 * low_x + 0.5 * high_x - place[X], 0.5 * low_y + 0.5 * high_y - place[Y]
-    half_x, half_y = 0.5 * high_x - 0.5 * low_x, 0.5 * high_y - 0.5 * low_y
-    if kind == POLYGON:
-        for k in range(len(corners)):
-            x, y = c * corners[k, 2] - d * corners[k, 3], d * corners[k, 2] + c * corners[k, 3]
-            on_x = c * corners[k, 0] - d * corners[k, 1]
-            on_y = d * corners[k, 0] + c * corners[k, 1]
-            height = (mid_x - on_x) * x + (mid_y - on_y) * y
-            if height > half_x * abs(x) + half_y * abs(y):
-                return False
-        return True  # its own box has been looked at
-    one_x, one_y = c * corners[0, 0] - d * corners[0, 1], d * corners[0, 0] + c * corners[0, 1]
-    last = len(corners) - 1
-    end_x = c * corners[last, 0] - d * corners[last, 1]
-    end_y = d * corners[last, 0] + c * corners[last, 1]
+    i, first, count = state.body_of_shape[s], shapes.first[s], shapes.count[s]
+    vertices = shapes.local_vertices[first : first + count]
+    c, d = cosine_sine(state.pose[i, ANGLE])
+    x = 0.5 * box.low_x + 0.5 * box.high_x - state.pose[i, X]
+    y = 0.5 * box.low_y + 0.5 * box.high_y - state.pose[i, Y]
+    half_x, half_y = 0.5 * box.high_x - 0.5 * box.low_x, 0.5 * box.high_y - 0.5 * box.low_y
+    if shapes.kind[s] == POLYGON:
+        return not some_side_separates(vertices, c, d, x, y, half_x, half_y)
+    last = len(vertices) - 1
+    one_x = c * vertices[0, 0] - d * vertices[0, 1]
+    one_y = d * vertices[0, 0] + c * vertices[0, 1]
+    end_x = c * vertices[last, 0] - d * vertices[last, 1]
+    end_y = d * vertices[last, 0] + c * vertices[last, 1]
     return line_reaches_box(
-        one_x - mid_x, one_y - mid_y, end_x - one_x, end_y - one_y, half_x, half_y, radius
+        one_x - x, one_y - y, end_x - one_x, end_y - one_y, half_x, half_y, shapes.radius[s]
     )
+
+
+def some_side_separates(
+    vertices: Array, c: float, d: float, x: float, y: float, half_x: float, half_y: float
+) -> bool:
+    """Return whether a side of a polygon, turned by an angle, has all of a box in front of it.
+
+    The centre of the box is at (x, y) from the body's; c and d are the cosine and the sine.
+    """
+    for k in range(len(vertices)):
+        vx, vy = vertices[k, 0], vertices[k, 1]
+        nx, ny = c * vertices[k, 2] - d * vertices[k, 3], d * vertices[k, 2] + c * vertices[k, 3]
+        height = (x - (c * vx - d * vy)) * nx + (y - (d * vx + c * vy)) * ny
+        if height > half_x * abs(nx) + half_y * abs(ny):
+            return True
+    return False
 
 
 def line_reaches_box(
@@ -183,7 +196,7 @@ def line_reaches_box(
     size = by_x * by_x + by_y * by_y
     if size == 0.0:
         return False
-    beside = far = False  # of the line are corners of the box
+    beside = far = False  # of the line are vertices of the box
     for k in range(4):
         to_x = (half_x if k % 2 else -half_x) - x
         to_y = (half_y if k // 2 else -half_y) - y

@@ -1,63 +1,56 @@
-"""Times of impact against poses between, and where they are known."""
+"""Times of impact against the poses before them, and where they are known."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from tamias2d.engine.continuous.conservative_advancement import MISSED, NEAR, time_of_impact
+from tamias2d.engine.continuous.trajectory import RelativePath
+from tamias2d.engine.narrow_phase.clip import PARALLEL
+from tamias2d.engine.tables import MANIFOLD, Events, Shapes
 from tamias2d.kernels import Engine
-from tamias2d.kernels.arrays import Bytes, FloatRows, Floats, IndexRows, Indices
-from tamias2d.stepped.clip import PARALLEL
-from tamias2d.stepped.layout import TOUCH
-from tamias2d.stepped.sweep import MISSED, NEAR, time_of_impact
-from tests.engine.outlines import Outline, Pairing, box, capsule, disc, half_plane
+from tamias2d.kernels.arrays import FloatRows, Floats, IndexRows
+from tamias2d.kernels.groups import addresses
+from tests.engine.cores import Contact, Outline, box, capsule, disc, half_plane, shape_arrays
 from tests.engine.test_manifold import ANGLES, SHAPES, placed, plainly_placed
 
 MOVES = st.tuples(st.floats(-9, 9), st.floats(-9, 9)).map(np.array)
 TURNS = st.one_of(st.just(0.0), st.floats(-4, 4), st.floats(-200, 200))
 
 
+def event_arrays() -> Events:
+    """Room for the vertices of two shapes."""
+    return Events(np.zeros(1), np.zeros((3, 4), np.int32), np.zeros((64, MANIFOLD)))
+
+
 def swept(
     a: Outline, b: Outline, delta: Any, move: Any, turn_a: float = 0.0, turn_b: float = 0.0
 ) -> float:
-    rows = np.vstack([a.rows(), b.rows()])
-    count = len(a.rows())
-    return float(
-        time_of_impact(
-            0,
-            1,
-            *map(float, delta),
-            *map(float, move),
-            turn_a,
-            turn_b,
-            np.array([a.kind, b.kind], np.int8),
-            np.array([0, count], np.int32),
-            np.array([count, len(rows) - count], np.int32),
-            np.array([a.radius, b.radius]),
-            rows,
-            np.zeros((1 + len(rows), TOUCH)),
-        )
-    )
+    path = RelativePath(*map(float, delta), *map(float, move), turn_a, turn_b)
+    return float(time_of_impact(0, 1, path, shape_arrays((a, b)), event_arrays()))
 
 
 def gap_at(a: Outline, b: Outline, delta: Any, move: Any, turns: Any, at: float) -> float:
-    found = Pairing()
-    found(a.turned(turns[0] * at), b.turned(turns[1] * at), delta + at * np.array(move))
+    found = Contact()
+    found.collide(a.turned(turns[0] * at), b.turned(turns[1] * at), delta + at * np.array(move))
     return float(min(found.gaps))
 
 
 def size(*outlines: Outline) -> float:
     def one(outline: Outline) -> float:
-        corners = np.asarray(outline.corners)
-        return float(max(np.hypot(*(corners - corners[0]).T)) / 2 + outline.radius)
+        vertices = np.asarray(outline.vertices)
+        return float(max(np.hypot(*(vertices - vertices[0]).T)) / 2 + outline.radius)
 
     return min(one(outline) for outline in outlines if not outline.plane)
 
 
 @settings(max_examples=300, deadline=None)
 @given(placed(), MOVES, TURNS, TURNS)
-def test_nothing_is_passed_and_nothing_is_made_up(pair, move, turn_a, turn_b) -> None:
+def test_shapes_are_apart_before_the_time_of_impact_and_close_at_it(
+    pair, move, turn_a, turn_b
+) -> None:
     a, b, delta = pair
     turns = turn_a, turn_b
     near = NEAR * size(a, b)
@@ -75,9 +68,11 @@ def test_nothing_is_passed_and_nothing_is_made_up(pair, move, turn_a, turn_b) ->
 
 @settings(max_examples=200, deadline=None)
 @given(st.sampled_from(SHAPES), ANGLES, ANGLES, MOVES, TURNS, st.sampled_from([0.0, 0.3, -20.0]))
-def test_half_planes(b, angle, turned, move, turn_b, turn_a) -> None:
+def test_a_shape_is_above_a_half_plane_before_the_time_of_impact(
+    b, angle, turned, move, turn_b, turn_a
+) -> None:
     plane, b = half_plane(-1.2).turned(angle), b.turned(turned)
-    delta = 0.8 * np.array(plane.corners[1])
+    delta = 0.8 * np.array(plane.vertices[1])
     turns = turn_a, turn_b
     at = swept(plane, b, delta, move, turn_a, turn_b)
     assert at == swept(b, plane, -delta, -move, turn_b, turn_a)
@@ -121,7 +116,7 @@ def test_a_bar_that_spins_fast_beside_a_wall_does_not_meet_it(gap) -> None:
     assert at * turn == pytest.approx(np.pi / 2 - np.arccos(1 - gap), abs=0.02)
 
 
-def test_what_touches_at_the_start_meets_again_once_it_has_been_apart() -> None:
+def test_shapes_close_at_the_start_meet_when_closer_or_close_again() -> None:
     floor, ball = box(10.0, 1.0), disc(0.5)
     assert swept(floor, ball, (0.0, 1.0), (0.0, -3.0)) < 2 * NEAR  # deeper is met at once
     assert swept(floor, ball, (0.0, 1.0), (3.0, 0.0)) == MISSED
@@ -137,70 +132,43 @@ def test_what_touches_at_the_start_meets_again_once_it_has_been_apart() -> None:
     TURNS,
     st.sampled_from([2.0**-20, 2.0**20]),
 )
-def test_no_size_is_special(pair, move, turn, factor) -> None:
+def test_scaled_shapes_meet_at_the_same_time_to_the_bit(pair, move, turn, factor) -> None:
     a, b, delta = pair
     one = swept(a, b, delta, move, turn, 0.0)
     assert one == swept(a.scaled(factor), b.scaled(factor), delta * factor, move * factor, turn)
 
 
-def sweep_each(
-    pairs: IndexRows,
-    ways: FloatRows,
-    shape_kind: Bytes,
-    shape_first: Indices,
-    shape_count: Indices,
-    shape_radius: Floats,
-    turned: FloatRows,
-    scratch: FloatRows,
-    found: Floats,
-) -> None:
+class Sweeps(NamedTuple):
+    shapes: Shapes
+    events: Events
+    pairs: IndexRows
+    paths: FloatRows
+    found: Floats
+
+
+def sweep_each(sweeps: Sweeps) -> None:
     """Find the times of impact of all pairs."""
-    for p in range(len(pairs)):
-        way = ways[p]
-        found[p] = time_of_impact(
-            pairs[p, 0],
-            pairs[p, 1],
-            way[0],
-            way[1],
-            way[2],
-            way[3],
-            way[4],
-            way[5],
-            shape_kind,
-            shape_first,
-            shape_count,
-            shape_radius,
-            turned,
-            scratch,
-        )
+    for p in range(len(sweeps.pairs)):
+        row = sweeps.paths[p]
+        path = RelativePath(row[0], row[1], row[2], row[3], row[4], row[5])
+        s, t = sweeps.pairs[p, 0], sweeps.pairs[p, 1]
+        sweeps.found[p] = time_of_impact(s, t, path, sweeps.shapes, sweeps.events)
 
 
-sweep_each.__module__ = "tamias2d.stepped.test"  # as in a module of the package
+sweep_each.__module__ = "tamias2d.engine.test"  # as in a module of the package
 
 
 def test_compiled_and_plain_sweeps_have_the_same_bits() -> None:
     engine = Engine("sweeps of the tests", (sweep_each,))
     rng = np.random.default_rng(4)
-    shapes = [*SHAPES, half_plane(-2.0)]
-    rows = [shape.rows() for shape in shapes]
-    counts = np.array([len(each) for each in rows], np.int32)
-    first = (np.cumsum(counts) - counts).astype(np.int32)
-    pairs = rng.integers(len(shapes), size=(300, 2)).astype(np.int32)
-    ways = rng.normal(size=(300, 6)) * [2, 2, 5, 5, 9, 9]
+    shapes = shape_arrays([*SHAPES, half_plane(-2.0)])
+    pairs = rng.integers(len(shapes.kind), size=(300, 2)).astype(np.int32)
+    paths = rng.normal(size=(300, 6)) * [2, 2, 5, 5, 9, 9]
     results = []
-    for made in (engine.plain(), engine.compiled()):
-        found = np.zeros(300)
-        made.sweep_each(
-            pairs,
-            ways,
-            np.array([shape.kind for shape in shapes], np.int8),
-            first,
-            counts,
-            np.array([shape.radius for shape in shapes]),
-            np.vstack(rows),
-            np.zeros((32, TOUCH)),
-            found,
-        )
-        results.append(found.tolist())
+    for is_compiled in (False, True):
+        made = engine.compiled() if is_compiled else engine.plain()
+        sweeps = Sweeps(shapes, event_arrays(), pairs, paths, np.zeros(300))
+        made.sweep_each(addresses(sweeps) if is_compiled else sweeps)
+        results.append(sweeps.found.tolist())
     assert results[0] == results[1]
     assert 30 < sum(value <= 1 for value in results[0]) < 270

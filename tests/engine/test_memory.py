@@ -3,14 +3,13 @@
 import pickle
 
 from tamias2d import Simulator
+from tamias2d.engine.memory import LINE
 from tamias2d.scene import catalogue
-from tamias2d.stepped.alignment import LINE
 
 
 def test_rows_touch_no_line_twice_when_made_grown_or_restored() -> None:
     sim = Simulator(catalogue.load("pyramid-30"))
     sim.step(2)
     for one in (sim, pickle.loads(pickle.dumps(sim))):
-        world = one._world
-        for name in ("motion", "velocity", "touches", "rows", "box", "middle", "found"):
-            assert getattr(world, name).ctypes.data % LINE == 0, name
+        for name, array in one._engine.arrays().items():
+            assert name == "size" or array.ctypes.data % LINE == 0, name

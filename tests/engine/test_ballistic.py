@@ -1,4 +1,4 @@
-"""Bodies near nothing coast: one step, many at once, and without it, with the same bits."""
+"""Ballistic motion has the bits of ordinary steps, one by one and many at once."""
 
 from collections.abc import Callable
 from types import SimpleNamespace
@@ -14,7 +14,7 @@ Change = Callable[[Simulator], None]
 
 
 def crowd(*, linear_drag=(0.0,), force=((0.0, 0.0),), gravity=(0.3, -9.81), others=False):
-    """Make 53 bodies, 3 m from each other: three full crews, and one that is not."""
+    """Make 53 bodies, 3 m from each other: three full chunks, and one that is not."""
     scene = t2.Scene(gravity=gravity)
     for k in range(53):
         place = (3.0 * (k % 9), 3.0 * (k // 9))
@@ -79,30 +79,32 @@ def settle(sim: Simulator) -> None:
 CHANGES: tuple[Change, ...] = (turn_gravity, negative_zeros, push, move, remove, settle, send)
 
 
-class Watched:
-    """A simulator that counts the steps that bodies coast, or lets none be."""
+class Counted:
+    """A simulator that counts its ballistic steps, or takes none."""
 
-    def __init__(self, scene: t2.Scene, coasts: bool = True) -> None:
-        self.sim, self.coasted = Simulator(scene), 0
-        engine = self.sim._world._engine
+    def __init__(self, scene: t2.Scene, ballistic: bool = True) -> None:
+        self.sim, self.ballistic_steps = Simulator(scene), 0
+        library = self.sim._engine._library
 
-        def coast(*given: object) -> int:
-            taken = engine.coast(*given) if coasts else 0
-            self.coasted += taken
+        def integrate_ballistic(*given: object) -> int:
+            taken: int = library.integrate_ballistic(*given) if ballistic else 0
+            self.ballistic_steps += taken
             return taken
 
-        self.sim._world._engine = SimpleNamespace(
-            step=engine.step, coast=coast, know_course=engine.know_course
+        self.sim._engine._library = SimpleNamespace(
+            step=library.step,
+            integrate_ballistic=integrate_ballistic,
+            note_course=library.note_course,
         )
 
     def state(self) -> bytes:
-        world = self.sim._world
-        return world.pose.tobytes() + world.velocity.tobytes()
+        state = self.sim._engine.world.state
+        return state.pose.tobytes() + state.velocity.tobytes()
 
 
 @pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
-def test_one_by_one_many_at_once_and_kept_from_it_have_the_same_bits(scene: t2.Scene) -> None:
-    single, many, kept = Watched(scene), Watched(scene), Watched(scene, coasts=False)
+def test_one_by_one_many_at_once_and_ordinary_steps_have_the_same_bits(scene: t2.Scene) -> None:
+    single, many, kept = Counted(scene), Counted(scene), Counted(scene, ballistic=False)
     taken = 0
     for change in (None, *CHANGES):
         for one in (single, many, kept):
@@ -115,19 +117,19 @@ def test_one_by_one_many_at_once_and_kept_from_it_have_the_same_bits(scene: t2.S
         many.sim.step(LEG)
         assert single.state() == kept.state(), change
         assert many.state() == kept.state(), change
-    assert single.coasted == many.coasted > 0.5 * taken
-    assert kept.coasted == 0
+    assert single.ballistic_steps == many.ballistic_steps > 0.5 * taken
+    assert kept.ballistic_steps == 0
 
 
 @pytest.mark.parametrize("row", [3, 40, 52])
 @pytest.mark.parametrize("view", ["position", "velocity", "force", "orientation"])
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_what_is_not_a_number_moves_nothing(row: int, view: str, bad: float) -> None:
-    one = Watched(SCENES["fall"])
+def test_nan_and_infinity_are_named_and_move_nothing(row: int, view: str, bad: float) -> None:
+    one = Counted(SCENES["fall"])
     one.sim.step(10)
     for _ in range(3):
         one.sim.step()
-    assert one.coasted > 0
+    assert one.ballistic_steps > 0
     held = getattr(one.sim, view)
     good = held[row].copy()
     held[row] = bad
@@ -137,52 +139,52 @@ def test_what_is_not_a_number_moves_nothing(row: int, view: str, bad: float) -> 
     assert one.state() == before
     held[row] = good
     one.sim.step()
-    other = Watched(SCENES["fall"], coasts=False)
+    other = Counted(SCENES["fall"], ballistic=False)
     other.sim.step(14)
     assert one.state() == other.state()
 
 
 @pytest.mark.parametrize(("row", "view"), [(2, "force"), (3, "force"), (50, "velocity")])
-def test_nor_does_what_is_not_a_number_of_a_body_that_nothing_pushes(row: int, view: str) -> None:
+def test_nan_of_bodies_that_are_not_dynamic_is_named_too(row: int, view: str) -> None:
     """A static body, a kinematic one, and the row of one that was removed."""
-    one = Watched(SCENES["others"])
+    one = Counted(SCENES["others"])
     one.sim.remove(50)
     one.sim.step(10)
     getattr(one.sim, view)[row] = np.nan
-    before, coasted = one.state(), one.coasted
-    assert coasted > 0
+    before, taken = one.state(), one.ballistic_steps
+    assert taken > 0
     with pytest.raises(t2.InputError, match=rf"{view}\[{row}\]"):
         one.sim.step()
-    assert (one.state(), one.coasted) == (before, coasted)
+    assert (one.state(), one.ballistic_steps) == (before, taken)
 
 
-def test_an_infinite_spin_is_told_of_a_disc_that_has_turned_far() -> None:
-    one = Watched(SCENES["fall"])
+def test_an_infinite_spin_is_named_of_a_disc_that_has_turned_far() -> None:
+    one = Counted(SCENES["fall"])
     one.sim.orientation[1] = 1e300  # and so far that what is added to the largest number counts
     one.sim.step(10)
     one.sim.angular_velocity[1] = np.inf
-    assert one.coasted > 0
+    assert one.ballistic_steps > 0
     with pytest.raises(t2.InputError, match=r"angular_velocity\[1\]"):
         one.sim.step()
 
 
 @pytest.mark.parametrize("row", [2, 53])
-def test_a_static_body_that_moves_is_told_while_others_coast(row: int) -> None:
-    one = Watched(SCENES["others"])
+def test_a_static_body_with_a_velocity_is_named_in_ballistic_motion(row: int) -> None:
+    one = Counted(SCENES["others"])
     one.sim.add_static(t2.Disc(radius=0.5), position=(-5.0, -5.0))  # the last one
     one.sim.step(10)
     one.sim.velocity[row] = 0.0, 1e-9
-    before, coasted = one.state(), one.coasted
-    assert coasted > 0
+    before, taken = one.state(), one.ballistic_steps
+    assert taken > 0
     with pytest.raises(t2.InputError, match=rf"velocity\[{row}\]"):
         one.sim.step()
-    assert (one.state(), one.coasted) == (before, coasted)
+    assert (one.state(), one.ballistic_steps) == (before, taken)
 
 
 @pytest.mark.parametrize("row", [0, 50])
-def test_one_that_is_put_beyond_another_meets_it_on_the_way_back(row: int) -> None:
-    """It is at home after the step, and was not before it."""
-    one, other = Watched(SCENES["fall"]), Watched(SCENES["fall"], coasts=False)
+def test_a_body_put_beyond_another_meets_it_on_the_way_back(row: int) -> None:
+    """It is within its bounds after the step, and was not before it."""
+    one, other = Counted(SCENES["fall"]), Counted(SCENES["fall"], ballistic=False)
     for each in (one, other):
         each.sim.step(10)
         each.sim.position[row, 0] += 4.5
@@ -190,11 +192,11 @@ def test_one_that_is_put_beyond_another_meets_it_on_the_way_back(row: int) -> No
         each.sim.step()
         assert len(each.sim.contacts) == 1
     assert one.state() == other.state()
-    assert one.coasted > 0
+    assert one.ballistic_steps > 0
 
 
-def test_coasting_goes_on_after_it_is_restored(tmp_path) -> None:
-    one = Watched(SCENES["others"])
+def test_ballistic_motion_continues_after_restoring(tmp_path) -> None:
+    one = Counted(SCENES["others"])
     one.sim.step(10)
     one.sim.save(tmp_path / "flight.npz")
     other = Simulator.restore(tmp_path / "flight.npz")
@@ -204,7 +206,7 @@ def test_coasting_goes_on_after_it_is_restored(tmp_path) -> None:
     assert one.sim.digest() == other.digest()
 
 
-def test_views_are_of_now_after_each_step() -> None:
+def test_views_show_the_state_after_each_step() -> None:
     sim = Simulator(SCENES["fall"])
     sim.step(5)
     place, velocity = sim.position, sim.velocity

@@ -1,0 +1,189 @@
+"""Continuous collision: bodies that go far in a step meet what is in their way, in order of time.
+
+In a step every body goes along a line and turns evenly. Where one goes farther than its own
+thickness, the instants at which it comes close to others are found. At the first of them the
+impact is resolved: both bodies go on along new paths for the rest of the step, and their events are
+found anew. Where a body leaves its fat bounds, pairs are updated. Bodies that forces press together
+again in the rest of the step stay together. After too many impacts in a step, bodies that meet are
+frozen until the next one.
+
+Cost: for each impact, the contacts of both bodies. Source: Mirtich, Impulse-based dynamic
+simulation (1996).
+"""
+
+from tamias2d.engine.continuous.bounds import path_length, time_of_leaving
+from tamias2d.engine.continuous.conservative_advancement import MISSED
+from tamias2d.engine.continuous.event_queue import (
+    build_tournament,
+    list_contacts_by_body,
+    update_event,
+)
+from tamias2d.engine.continuous.events import (
+    PUSHED_BACK,
+    SHALLOW,
+    find_events,
+    manifold_at,
+    next_event,
+    update_events_of,
+)
+from tamias2d.engine.continuous.freeze import cannot_freeze, freeze, freeze_or_carry
+from tamias2d.engine.continuous.gap_bound import UNBOUNDED
+from tamias2d.engine.continuous.impact import rebound, record_impact
+from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.tables import (
+    CONTACTS,
+    DYNAMIC,
+    FORCE_GAIN,
+    GRAVITY_X,
+    GRAVITY_Y,
+    HALF_PLANE,
+    MIN_EXTENT,
+    PATH_EXCESS,
+    PATH_LENGTH,
+    REDIRECTED,
+    SLOT_A,
+    SLOT_B,
+    SUPPORTED,
+    TIME_STEP,
+    TOURNAMENT,
+    WINNER,
+    Bodies,
+    BroadPhase,
+    Contacts,
+    Control,
+    Events,
+    Shapes,
+)
+
+MOST_IMPACTS, MOST_IMPACTS_OF_PAIR = 64, 4  # in one step: in all, and for every pair that meets
+MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried
+MOST_UPDATES = 32  # of pairs in one step, and as many for bodies that cannot be frozen
+
+
+def solve_continuous(
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    events: Events,
+    updates_left: int,
+    since: float,
+) -> float:
+    """Resolve all impacts of a step that the solver has not seen, in order of time.
+
+    Returns the fraction of the step at which a body leaves its bounds, if updates are left: pairs
+    are to be updated, and this is to be called again with it as `since`. Otherwise returns
+    `MISSED`. A body that leaves its bounds when no updates are left is frozen there.
+    """
+    if since == 0.0:
+        begin_continuous(control, bodies)
+    body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[CONTACTS]
+    for k in range(body_count):
+        events.times[k] = MISSED
+    found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
+    if found == 0:
+        return MISSED
+    list_contacts_by_body(broad_phase, contacts, events, body_count)
+    build_tournament(event_count, events.times, events.queue)
+    impacts_left = MOST_IMPACTS + MOST_IMPACTS_OF_PAIR * found
+    last = -MOST_FREEZES * body_count
+    while impacts_left > last:
+        event = events.queue[TOURNAMENT, WINNER]
+        now = events.times[event]
+        if now > 1.0:
+            return MISSED
+        if event < body_count:
+            least = -MOST_UPDATES if cannot_freeze(event, bodies.flight, bodies.kind) else 0
+            if updates_left > least:
+                return now
+            i, j, frozen = event, event, True
+            freeze(i, now, control, bodies)
+        else:
+            p, frozen = event - body_count, impacts_left <= 0
+            i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+            impacts_left -= 1
+            if not handle_meeting(p, now, frozen, control, bodies, shapes, contacts, events):
+                update_event(event, event_count, events.times, events.queue)
+                continue
+        for one, other in ((i, -1), (j, i if bodies.kind[i] == DYNAMIC else -1)):
+            events.times[one] = time_of_leaving(one, now, bodies, broad_phase)
+            update_event(one, event_count, events.times, events.queue)
+            update_events_of(
+                one, other, now, SHALLOW if frozen else 0.0,
+                control, bodies, shapes, broad_phase, contacts, events,
+            )  # fmt: skip
+    return MISSED
+
+
+def begin_continuous(control: Control, bodies: Bodies) -> None:
+    """Note how far each body goes, and which ones had contacts while gravity acts.
+
+    The solver notes no velocity gained by forces for bodies with contacts.
+    """
+    falls = control.settings[GRAVITY_X] != 0.0 or control.settings[GRAVITY_Y] != 0.0
+    for i in range(len(bodies.kind)):
+        flight, wide = bodies.flight[i], bodies.properties[i, MIN_EXTENT]
+        held = flight[FORCE_GAIN] == 0.0 and flight[FORCE_GAIN + 1] == 0.0
+        length = path_length(i, bodies.motion, bodies.properties)
+        flight[REDIRECTED], flight[PATH_LENGTH] = 0.0, length
+        flight[PATH_EXCESS] = length - (PUSHED_BACK * wide if wide <= UNBOUNDED else 0.0)
+        flight[SUPPORTED] = 1.0 if falls and held and bodies.kind[i] == DYNAMIC else 0.0
+
+
+def handle_meeting(
+    p: int,
+    now: float,
+    frozen: bool,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
+) -> bool:
+    """Resolve the impact of a pair, or freeze it; return whether its paths have changed.
+
+    Otherwise its event is the next one after now.
+    """
+    if frozen:
+        i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+        later = now
+        changed = freeze_or_carry(i, j, now, control, bodies)
+    else:
+        later = MISSED
+        changed = resolve_impact(p, now, control, bodies, shapes, contacts, events)
+        if not changed:
+            s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+            later = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+    if not changed:  # a pair that meets where it is does not approach
+        events.times[len(bodies.kind) + p] = later if later > now else MISSED
+    return changed
+
+
+def resolve_impact(
+    p: int,
+    now: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
+) -> bool:
+    """Let a pair that meets rebound; return whether it approached."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    sense = 1.0
+    if shapes.kind[t] == HALF_PLANE:
+        s, t = t, s
+        sense = -1.0
+    i, j = shapes.slot[s], shapes.slot[t]
+    manifold_at(s, t, now, bodies, shapes, events)
+    manifold = events.scratch[0]
+    friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
+    impulse = rebound(i, j, now, friction, restitution, control, bodies, manifold)
+    if impulse < 0.0:
+        return False
+    if impulse > 0.0:
+        recorded, flags = contacts.manifolds[p], contacts.flags[p]
+        record_impact(impulse, i, now, sense, bodies, manifold, recorded, flags)
+    bodies.flight[i, REDIRECTED] = bodies.flight[j, REDIRECTED] = 1.0
+    return True

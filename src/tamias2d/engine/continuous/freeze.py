@@ -1,0 +1,93 @@
+"""Bodies that meet when a step may have no more impacts: they are frozen until the next step.
+
+A body that meets something that cannot be frozen, such as a wall that is driven, is carried along.
+"""
+
+from tamias2d.engine.continuous.trajectory import redirect_path, relative_place
+from tamias2d.engine.continuous.work import take_energy_back, work_ahead
+from tamias2d.engine.tables import (
+    DANGLE,
+    DX,
+    DY,
+    DYNAMIC,
+    REDIRECTED,
+    TIME_STEP,
+    Bodies,
+    Control,
+    Integers,
+)
+from tamias2d.generated.continuous_collision import inward_share, shift_carried
+from tamias2d.state import Array, Vector
+
+MOST_ARC = 0.5  # rad: how far a wall turns at most while a body that it carries goes straight
+# ranks: those of carried bodies stand in flight[REDIRECTED]
+CARRIED_BY_BODY, CARRIED_BY_WALL, IMMOVABLE = 2.0, 3.0, 4.0
+RISE, RISE_BY_WALL = 1.0 / 8.0, 1.0 / 64.0  # of a rank, each time that a body is carried
+
+
+def freeze_or_carry(i: int, j: int, now: float, control: Control, bodies: Bodies) -> bool:
+    """Freeze two bodies that meet; return whether this changes their paths.
+
+    A body that meets one that cannot be frozen is carried along. One that is carried by walls is
+    carried by nothing else, and by these not for ever: it may be jammed.
+    """
+    rank_i = carrier_rank(i, bodies.flight, bodies.kind)
+    rank_j = carrier_rank(j, bodies.flight, bodies.kind)
+    if max(rank_i, rank_j) < CARRIED_BY_BODY:
+        freeze(i, now, control, bodies)
+        freeze(j, now, control, bodies)
+        return True
+    if rank_i < rank_j:
+        i, j = j, i
+    rank, wall = min(rank_i, rank_j), bodies.kind[i] != DYNAMIC
+    if rank >= (IMMOVABLE if wall else CARRIED_BY_WALL):
+        return False
+    by, turn = displacement_along(i, j, now, bodies)
+    redirect(j, now, by, turn, control, bodies)
+    if wall:
+        bodies.flight[j, REDIRECTED] = max(rank + RISE_BY_WALL, CARRIED_BY_WALL)
+    else:
+        bodies.flight[j, REDIRECTED] = max(rank + RISE, CARRIED_BY_BODY)
+    return True
+
+
+def carrier_rank(i: int, flight: Array, kind: Integers) -> float:
+    """Return how near a body is to something immovable that carries it."""
+    return float(flight[i, REDIRECTED]) if kind[i] == DYNAMIC else IMMOVABLE
+
+
+def cannot_freeze(i: int, flight: Array, kind: Integers) -> bool:
+    """Return whether a body is immovable, or carried by something that is."""
+    return carrier_rank(i, flight, kind) >= CARRIED_BY_BODY
+
+
+def freeze(i: int, now: float, control: Control, bodies: Bodies) -> None:
+    """Let a body stay where it is for the rest of the step."""
+    if bodies.kind[i] == DYNAMIC:
+        redirect(i, now, (0.0, 0.0), 0.0, control, bodies)
+
+
+def displacement_along(i: int, j: int, now: float, bodies: Bodies) -> tuple[Vector, float]:
+    """Return the displacement of body j as a part of i, m and rad, as far as a line can be.
+
+    Along with a wall that turns it begins on the inside of its arc, and cuts that before the wall
+    has turned by `MOST_ARC`: there both meet again.
+    """
+    shift, turn = (bodies.motion[i, DX], bodies.motion[i, DY]), bodies.motion[i, DANGLE]
+    offset = relative_place(i, j, now, bodies.pose, bodies.motion)
+    inwards = inward_share(turn, now, MOST_ARC) if bodies.kind[i] != DYNAMIC else 0.0
+    return shift_carried(shift, turn, offset, inwards), turn
+
+
+def redirect(i: int, now: float, to: Vector, turn: float, control: Control, bodies: Bodies) -> None:
+    """Give a body another displacement over a whole step, without an impulse: its velocity stays.
+
+    But what forces have given it for the part of its path that it does not go is taken back.
+    """
+    left, time_step = 1.0 - now, control.settings[TIME_STEP]
+    before = work_ahead(i, left, control, bodies)
+    by = (to[0] - bodies.motion[i, DX], to[1] - bodies.motion[i, DY])
+    redirect_path(i, now, by, turn - bodies.motion[i, DANGLE], bodies.pose, bodies.motion)
+    undone = before - work_ahead(i, left, control, bodies)
+    support = (to[0] / time_step, to[1] / time_step)
+    take_energy_back(i, undone, support, turn / time_step, bodies.motion, bodies.properties)

@@ -1,0 +1,56 @@
+"""The event that comes first, and the contacts of each body, against looking at everything."""
+
+import numpy as np
+from hypothesis import given, strategies as st
+
+from tamias2d.engine.continuous.event_queue import (
+    build_tournament,
+    list_contacts_by_body,
+    update_event,
+)
+from tamias2d.engine.tables import (
+    CONTACT_OF_BODY,
+    CONTACTS,
+    FIRST_OF_BODY,
+    SLOT_A,
+    SLOT_B,
+    TOURNAMENT,
+    WINNER,
+    Contacts,
+    Events,
+)
+from tamias2d.engine.world import Rooms, allocated
+
+TIMES = st.sampled_from([0.0, 0.25, 0.5, 1.0, 2.0])
+
+
+@given(st.lists(TIMES, min_size=1, max_size=40), st.lists(st.tuples(st.integers(0, 39), TIMES)))
+def test_the_first_of_the_soonest_events_wins_after_each_change(
+    start: list[float], changes: list[tuple[int, float]]
+) -> None:
+    times, queue = np.array(start), np.zeros((3, 4 * len(start)), np.int32)
+    build_tournament(len(times), times, queue)
+    assert queue[TOURNAMENT, WINNER] == np.argmin(times)
+    for event, time in changes:
+        times[event % len(times)] = time
+        update_event(event % len(times), len(times), times, queue)
+        assert queue[TOURNAMENT, WINNER] == np.argmin(times)
+
+
+@given(st.integers(2, 12), st.data())
+def test_each_body_has_its_contacts_in_their_order(bodies: int, data: st.DataObject) -> None:
+    one = st.integers(0, bodies - 1)
+    drawn = data.draw(st.lists(st.tuples(one, one).filter(lambda p: p[0] != p[1]), max_size=30))
+    pairs = np.zeros((len(drawn), 4), np.uint32)
+    for p, both in enumerate(drawn):
+        pairs[p, SLOT_A], pairs[p, SLOT_B] = both
+    broad_phase = allocated(Rooms()).broad_phase
+    broad_phase.counts[CONTACTS] = len(drawn)
+    contacts = Contacts(pairs, np.zeros((len(drawn), 0)), np.zeros((len(drawn), 0), np.int32))
+    queue = np.zeros((3, 4 * (bodies + len(pairs))), np.int32)
+    list_contacts_by_body(
+        broad_phase, contacts, Events(np.zeros(0), queue, np.zeros((0, 0))), bodies
+    )
+    for i in range(bodies):
+        listed = queue[CONTACT_OF_BODY, queue[FIRST_OF_BODY, i] : queue[FIRST_OF_BODY, i + 1]]
+        assert listed.tolist() == [p for p, both in enumerate(drawn) if i in both]
