@@ -37,7 +37,8 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         VelocityVerlet as VelocityVerlet,
         Yoshida4 as Yoshida4,
     )
-    from tamias2d.run import Impacts as Impacts, Run as Run
+    from tamias2d.run import Run as Run
+    from tamias2d.run_data import Impacts as Impacts
     from tamias2d.scene import (
         Body as Body,
         Box as Box,
@@ -69,7 +70,8 @@ _HOMES = {
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
     "Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError Stepped "
     "VelocityVerlet Yoshida4",
-    "run": "Impacts Run",
+    "run": "Run",
+    "run_data": "Impacts",
     "scene": "Body Box Capsule Compound Disc HalfPlane Part Polygon Scene Segment catalogue load "
     "needs scene_text",
     "simulate": "simulate",
