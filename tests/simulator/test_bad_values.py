@@ -4,6 +4,7 @@ import math
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import tamias2d as t2
@@ -96,3 +97,14 @@ def test_any_number_in_a_view_is_stepped_or_refused(view: str, row: int, value: 
         assert "must be finite" in message or "static body: must be 0" in message
         if not math.isfinite(value):
             assert np.array_equal(before, sim.position, equal_nan=True)
+
+
+def test_a_masked_value_is_refused_by_the_simulator() -> None:
+    sim = t2.Simulator(t2.Scene(gravity=(0, 0)))
+    disc = t2.Disc(radius=0.5)
+    masked = np.ma.array([1.0, 2.0], mask=[True, False])
+    with pytest.raises(t2.InputError, match=r"mass of .*: found a masked value"):
+        sim.add(disc, mass=masked, position=[(0, 0), (3, 0)], restitution=0.5)
+    sim.add(disc, mass=masked.filled(1.0), position=[(0, 0), (3, 0)], restitution=0.5)
+    with pytest.raises(t2.InputError, match=r"orientation of .*: found a masked value"):
+        sim.orientation = masked
