@@ -1,4 +1,4 @@
-"""The module guide has a sentence for each module, and a service and a secret for each package."""
+"""The module guide has a sentence for each module, a service and a secret for each package."""
 
 import ast
 import re
@@ -15,26 +15,24 @@ PACKAGE = Path(__file__).parents[2] / "src/tamias2d"
 EVERY = list(weave.modules(PACKAGE))
 
 
-def written_by_hand() -> list[object]:
-    return [m for m in EVERY if ".generated" not in m.name]
+WRITTEN = [module for module in EVERY if ".generated" not in module.name]
+PACKAGES = [
+    module
+    for module in WRITTEN
+    if module.path.name == "__init__.py" and module.name.count(".") == 1
+]
 
 
-def packages() -> list[object]:
-    """Those of the first level; the folders in them are modules to the rest."""
-    heads = (module for module in written_by_hand() if module.path.name == "__init__.py")
-    return [module for module in heads if module.name == module.part]
+@pytest.mark.parametrize("module", WRITTEN, ids=lambda module: module.name)
+def test_a_module_says_in_a_sentence_what_it_is(module: object) -> None:
+    assert module.summary.endswith("."), f"{module.name}: its docstring begins with a sentence"
 
 
-@pytest.mark.parametrize("module", written_by_hand(), ids=lambda module: module.name)
-def test_a_module_says_what_it_is(module: object) -> None:
-    assert module.summary.endswith("."), f"{module.name}: its docstring needs a first sentence"
-
-
-@pytest.mark.parametrize("module", packages(), ids=lambda module: module.name)
-def test_a_package_says_what_it_serves_and_what_it_hides(module: object) -> None:
-    service, secret = module.service_and_secret
-    assert service, f"{module.name}: its docstring needs a sentence 'Serves: ...'"
-    assert secret, f"{module.name}: its docstring needs a sentence 'Hides: ...'"
+@pytest.mark.parametrize("package", PACKAGES, ids=lambda package: package.name)
+def test_a_package_says_what_it_serves_and_what_it_hides(package: object) -> None:
+    service, secret = package.service_and_secret
+    assert service, f"{package.name}: its docstring needs a sentence 'Serves: ...'"
+    assert secret, f"{package.name}: its docstring needs a sentence 'Hides: ...'"
 
 
 def test_service_and_secret_are_read_from_a_docstring() -> None:
