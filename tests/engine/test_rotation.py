@@ -5,7 +5,7 @@ import math
 from hypothesis import example, given, strategies as st
 from mpmath import mp, mpf
 
-from tamias2d.engine.motion.rotation import cosine_sine
+from tamias2d.engine.rotation import cosine_sine
 
 ROUNDING = 2.0**-52
 

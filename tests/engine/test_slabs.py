@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.solver import slabs, substeps
+from tamias2d.engine import substeps
+from tamias2d.engine.solver import slabs
 from tamias2d.engine.tables import (
     ACTIVE,
     BLOCKS,

@@ -9,6 +9,7 @@ stops bodies that move far where they meet others, and islands at rest fall asle
 Cost: a substep visits each contact twice. Source: Macklin et al. (2019), Catto (2024).
 """
 
+from tamias2d.engine.arrangement import arrange
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bounds
@@ -26,9 +27,8 @@ from tamias2d.engine.sleep import (
     update_sleep,
     wake_touched,
 )
-from tamias2d.engine.solver.arrangement import arrange
-from tamias2d.engine.solver.substeps import solve_contacts
 from tamias2d.engine.state import all_valid, gather_state, scatter_state
+from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import (
     ARRIVING,
     AT_START,

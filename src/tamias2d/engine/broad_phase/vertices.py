@@ -1,6 +1,6 @@
 """Vertices of shapes in the axes of the world, which are turned only where that may change them."""
 
-from tamias2d.engine.motion.rotation import cosine_sine
+from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import ANGLE, HALF_PLANE, Bodies, Shapes
 from tamias2d.kernels.assembled import inlined
 

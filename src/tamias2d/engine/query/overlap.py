@@ -10,7 +10,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from tamias2d.engine.broad_phase.bvh import BUNCH, build_tree, first_leaf_node
-from tamias2d.engine.motion.rotation import cosine_sine
+from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import (
     ABSENT,
     ANGLE,

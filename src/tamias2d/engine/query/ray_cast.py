@@ -8,8 +8,8 @@ from math import sqrt
 from typing import NamedTuple
 
 from tamias2d.engine.broad_phase.bvh import BUNCH, first_leaf_node
-from tamias2d.engine.motion.rotation import cosine_sine
 from tamias2d.engine.query.overlap import SLACK, is_selected, next_node, shapes_in_box
+from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import (
     ANGLE,
     DISC,
