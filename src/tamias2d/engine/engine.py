@@ -252,7 +252,7 @@ class Engine:
         self._course_known = False
 
     def _find_addresses(self) -> None:
-        vertices = 2 * int(self.world.shapes.count.max(initial=0))
+        vertices = 2 * int(self.world.shapes.vertex_count.max(initial=0))
         if vertices >= self.rooms.clip:
             self.resize(clip=vertices + 1)
         self._argument = addresses(self.world) if self._compiled else self.world

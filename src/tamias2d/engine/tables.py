@@ -186,7 +186,7 @@ class Shapes(NamedTuple):
     slot: Annotated[Places, Sized("shapes")]  # of the body
     kind: Annotated[Indices, Sized("shapes")]
     first: Annotated[Indices, Sized("shapes")]  # vertex
-    count: Annotated[Indices, Sized("shapes")]  # of vertices
+    vertex_count: Annotated[Indices, Sized("shapes")]  # of vertices
     radius: Annotated[Floats, Sized("shapes")]  # m
     material: Annotated[FloatRows, Sized("shapes", _material.width)]
     filters: Annotated[RankRows, Sized("shapes", 4)]

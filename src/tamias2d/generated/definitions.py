@@ -297,49 +297,61 @@ def angular_acceleration(torque: Scalar, inverse_inertia: Scalar) -> Scalar:
     return inverse_inertia * torque
 
 
-def pace_given(flow_gain: Scalar, pull: Scalar) -> Scalar:
+def coordinate_velocity_gain(propagator_gain: Scalar, coordinate_acceleration: Scalar) -> Scalar:
     """What an acceleration adds to a velocity along one axis in a step (m/s).
 
-    pace_given = flow_gain*pull
+    coordinate_velocity_gain = propagator_gain*coordinate_acceleration
 
     Args:
-        flow_gain: Velocity after a step for one unit of acceleration, s
-        pull: Acceleration along one axis, of gravity and applied forces, m/s^2
+        propagator_gain: Velocity after a step for one unit of acceleration, s
+        coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
+            m/s^2
 
     Source: DD41, srs/definitions.md:258.
     """
-    return flow_gain * pull
+    return propagator_gain * coordinate_acceleration
 
 
-def pace_later(flow_decay: Scalar, pace: Scalar, pace_given: Scalar) -> Scalar:
+def coordinate_velocity_later(
+    propagator_decay: Scalar, coordinate_velocity: Scalar, coordinate_velocity_gain: Scalar
+) -> Scalar:
     """Velocity along one axis after a step (m/s).
 
-    pace_later = flow_decay*pace + pace_given
+    coordinate_velocity_later = propagator_decay*coordinate_velocity +
+    coordinate_velocity_gain
 
     Args:
-        flow_decay: Part of a velocity that drag leaves after a step, 1
-        pace: Velocity along one axis, m/s
-        pace_given: What an acceleration adds to a velocity along one axis in a step, m/s
+        propagator_decay: Part of a velocity that drag leaves after a step, 1
+        coordinate_velocity: Velocity along one axis, m/s
+        coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
+            step, m/s
 
     Source: DD41, srs/definitions.md:259.
     """
-    return flow_decay * pace + pace_given
+    return propagator_decay * coordinate_velocity + coordinate_velocity_gain
 
 
-def way(flow_gain: Scalar, flow_lift: Scalar, pace: Scalar, pull: Scalar) -> Scalar:
+def coordinate_displacement(
+    propagator_gain: Scalar,
+    propagator_lift: Scalar,
+    coordinate_velocity: Scalar,
+    coordinate_acceleration: Scalar,
+) -> Scalar:
     """How far a body goes along one axis in a step (m).
 
-    way = flow_gain*pace + flow_lift*pull
+    coordinate_displacement = propagator_gain*coordinate_velocity +
+    propagator_lift*coordinate_acceleration
 
     Args:
-        flow_gain: Velocity after a step for one unit of acceleration, s
-        flow_lift: Way in a step for one unit of acceleration, s^2
-        pace: Velocity along one axis, m/s
-        pull: Acceleration along one axis, of gravity and applied forces, m/s^2
+        propagator_gain: Velocity after a step for one unit of acceleration, s
+        propagator_lift: Way in a step for one unit of acceleration, s^2
+        coordinate_velocity: Velocity along one axis, m/s
+        coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
+            m/s^2
 
-    Source: DD41, srs/definitions.md:260.
+    Source: DD41, srs/definitions.md:261.
     """
-    return flow_gain * pace + flow_lift * pull
+    return propagator_gain * coordinate_velocity + propagator_lift * coordinate_acceleration
 
 
 def momentum(mass: Scalar, velocity: Vector) -> Vector:
@@ -351,7 +363,7 @@ def momentum(mass: Scalar, velocity: Vector) -> Vector:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD21, srs/definitions.md:333.
+    Source: DD21, srs/definitions.md:344.
     """
     velocity_x, velocity_y = velocity
     return (mass * velocity_x, mass * velocity_y)
@@ -366,7 +378,7 @@ def angular_momentum_own(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:334.
+    Source: DD21, srs/definitions.md:345.
     """
     return inertia * angular_velocity
 
@@ -386,7 +398,7 @@ def angular_momentum(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD21, srs/definitions.md:335.
+    Source: DD21, srs/definitions.md:346.
     """
     position_x, position_y = position
     velocity_x, velocity_y = velocity
@@ -405,7 +417,7 @@ def pair_restitution(restitution_a: Scalar, restitution_b: Scalar) -> Scalar:
         restitution_b: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost); of body B, 1
 
-    Source: DD17, srs/definitions.md:431.
+    Source: DD17, srs/definitions.md:442.
     """
     return least(restitution_a, restitution_b)
 
@@ -421,7 +433,7 @@ def normal(point_velocity_a: Vector, point_velocity_b: Vector) -> Vector:
         point_velocity_b: Velocity of the point of a body that sits at the end of an arm; of
             body B, m/s
 
-    Source: GD11, srs/definitions.md:464.
+    Source: GD11, srs/definitions.md:475.
     """
     point_velocity_a_x, point_velocity_a_y = point_velocity_a
     point_velocity_b_x, point_velocity_b_y = point_velocity_b
@@ -447,7 +459,7 @@ def tangent(normal: Vector) -> Vector:
     Args:
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: DD22, srs/definitions.md:488.
+    Source: DD22, srs/definitions.md:499.
     """
     normal_x, normal_y = normal
     return (-normal_y, normal_x)
@@ -464,7 +476,7 @@ def pair_friction(friction_a: Scalar, friction_b: Scalar) -> Scalar:
         friction_b: Coefficient of dry friction: how much of the normal force the surface can
             hold along itself; of body B, 1
 
-    Source: DD23, srs/definitions.md:501.
+    Source: DD23, srs/definitions.md:512.
     """
     return sqrt(friction_a * friction_b)
 
@@ -482,7 +494,7 @@ def kinetic_energy(
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD15, srs/definitions.md:519.
+    Source: DD15, srs/definitions.md:530.
     """
     velocity_x, velocity_y = velocity
     return (
@@ -501,7 +513,7 @@ def potential_energy(mass: Scalar, gravity: Vector, position: Vector) -> Scalar:
         gravity: Gravitational acceleration, the same for all bodies, m/s^2
         position: Position of the centre of mass, m
 
-    Source: DD16, srs/definitions.md:533.
+    Source: DD16, srs/definitions.md:544.
     """
     gravity_x, gravity_y = gravity
     position_x, position_y = position
@@ -520,6 +532,6 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
         normal_velocity: Rate at which the contact opens, along the normal; negative when the
             bodies approach, m/s
 
-    Source: DD60, srs/definitions.md:550.
+    Source: DD60, srs/definitions.md:561.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2

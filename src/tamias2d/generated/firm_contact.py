@@ -8,129 +8,141 @@ by `python -m tools.generate`. Edit the chapter, not this file.
 from tamias2d.spec.functions import Scalar, Vector, largest, least
 
 
-def push_wanted(
-    push: Scalar, row_velocity_kicked: Scalar, bias_velocity: Scalar, firmness: Scalar
+def accumulated_impulse_wanted(
+    accumulated_impulse: Scalar, row_velocity_after: Scalar, bias_velocity: Scalar, firmness: Scalar
 ) -> Scalar:
     """Impulse that a contact has given in a substep along its normal; before it is limited (N*s).
 
-    push_wanted = push - firmness*(row_velocity_kicked + bias_velocity)
+    accumulated_impulse_wanted = accumulated_impulse - firmness*(row_velocity_after +
+    bias_velocity)
 
     Args:
-        push: Impulse that a contact has given in a substep along its normal, N*s
-        row_velocity_kicked: Velocity of B's point of contact seen from A's, along the line;
-            after a kick, m/s
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
+        row_velocity_after: Velocity of B's point of contact seen from A's, along the line; just
+            after the impact, m/s
         bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
-        firmness: Mass with which a firm contact resists the velocity that its row is not to
-            have, kg
-
-    Source: GD12, srs/models/firm_contact.md:33.
-    """
-    return push - firmness * (row_velocity_kicked + bias_velocity)
-
-
-def rub_wanted(rub: Scalar, row_velocity_kicked: Scalar, firmness: Scalar) -> Scalar:
-    """Impulse that a contact has given in a substep along its tangent; before it is limited (N*s).
-
-    rub_wanted = rub - firmness*row_velocity_kicked
-
-    Args:
-        rub: Impulse that a contact has given in a substep along its tangent, N*s
-        row_velocity_kicked: Velocity of B's point of contact seen from A's, along the line;
-            after a kick, m/s
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
     Source: GD12, srs/models/firm_contact.md:34.
     """
-    return rub - firmness * row_velocity_kicked
+    return accumulated_impulse - firmness * (row_velocity_after + bias_velocity)
 
 
-def push_share(push_first: Scalar, push_both: Scalar) -> Scalar:
-    """Part of the push of two contacts that is that of the first (1).
+def tangent_impulse_wanted(
+    tangent_impulse: Scalar, row_velocity_after: Scalar, firmness: Scalar
+) -> Scalar:
+    """Impulse that a contact has given in a substep along its tangent; before it is limited (N*s).
 
-    push_share = push_first/push_both
+    tangent_impulse_wanted = tangent_impulse - firmness*row_velocity_after
 
     Args:
-        push_first: Impulse that a contact has given in a substep along its normal; of the first
-            of two contacts, N*s
-        push_both: Impulse that a contact has given in a substep along its normal; of two
-            contacts together, N*s
+        tangent_impulse: Impulse that a contact has given in a substep along its tangent, N*s
+        row_velocity_after: Velocity of B's point of contact seen from A's, along the line; just
+            after the impact, m/s
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
 
-    Source: DD32, srs/models/firm_contact.md:83.
+    Source: GD12, srs/models/firm_contact.md:36.
     """
-    return push_first / push_both
+    return tangent_impulse - firmness * row_velocity_after
+
+
+def normal_impulse_share(
+    accumulated_impulse_first: Scalar, accumulated_impulse_both: Scalar
+) -> Scalar:
+    """Part of the push of two contacts that is that of the first (1).
+
+    normal_impulse_share = accumulated_impulse_first/accumulated_impulse_both
+
+    Args:
+        accumulated_impulse_first: Impulse that a contact has given in a substep along its
+            normal; of the first of two contacts, N*s
+        accumulated_impulse_both: Impulse that a contact has given in a substep along its
+            normal; of two contacts together, N*s
+
+    Source: DD32, srs/models/firm_contact.md:93.
+    """
+    return accumulated_impulse_first / accumulated_impulse_both
 
 
 def turning_arm_both(
-    turning_arm_first: Scalar, turning_arm_second: Scalar, push_share: Scalar
+    turning_arm_first: Scalar, turning_arm_second: Scalar, normal_impulse_share: Scalar
 ) -> Scalar:
     """Part of an arm across the line, by which an impulse along it turns a body; of two contacts
     together (m).
 
-    turning_arm_both = push_share*turning_arm_first + (1 - push_share)*turning_arm_second
+    turning_arm_both = normal_impulse_share*turning_arm_first + (1 -
+    normal_impulse_share)*turning_arm_second
 
     Args:
         turning_arm_first: Part of an arm across the line, by which an impulse along it turns a
             body; of the first of two contacts, m
         turning_arm_second: Part of an arm across the line, by which an impulse along it turns a
             body; of the second of two contacts, m
-        push_share: Part of the push of two contacts that is that of the first, 1
+        normal_impulse_share: Part of the push of two contacts that is that of the first, 1
 
-    Source: DD32, srs/models/firm_contact.md:84.
+    Source: DD32, srs/models/firm_contact.md:94.
     """
-    return push_share * turning_arm_first + (1 - push_share) * turning_arm_second
+    return (
+        normal_impulse_share * turning_arm_first + (1 - normal_impulse_share) * turning_arm_second
+    )
 
 
 def row_velocity_both(
-    row_velocity_first: Scalar, row_velocity_second: Scalar, push_share: Scalar
+    row_velocity_first: Scalar, row_velocity_second: Scalar, normal_impulse_share: Scalar
 ) -> Scalar:
     """Velocity of B's point of contact seen from A's, along the line; of two contacts together
     (m/s).
 
-    row_velocity_both = push_share*row_velocity_first + (1 - push_share)*row_velocity_second
+    row_velocity_both = normal_impulse_share*row_velocity_first + (1 -
+    normal_impulse_share)*row_velocity_second
 
     Args:
         row_velocity_first: Velocity of B's point of contact seen from A's, along the line; of
             the first of two contacts, m/s
         row_velocity_second: Velocity of B's point of contact seen from A's, along the line; of
             the second of two contacts, m/s
-        push_share: Part of the push of two contacts that is that of the first, 1
+        normal_impulse_share: Part of the push of two contacts that is that of the first, 1
 
-    Source: DD32, srs/models/firm_contact.md:86.
+    Source: DD32, srs/models/firm_contact.md:97.
     """
-    return push_share * row_velocity_first + (1 - push_share) * row_velocity_second
+    return (
+        normal_impulse_share * row_velocity_first + (1 - normal_impulse_share) * row_velocity_second
+    )
 
 
-def rub_most(push: Scalar, friction: Scalar) -> Scalar:
+def tangent_impulse_most(accumulated_impulse: Scalar, friction: Scalar) -> Scalar:
     """Impulse that a contact has given in a substep along its tangent; the most that there may be
     (N*s).
 
-    rub_most = friction*push
+    tangent_impulse_most = friction*accumulated_impulse
 
     Args:
-        push: Impulse that a contact has given in a substep along its normal, N*s
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
         friction: Coefficient of dry friction: how much of the normal force the surface can hold
             along itself, 1
 
-    Source: DD32, srs/models/firm_contact.md:88.
+    Source: DD32, srs/models/firm_contact.md:100.
     """
-    return friction * push
+    return friction * accumulated_impulse
 
 
-def limited_rub(rub_wanted: Scalar, rub_most: Scalar) -> Scalar:
+def limited_tangent_impulse(tangent_impulse_wanted: Scalar, tangent_impulse_most: Scalar) -> Scalar:
     """Rub after a visit, held within what friction can give (N*s).
 
-    limited_rub = max(min(rub_wanted, rub_most), -rub_most)
+    limited_tangent_impulse = max(min(tangent_impulse_wanted, tangent_impulse_most),
+    -tangent_impulse_most)
 
     Args:
-        rub_wanted: Impulse that a contact has given in a substep along its tangent; before it
-            is limited, N*s
-        rub_most: Impulse that a contact has given in a substep along its tangent; the most that
-            there may be, N*s
+        tangent_impulse_wanted: Impulse that a contact has given in a substep along its tangent;
+            before it is limited, N*s
+        tangent_impulse_most: Impulse that a contact has given in a substep along its tangent;
+            the most that there may be, N*s
 
-    Source: DD32, srs/models/firm_contact.md:89.
+    Source: DD32, srs/models/firm_contact.md:101.
     """
-    return largest(least(rub_wanted, rub_most), -rub_most)
+    return largest(least(tangent_impulse_wanted, tangent_impulse_most), -tangent_impulse_most)
 
 
 def firm_mass_x(line: Vector, firmness: Scalar) -> Vector:
@@ -144,7 +156,7 @@ def firm_mass_x(line: Vector, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:163.
+    Source: DD33, srs/models/firm_contact.md:182.
     """
     line_x, line_y = line
     return (firmness * line_x * line_x, firmness * line_x * line_y)
@@ -161,7 +173,7 @@ def firm_mass_y(line: Vector, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:164.
+    Source: DD33, srs/models/firm_contact.md:183.
     """
     line_x, line_y = line
     return (firmness * line_y * line_x, firmness * line_y * line_y)
@@ -179,7 +191,7 @@ def firm_moment(line: Vector, turning_arm_a: Scalar, firmness: Scalar) -> Vector
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:165.
+    Source: DD33, srs/models/firm_contact.md:184.
     """
     line_x, line_y = line
     return (firmness * line_x * turning_arm_a, firmness * line_y * turning_arm_a)
@@ -198,7 +210,7 @@ def firm_lever(line: Vector, turning_arm_b: Scalar, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:166.
+    Source: DD33, srs/models/firm_contact.md:185.
     """
     line_x, line_y = line
     return (firmness * turning_arm_b * line_x, firmness * turning_arm_b * line_y)
@@ -217,7 +229,7 @@ def firm_inertia(turning_arm_a: Scalar, turning_arm_b: Scalar, firmness: Scalar)
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:167.
+    Source: DD33, srs/models/firm_contact.md:186.
     """
     return firmness * turning_arm_b * turning_arm_a
 
@@ -232,7 +244,7 @@ def momentum_left(mass: Scalar, velocity_start: Vector, velocity: Vector) -> Vec
         velocity_start: Velocity of the centre of mass; at the start, m/s
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD34, srs/models/firm_contact.md:216.
+    Source: DD34, srs/models/firm_contact.md:237.
     """
     velocity_start_x, velocity_start_y = velocity_start
     velocity_x, velocity_y = velocity
@@ -251,79 +263,79 @@ def angular_momentum_left(
         angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD34, srs/models/firm_contact.md:217.
+    Source: DD34, srs/models/firm_contact.md:238.
     """
     return inertia * (angular_velocity_start - angular_velocity)
 
 
-def momentum_a_kicked(momentum_a: Vector, kick: Scalar, line: Vector) -> Vector:
-    """Mass times velocity; of body A; after a kick (kg*m/s).
+def momentum_a_after(momentum_a: Vector, applied_impulse: Scalar, line: Vector) -> Vector:
+    """Mass times velocity; of body A; just after the impact (kg*m/s).
 
-    momentum_a_kicked = momentum_a - kick*line
+    momentum_a_after = momentum_a - applied_impulse*line
 
     Args:
         momentum_a: Mass times velocity; of body A, kg*m/s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD34, srs/models/firm_contact.md:218.
+    Source: DD34, srs/models/firm_contact.md:239.
     """
     momentum_a_x, momentum_a_y = momentum_a
     line_x, line_y = line
-    return (momentum_a_x - kick * line_x, momentum_a_y - kick * line_y)
+    return (momentum_a_x - applied_impulse * line_x, momentum_a_y - applied_impulse * line_y)
 
 
-def angular_momentum_a_kicked(
-    angular_momentum_a: Scalar, kick: Scalar, turning_arm_a: Scalar
+def angular_momentum_a_after(
+    angular_momentum_a: Scalar, applied_impulse: Scalar, turning_arm_a: Scalar
 ) -> Scalar:
-    """Moment of momentum about the origin; of body A; after a kick (kg*m^2/s).
+    """Moment of momentum about the origin; of body A; just after the impact (kg*m^2/s).
 
-    angular_momentum_a_kicked = angular_momentum_a - kick*turning_arm_a
+    angular_momentum_a_after = angular_momentum_a - applied_impulse*turning_arm_a
 
     Args:
         angular_momentum_a: Moment of momentum about the origin; of body A, kg*m^2/s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
             body; of body A, m
 
-    Source: DD34, srs/models/firm_contact.md:219.
+    Source: DD34, srs/models/firm_contact.md:240.
     """
-    return angular_momentum_a - kick * turning_arm_a
+    return angular_momentum_a - applied_impulse * turning_arm_a
 
 
-def momentum_b_kicked(momentum_b: Vector, kick: Scalar, line: Vector) -> Vector:
-    """Mass times velocity; of body B; after a kick (kg*m/s).
+def momentum_b_after(momentum_b: Vector, applied_impulse: Scalar, line: Vector) -> Vector:
+    """Mass times velocity; of body B; just after the impact (kg*m/s).
 
-    momentum_b_kicked = momentum_b + kick*line
+    momentum_b_after = momentum_b + applied_impulse*line
 
     Args:
         momentum_b: Mass times velocity; of body B, kg*m/s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD34, srs/models/firm_contact.md:220.
+    Source: DD34, srs/models/firm_contact.md:241.
     """
     momentum_b_x, momentum_b_y = momentum_b
     line_x, line_y = line
-    return (momentum_b_x + kick * line_x, momentum_b_y + kick * line_y)
+    return (momentum_b_x + applied_impulse * line_x, momentum_b_y + applied_impulse * line_y)
 
 
-def angular_momentum_b_kicked(
-    angular_momentum_b: Scalar, kick: Scalar, turning_arm_b: Scalar
+def angular_momentum_b_after(
+    angular_momentum_b: Scalar, applied_impulse: Scalar, turning_arm_b: Scalar
 ) -> Scalar:
-    """Moment of momentum about the origin; of body B; after a kick (kg*m^2/s).
+    """Moment of momentum about the origin; of body B; just after the impact (kg*m^2/s).
 
-    angular_momentum_b_kicked = angular_momentum_b + kick*turning_arm_b
+    angular_momentum_b_after = angular_momentum_b + applied_impulse*turning_arm_b
 
     Args:
         angular_momentum_b: Moment of momentum about the origin; of body B, kg*m^2/s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
             body; of body B, m
 
-    Source: DD34, srs/models/firm_contact.md:221.
+    Source: DD34, srs/models/firm_contact.md:242.
     """
-    return angular_momentum_b + kick * turning_arm_b
+    return angular_momentum_b + applied_impulse * turning_arm_b
 
 
 def linear_energy(mass: Scalar, velocity: Vector) -> Scalar:
@@ -335,7 +347,7 @@ def linear_energy(mass: Scalar, velocity: Vector) -> Scalar:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD35, srs/models/firm_contact.md:244.
+    Source: DD35, srs/models/firm_contact.md:265.
     """
     velocity_x, velocity_y = velocity
     return mass * (velocity_x * velocity_x + velocity_y * velocity_y) / 2
@@ -350,7 +362,7 @@ def turning_energy(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD35, srs/models/firm_contact.md:245.
+    Source: DD35, srs/models/firm_contact.md:266.
     """
     return inertia * angular_velocity * angular_velocity / 2
 
@@ -364,7 +376,7 @@ def linear_energy_start(momentum: Vector, mass: Scalar) -> Scalar:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD35, srs/models/firm_contact.md:246.
+    Source: DD35, srs/models/firm_contact.md:267.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x * momentum_x + momentum_y * momentum_y) / (2 * mass)
@@ -379,7 +391,7 @@ def turning_energy_start(angular_momentum: Scalar, inertia: Scalar) -> Scalar:
         angular_momentum: Moment of momentum about the origin, kg*m^2/s
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD35, srs/models/firm_contact.md:247.
+    Source: DD35, srs/models/firm_contact.md:268.
     """
     return angular_momentum * angular_momentum / (2 * inertia)
 
@@ -393,6 +405,6 @@ def bias_energy(mass: Scalar, bias_velocity: Scalar) -> Scalar:
         mass: Mass of a body, kg
         bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
 
-    Source: DD35, srs/models/firm_contact.md:248.
+    Source: DD35, srs/models/firm_contact.md:269.
     """
     return mass * bias_velocity * bias_velocity / 2

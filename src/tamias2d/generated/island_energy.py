@@ -279,20 +279,22 @@ def angular_velocity_kept(
     return angular_velocity_before + kept_share * (angular_velocity_after - angular_velocity_before)
 
 
-def push_kept(push: Scalar, kick: Scalar, kept_share: Scalar) -> Scalar:
+def accumulated_impulse_kept(
+    accumulated_impulse: Scalar, applied_impulse: Scalar, kept_share: Scalar
+) -> Scalar:
     """Impulse that a contact has given in a substep along its normal; with the share of the bounce
     that is kept (N*s).
 
-    push_kept = push - (1 - kept_share)*kick
+    accumulated_impulse_kept = accumulated_impulse - (1 - kept_share)*applied_impulse
 
     Args:
-        push: Impulse that a contact has given in a substep along its normal, N*s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         kept_share: Part of its bounce that an island keeps, 1
 
     Source: GD13, srs/models/island_energy.md:144.
     """
-    return push - (1 - kept_share) * kick
+    return accumulated_impulse - (1 - kept_share) * applied_impulse
 
 
 def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: Scalar) -> Scalar:
@@ -308,7 +310,7 @@ def kept_share_rising(energy_room: Scalar, energy_rise: Scalar, change_energy: S
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:147.
+    Source: GD13, srs/models/island_energy.md:148.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -328,7 +330,7 @@ def kept_share_falling(energy_room: Scalar, energy_rise: Scalar, change_energy: 
         change_energy: Kinetic energy that bodies would have with a change of velocities alone,
             J
 
-    Source: GD13, srs/models/island_energy.md:148.
+    Source: GD13, srs/models/island_energy.md:149.
     """
     energy_slope = energy_rise - change_energy
     energy_root = sqrt(energy_slope * energy_slope + 4 * change_energy * energy_room)
@@ -344,17 +346,17 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM11, srs/models/island_energy.md:241.
+    Source: IM11, srs/models/island_energy.md:242.
     """
     return kinetic_energy_start + largest(work, 0)
 
 
-def calm_share(
+def damped_share(
     kinetic_energy: Scalar, kinetic_energy_most: Scalar, kinetic_energy_least: Scalar
 ) -> Scalar:
     """Part that an island keeps of what differs in its velocities from its motion as one (1).
 
-    calm_share = min(sqrt((kinetic_energy_most - kinetic_energy_least)/(kinetic_energy -
+    damped_share = min(sqrt((kinetic_energy_most - kinetic_energy_least)/(kinetic_energy -
     kinetic_energy_least)), 1)
 
     Args:
@@ -362,7 +364,7 @@ def calm_share(
         kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
         kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
 
-    Source: IM11, srs/models/island_energy.md:242.
+    Source: IM11, srs/models/island_energy.md:243.
     """
     return least(
         sqrt(
@@ -372,42 +374,42 @@ def calm_share(
     )
 
 
-def velocity_calmed(velocity: Vector, velocity_island: Vector, calm_share: Scalar) -> Vector:
+def velocity_damped(velocity: Vector, velocity_island: Vector, damped_share: Scalar) -> Vector:
     """Velocity of the centre of mass; nearer to the motion as one (m/s).
 
-    velocity_calmed = velocity_island + calm_share*(velocity - velocity_island)
+    velocity_damped = velocity_island + damped_share*(velocity - velocity_island)
 
     Args:
         velocity: Velocity of the centre of mass, m/s
         velocity_island: Velocity of the centre of mass; of an island as one body, m/s
-        calm_share: Part that an island keeps of what differs in its velocities from its motion
-            as one, 1
+        damped_share: Part that an island keeps of what differs in its velocities from its
+            motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:245.
+    Source: IM11, srs/models/island_energy.md:246.
     """
     velocity_x, velocity_y = velocity
     velocity_island_x, velocity_island_y = velocity_island
     return (
-        velocity_island_x + calm_share * (velocity_x - velocity_island_x),
-        velocity_island_y + calm_share * (velocity_y - velocity_island_y),
+        velocity_island_x + damped_share * (velocity_x - velocity_island_x),
+        velocity_island_y + damped_share * (velocity_y - velocity_island_y),
     )
 
 
-def angular_velocity_calmed(
-    angular_velocity: Scalar, angular_velocity_island: Scalar, calm_share: Scalar
+def angular_velocity_damped(
+    angular_velocity: Scalar, angular_velocity_island: Scalar, damped_share: Scalar
 ) -> Scalar:
     """Rate of turning, positive counter-clockwise; nearer to the motion as one (rad/s).
 
-    angular_velocity_calmed = angular_velocity_island + calm_share*(angular_velocity -
+    angular_velocity_damped = angular_velocity_island + damped_share*(angular_velocity -
     angular_velocity_island)
 
     Args:
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         angular_velocity_island: Rate of turning, positive counter-clockwise; of an island as
             one body, rad/s
-        calm_share: Part that an island keeps of what differs in its velocities from its motion
-            as one, 1
+        damped_share: Part that an island keeps of what differs in its velocities from its
+            motion as one, 1
 
-    Source: IM11, srs/models/island_energy.md:246.
+    Source: IM11, srs/models/island_energy.md:247.
     """
-    return angular_velocity_island + calm_share * (angular_velocity - angular_velocity_island)
+    return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)

@@ -34,11 +34,11 @@ def quiet(
 ) -> Truth:
     """Whether a body is quiet, true or false (1).
 
-    quiet = motion_square <= quiet_square and way_square <= quiet_square*time_step**2
+    quiet = motion_square <= quiet_square and displacement_square <= quiet_square*time_step**2
         where rim_velocity = angular_velocity*extent
         where motion_square = dot(velocity, velocity) + rim_velocity**2
-        where rim_way = turn*extent
-        where way_square = dot(shift, shift) + rim_way**2
+        where rim_displacement = turn*extent
+        where displacement_square = dot(shift, shift) + rim_displacement**2
 
     Args:
         velocity: Velocity of the centre of mass, m/s
@@ -56,9 +56,13 @@ def quiet(
     shift_x, shift_y = shift
     rim_velocity = angular_velocity * extent
     motion_square = velocity_x * velocity_x + velocity_y * velocity_y + rim_velocity * rim_velocity
-    rim_way = turn * extent
-    way_square = shift_x * shift_x + shift_y * shift_y + rim_way * rim_way
-    return (motion_square <= quiet_square) & (way_square <= quiet_square * time_step * time_step)
+    rim_displacement = turn * extent
+    displacement_square = (
+        shift_x * shift_x + shift_y * shift_y + rim_displacement * rim_displacement
+    )
+    return (motion_square <= quiet_square) & (
+        displacement_square <= quiet_square * time_step * time_step
+    )
 
 
 def kinetic_energy_most(

@@ -98,16 +98,16 @@ def row_mass(
     )
 
 
-def velocity_a_kicked(
-    velocity_a: Vector, kick: Scalar, line: Vector, inverse_mass_a: Scalar
+def velocity_a_after(
+    velocity_a: Vector, applied_impulse: Scalar, line: Vector, inverse_mass_a: Scalar
 ) -> Vector:
-    """Velocity of the centre of mass; of body A; after a kick (m/s).
+    """Velocity of the centre of mass; of body A; just after the impact (m/s).
 
-    velocity_a_kicked = velocity_a - kick*inverse_mass_a*line
+    velocity_a_after = velocity_a - applied_impulse*inverse_mass_a*line
 
     Args:
         velocity_a: Velocity of the centre of mass; of body A, m/s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
 
@@ -116,21 +116,25 @@ def velocity_a_kicked(
     velocity_a_x, velocity_a_y = velocity_a
     line_x, line_y = line
     return (
-        velocity_a_x - kick * inverse_mass_a * line_x,
-        velocity_a_y - kick * inverse_mass_a * line_y,
+        velocity_a_x - applied_impulse * inverse_mass_a * line_x,
+        velocity_a_y - applied_impulse * inverse_mass_a * line_y,
     )
 
 
-def angular_velocity_a_kicked(
-    angular_velocity_a: Scalar, kick: Scalar, turning_arm_a: Scalar, inverse_inertia_a: Scalar
+def angular_velocity_a_after(
+    angular_velocity_a: Scalar,
+    applied_impulse: Scalar,
+    turning_arm_a: Scalar,
+    inverse_inertia_a: Scalar,
 ) -> Scalar:
-    """Rate of turning, positive counter-clockwise; of body A; after a kick (rad/s).
+    """Rate of turning, positive counter-clockwise; of body A; just after the impact (rad/s).
 
-    angular_velocity_a_kicked = angular_velocity_a - kick*inverse_inertia_a*turning_arm_a
+    angular_velocity_a_after = angular_velocity_a -
+    applied_impulse*inverse_inertia_a*turning_arm_a
 
     Args:
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
             body; of body A, m
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
@@ -138,19 +142,19 @@ def angular_velocity_a_kicked(
 
     Source: DD27, srs/models/soft_contact.md:101.
     """
-    return angular_velocity_a - kick * inverse_inertia_a * turning_arm_a
+    return angular_velocity_a - applied_impulse * inverse_inertia_a * turning_arm_a
 
 
-def velocity_b_kicked(
-    velocity_b: Vector, kick: Scalar, line: Vector, inverse_mass_b: Scalar
+def velocity_b_after(
+    velocity_b: Vector, applied_impulse: Scalar, line: Vector, inverse_mass_b: Scalar
 ) -> Vector:
-    """Velocity of the centre of mass; of body B; after a kick (m/s).
+    """Velocity of the centre of mass; of body B; just after the impact (m/s).
 
-    velocity_b_kicked = velocity_b + kick*inverse_mass_b*line
+    velocity_b_after = velocity_b + applied_impulse*inverse_mass_b*line
 
     Args:
         velocity_b: Velocity of the centre of mass; of body B, m/s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
 
@@ -159,21 +163,25 @@ def velocity_b_kicked(
     velocity_b_x, velocity_b_y = velocity_b
     line_x, line_y = line
     return (
-        velocity_b_x + kick * inverse_mass_b * line_x,
-        velocity_b_y + kick * inverse_mass_b * line_y,
+        velocity_b_x + applied_impulse * inverse_mass_b * line_x,
+        velocity_b_y + applied_impulse * inverse_mass_b * line_y,
     )
 
 
-def angular_velocity_b_kicked(
-    angular_velocity_b: Scalar, kick: Scalar, turning_arm_b: Scalar, inverse_inertia_b: Scalar
+def angular_velocity_b_after(
+    angular_velocity_b: Scalar,
+    applied_impulse: Scalar,
+    turning_arm_b: Scalar,
+    inverse_inertia_b: Scalar,
 ) -> Scalar:
-    """Rate of turning, positive counter-clockwise; of body B; after a kick (rad/s).
+    """Rate of turning, positive counter-clockwise; of body B; just after the impact (rad/s).
 
-    angular_velocity_b_kicked = angular_velocity_b + kick*inverse_inertia_b*turning_arm_b
+    angular_velocity_b_after = angular_velocity_b +
+    applied_impulse*inverse_inertia_b*turning_arm_b
 
     Args:
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        kick: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
         turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
             body; of body B, m
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
@@ -181,7 +189,7 @@ def angular_velocity_b_kicked(
 
     Source: DD27, srs/models/soft_contact.md:104.
     """
-    return angular_velocity_b + kick * inverse_inertia_b * turning_arm_b
+    return angular_velocity_b + applied_impulse * inverse_inertia_b * turning_arm_b
 
 
 def bias_rate(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scalar) -> Scalar:
@@ -194,7 +202,7 @@ def bias_rate(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scala
         damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: GD9, srs/models/soft_contact.md:196.
+    Source: GD9, srs/models/soft_contact.md:197.
     """
     return angular_frequency / (2 * damping_ratio + time_step * angular_frequency)
 
@@ -211,7 +219,7 @@ def mass_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scal
         damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: GD9, srs/models/soft_contact.md:198.
+    Source: GD9, srs/models/soft_contact.md:199.
     """
     return (
         time_step
@@ -232,7 +240,7 @@ def impulse_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: S
         damping_ratio: Damping over that at which an oscillation just ends, 1 where it does, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: GD9, srs/models/soft_contact.md:202.
+    Source: GD9, srs/models/soft_contact.md:203.
     """
     return 1 / (
         1 + time_step * angular_frequency * (2 * damping_ratio + time_step * angular_frequency)
@@ -240,21 +248,21 @@ def impulse_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: S
 
 
 def separation_rest(
-    push: Scalar, row_mass: Scalar, angular_frequency: Scalar, time_step: Scalar
+    accumulated_impulse: Scalar, row_mass: Scalar, angular_frequency: Scalar, time_step: Scalar
 ) -> Scalar:
     """Distance between two bodies, negative where they overlap; at rest (m).
 
-    separation_rest = -push/(time_step*row_mass*angular_frequency**2)
+    separation_rest = -accumulated_impulse/(time_step*row_mass*angular_frequency**2)
 
     Args:
-        push: Impulse that a contact has given in a substep along its normal, N*s
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
         angular_frequency: Phase that an oscillation gains per unit of time, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD28, srs/models/soft_contact.md:299.
+    Source: DD28, srs/models/soft_contact.md:308.
     """
-    return (-push) / (time_step * row_mass * angular_frequency * angular_frequency)
+    return (-accumulated_impulse) / (time_step * row_mass * angular_frequency * angular_frequency)
 
 
 def preload_later(
@@ -276,7 +284,7 @@ def preload_later(
         overlap_allowed: Overlap that no preload is learned for, m
         preload_largest: What a preload may grow to, m
 
-    Source: DD39, srs/models/soft_contact.md:354.
+    Source: DD39, srs/models/soft_contact.md:368.
     """
     return least(
         largest(
@@ -290,7 +298,7 @@ def preload_later(
 
 def angular_frequency_loaded(
     angular_frequency: Scalar,
-    push: Scalar,
+    accumulated_impulse: Scalar,
     inverse_mass_a: Scalar,
     inverse_mass_b: Scalar,
     time_step: Scalar,
@@ -302,11 +310,11 @@ def angular_frequency_loaded(
 
     angular_frequency_loaded = max(angular_frequency, min(angular_frequency_wanted,
     firmest*angular_frequency))
-        where angular_frequency_wanted = sqrt(push*(inverse_mass_a + inverse_mass_b)/(time_step*overlap_share*extent))
+        where angular_frequency_wanted = sqrt(accumulated_impulse*(inverse_mass_a + inverse_mass_b)/(time_step*overlap_share*extent))
 
     Args:
         angular_frequency: Phase that an oscillation gains per unit of time, rad/s
-        push: Impulse that a contact has given in a substep along its normal, N*s
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
         time_step: Length of one step of a stepped scheme, s
@@ -316,10 +324,12 @@ def angular_frequency_loaded(
             does, m
         firmest: Frequency of a contact under a load, at most, over that without one, 1
 
-    Source: DD42, srs/models/soft_contact.md:418.
+    Source: DD42, srs/models/soft_contact.md:436.
     """
     angular_frequency_wanted = sqrt(
-        push * (inverse_mass_a + inverse_mass_b) / (time_step * overlap_share * extent)
+        accumulated_impulse
+        * (inverse_mass_a + inverse_mass_b)
+        / (time_step * overlap_share * extent)
     )
     return largest(angular_frequency, least(angular_frequency_wanted, firmest * angular_frequency))
 
@@ -334,7 +344,7 @@ def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
         velocity: Velocity of the centre of mass, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:468.
+    Source: DD43, srs/models/soft_contact.md:489.
     """
     shift_x, shift_y = shift
     velocity_x, velocity_y = velocity
@@ -351,7 +361,7 @@ def turn_later(turn: Scalar, angular_velocity: Scalar, time_step: Scalar) -> Sca
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:469.
+    Source: DD43, srs/models/soft_contact.md:490.
     """
     return turn + time_step * angular_velocity
 
@@ -365,7 +375,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the contact point, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:492.
+    Source: DD29, srs/models/soft_contact.md:513.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -403,7 +413,7 @@ def separation_later(
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:493.
+    Source: DD29, srs/models/soft_contact.md:514.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -429,7 +439,7 @@ def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:561.
+    Source: DD31, srs/models/soft_contact.md:582.
     """
     return largest(separation / time_step + row_velocity, 0)
 
@@ -445,7 +455,7 @@ def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:562.
+    Source: DD31, srs/models/soft_contact.md:583.
     """
     return time_step * (bias_velocity_later - row_velocity)
 
@@ -463,7 +473,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:619.
+    Source: IM10, srs/models/soft_contact.md:640.
     """
     return (-removal_share) * extent / time_step
 
@@ -483,15 +493,15 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:620.
+    Source: IM10, srs/models/soft_contact.md:641.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
     )
 
 
-def soft_push(
-    push: Scalar,
+def soft_normal_impulse(
+    accumulated_impulse: Scalar,
     row_velocity: Scalar,
     bias_velocity: Scalar,
     row_mass: Scalar,
@@ -500,46 +510,57 @@ def soft_push(
 ) -> Scalar:
     """Push after a visit of a soft contact (N*s).
 
-    soft_push = max(push - row_mass*mass_share*(row_velocity + bias_velocity) -
-    impulse_share*push, 0)
+    soft_normal_impulse = max(accumulated_impulse - row_mass*mass_share*(row_velocity +
+    bias_velocity) - impulse_share*accumulated_impulse, 0)
 
     Args:
-        push: Impulse that a contact has given in a substep along its normal, N*s
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its push that a soft contact gives back in a visit, 1
 
-    Source: IM10, srs/models/soft_contact.md:623.
+    Source: IM10, srs/models/soft_contact.md:644.
     """
     return largest(
-        push - row_mass * mass_share * (row_velocity + bias_velocity) - impulse_share * push, 0
+        accumulated_impulse
+        - row_mass * mass_share * (row_velocity + bias_velocity)
+        - impulse_share * accumulated_impulse,
+        0,
     )
 
 
-def limited_rub(
-    rub: Scalar, row_velocity: Scalar, row_mass: Scalar, friction: Scalar, push: Scalar
+def limited_tangent_impulse(
+    tangent_impulse: Scalar,
+    row_velocity: Scalar,
+    row_mass: Scalar,
+    friction: Scalar,
+    accumulated_impulse: Scalar,
 ) -> Scalar:
     """Rub after a visit, held within what friction can give (N*s).
 
-    limited_rub = max(min(rub - row_mass*row_velocity, friction*push), -friction*push)
+    limited_tangent_impulse = max(min(tangent_impulse - row_mass*row_velocity,
+    friction*accumulated_impulse), -friction*accumulated_impulse)
 
     Args:
-        rub: Impulse that a contact has given in a substep along its tangent, N*s
+        tangent_impulse: Impulse that a contact has given in a substep along its tangent, N*s
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
         friction: Coefficient of dry friction: how much of the normal force the surface can hold
             along itself, 1
-        push: Impulse that a contact has given in a substep along its normal, N*s
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:626.
+    Source: IM10, srs/models/soft_contact.md:648.
     """
-    return largest(least(rub - row_mass * row_velocity, friction * push), (-friction) * push)
+    return largest(
+        least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
+        (-friction) * accumulated_impulse,
+    )
 
 
-def bouncing_push(
-    push: Scalar,
+def restitution_impulse(
+    accumulated_impulse: Scalar,
     row_velocity: Scalar,
     row_velocity_before: Scalar,
     restitution: Scalar,
@@ -547,10 +568,11 @@ def bouncing_push(
 ) -> Scalar:
     """Push after the visit that makes bodies part again (N*s).
 
-    bouncing_push = max(push - row_mass*(row_velocity + restitution*row_velocity_before), 0)
+    restitution_impulse = max(accumulated_impulse - row_mass*(row_velocity +
+    restitution*row_velocity_before), 0)
 
     Args:
-        push: Impulse that a contact has given in a substep along its normal, N*s
+        accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         row_velocity_before: Velocity of B's point of contact seen from A's, along the line;
             just before the impact, m/s
@@ -558,6 +580,8 @@ def bouncing_push(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:628.
+    Source: IM10, srs/models/soft_contact.md:651.
     """
-    return largest(push - row_mass * (row_velocity + restitution * row_velocity_before), 0)
+    return largest(
+        accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0
+    )

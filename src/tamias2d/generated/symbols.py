@@ -735,7 +735,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=498,
+        line=499,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -743,7 +743,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=503,
+        line=504,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -752,58 +752,58 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=507,
+        line=508,
     ),
-    "kick": Symbol(
-        "kick",
+    "applied_impulse": Symbol(
+        "applied_impulse",
         "N*s",
         "impulse that is given in one visit of a row, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=512,
+        line=513,
     ),
-    "push": Symbol(
-        "push",
+    "accumulated_impulse": Symbol(
+        "accumulated_impulse",
         "N*s",
         "impulse that a contact has given in a substep along its normal",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=516,
+        line=517,
     ),
-    "soft_push": Symbol(
-        "soft_push",
+    "soft_normal_impulse": Symbol(
+        "soft_normal_impulse",
         "N*s",
         "push after a visit of a soft contact",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=521,
+        line=522,
     ),
-    "bouncing_push": Symbol(
-        "bouncing_push",
+    "restitution_impulse": Symbol(
+        "restitution_impulse",
         "N*s",
         "push after the visit that makes bodies part again",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=526,
+        line=527,
     ),
-    "rub": Symbol(
-        "rub",
+    "tangent_impulse": Symbol(
+        "tangent_impulse",
         "N*s",
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=531,
+        line=532,
     ),
-    "limited_rub": Symbol(
-        "limited_rub",
+    "limited_tangent_impulse": Symbol(
+        "limited_tangent_impulse",
         "N*s",
         "rub after a visit, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=535,
+        line=536,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -812,7 +812,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=539,
+        line=540,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -821,7 +821,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=544,
+        line=545,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -829,7 +829,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=549,
+        line=550,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -838,7 +838,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=553,
+        line=554,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -847,7 +847,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=558,
+        line=559,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -856,7 +856,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=563,
+        line=564,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -865,7 +865,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=570,
+        line=571,
     ),
     "extent": Symbol(
         "extent",
@@ -874,7 +874,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=577,
+        line=578,
     ),
     "firmest": Symbol(
         "firmest",
@@ -883,7 +883,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=584,
+        line=585,
     ),
     "preload": Symbol(
         "preload",
@@ -892,7 +892,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=589,
+        line=590,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -901,7 +901,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=594,
+        line=595,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -910,7 +910,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=599,
+        line=600,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -919,7 +919,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=604,
+        line=605,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -928,69 +928,74 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=609,
+        line=610,
     ),
-    "pace": Symbol(
-        "pace", "m/s", "velocity along one axis", tex="v_k", file="srs/symbols.md", line=614
+    "coordinate_velocity": Symbol(
+        "coordinate_velocity",
+        "m/s",
+        "velocity along one axis",
+        tex="v_k",
+        file="srs/symbols.md",
+        line=615,
     ),
-    "pace_given": Symbol(
-        "pace_given",
+    "coordinate_velocity_gain": Symbol(
+        "coordinate_velocity_gain",
         "m/s",
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=618,
+        line=619,
     ),
-    "pace_later": Symbol(
-        "pace_later",
+    "coordinate_velocity_later": Symbol(
+        "coordinate_velocity_later",
         "m/s",
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=622,
+        line=623,
     ),
-    "pull": Symbol(
-        "pull",
+    "coordinate_acceleration": Symbol(
+        "coordinate_acceleration",
         "m/s^2",
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=626,
+        line=627,
     ),
-    "way": Symbol(
-        "way",
+    "coordinate_displacement": Symbol(
+        "coordinate_displacement",
         "m",
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=630,
+        line=631,
     ),
-    "flow_decay": Symbol(
-        "flow_decay",
+    "propagator_decay": Symbol(
+        "propagator_decay",
         "1",
         "part of a velocity that drag leaves after a step",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=634,
+        line=635,
     ),
-    "flow_gain": Symbol(
-        "flow_gain",
+    "propagator_gain": Symbol(
+        "propagator_gain",
         "s",
         "velocity after a step for one unit of acceleration",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=639,
+        line=640,
     ),
-    "flow_lift": Symbol(
-        "flow_lift",
+    "propagator_lift": Symbol(
+        "propagator_lift",
         "s^2",
         "way in a step for one unit of acceleration",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=644,
+        line=645,
     ),
     "shift": Symbol(
         "shift",
@@ -999,7 +1004,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=649,
+        line=650,
     ),
     "turn": Symbol(
         "turn",
@@ -1007,7 +1012,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=654,
+        line=655,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1016,16 +1021,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=658,
+        line=659,
     ),
-    "push_share": Symbol(
-        "push_share",
+    "normal_impulse_share": Symbol(
+        "normal_impulse_share",
         "1",
         "part of the push of two contacts that is that of the first",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=665,
+        line=666,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1034,7 +1039,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=670,
+        line=671,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1043,7 +1048,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=677,
+        line=678,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1052,7 +1057,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=684,
+        line=685,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1061,7 +1066,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=690,
+        line=691,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1069,7 +1074,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=697,
+        line=698,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1078,7 +1083,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=710,
+        line=711,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1087,7 +1092,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=715,
+        line=716,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1096,7 +1101,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=720,
+        line=721,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1104,7 +1109,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=725,
+        line=726,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1113,7 +1118,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=729,
+        line=730,
     ),
     "advance": Symbol(
         "advance",
@@ -1122,7 +1127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=734,
+        line=735,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1130,7 +1135,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=739,
+        line=740,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1138,7 +1143,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=743,
+        line=744,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1146,7 +1151,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=747,
+        line=748,
     ),
     "slip": Symbol(
         "slip",
@@ -1154,7 +1159,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=752,
+        line=753,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1162,7 +1167,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=758,
+        line=759,
     ),
     "circling": Symbol(
         "circling",
@@ -1171,7 +1176,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=762,
+        line=763,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1179,7 +1184,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=769,
+        line=770,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1188,7 +1193,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=773,
+        line=774,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1197,7 +1202,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=778,
+        line=779,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1206,7 +1211,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=783,
+        line=784,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1214,7 +1219,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=788,
+        line=789,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1223,7 +1228,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=792,
+        line=793,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1231,7 +1236,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=797,
+        line=798,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1239,7 +1244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=801,
+        line=802,
     ),
     "arc": Symbol(
         "arc",
@@ -1248,7 +1253,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=807,
+        line=808,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1257,7 +1262,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=812,
+        line=813,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1265,15 +1270,15 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=822,
+        line=823,
     ),
-    "rim_way": Symbol(
-        "rim_way",
+    "rim_displacement": Symbol(
+        "rim_displacement",
         "m",
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=826,
+        line=827,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1282,16 +1287,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=830,
+        line=831,
     ),
-    "way_square": Symbol(
-        "way_square",
+    "displacement_square": Symbol(
+        "displacement_square",
         "m^2",
         "square of how far a body has come in a step, turning included",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=835,
+        line=836,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1300,7 +1305,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=840,
+        line=841,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1309,7 +1314,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=845,
+        line=846,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1318,7 +1323,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=850,
+        line=851,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1326,7 +1331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=855,
+        line=856,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1335,7 +1340,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=864,
+        line=865,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1343,7 +1348,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=869,
+        line=870,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1352,7 +1357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=873,
+        line=874,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1360,7 +1365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=878,
+        line=879,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1368,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=882,
+        line=883,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1377,7 +1382,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=886,
+        line=887,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1386,7 +1391,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=891,
+        line=892,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1395,7 +1400,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=896,
+        line=897,
     ),
     "work": Symbol(
         "work",
@@ -1403,7 +1408,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=901,
+        line=902,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1412,7 +1417,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=905,
+        line=906,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1420,7 +1425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=910,
+        line=911,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1429,7 +1434,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=914,
+        line=915,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1437,7 +1442,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=919,
+        line=920,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1446,7 +1451,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=924,
+        line=925,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1455,16 +1460,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=929,
+        line=930,
     ),
-    "calm_share": Symbol(
-        "calm_share",
+    "damped_share": Symbol(
+        "damped_share",
         "1",
         "part that an island keeps of what differs in its velocities from its motion as one",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=934,
+        line=935,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1473,7 +1478,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=941,
+        line=942,
     ),
     "energy": Symbol(
         "energy",
@@ -1481,7 +1486,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=946,
+        line=947,
     ),
     "radius": Symbol(
         "radius",
@@ -1490,7 +1495,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=955,
+        line=956,
     ),
     "length": Symbol(
         "length",
@@ -1499,7 +1504,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=960,
+        line=961,
     ),
     "width": Symbol(
         "width",
@@ -1508,7 +1513,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=967,
+        line=968,
     ),
     "height": Symbol(
         "height",
@@ -1517,7 +1522,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=972,
+        line=973,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1526,7 +1531,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=977,
+        line=978,
     ),
     "center": Symbol(
         "center",
@@ -1535,7 +1540,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=982,
+        line=983,
     ),
     "offset": Symbol(
         "offset",
@@ -1543,7 +1548,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=987,
+        line=988,
     ),
     "area": Symbol(
         "area",
@@ -1552,7 +1557,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=991,
+        line=992,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1561,6 +1566,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=996,
+        line=997,
     ),
 }

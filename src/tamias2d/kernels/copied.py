@@ -98,14 +98,17 @@ class Text:
             self.starts.append(self.starts[-1] + len(line))
 
     def start(self, node: ast.expr | ast.stmt | ast.arg) -> int:
+        """Return where a node begins, in bytes."""
         return self.starts[node.lineno - 1] + node.col_offset
 
     def end(self, node: ast.expr | ast.stmt | ast.arg) -> int:
+        """Return where a node ends, in bytes."""
         if node.end_lineno is None or node.end_col_offset is None:
             raise TypeError(node)
         return self.starts[node.end_lineno - 1] + node.end_col_offset
 
     def span(self, node: ast.expr | ast.stmt) -> tuple[int, int]:
+        """Return where a node begins and ends, in bytes."""
         return self.start(node), self.end(node)
 
 

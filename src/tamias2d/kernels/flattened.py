@@ -205,7 +205,7 @@ class _Work(ast.NodeVisitor):
 def _spread(
     nodes: "list[ast.expr] | list[ast.arg]", lists: "list[str | None]", text: Text
 ) -> Iterator[Edit]:
-    """Yield the edits that put lists in the place of some arguments; an empty one leaves no comma."""
+    """Yield the edits that put lists in the place of arguments; an empty one leaves no comma."""
     spans = [(text.start(node), text.end(node)) for node in nodes]
     for k, names in enumerate(lists):
         first, last = spans[k]

@@ -58,7 +58,7 @@ def addresses(group: Any) -> NDArray[np.int64]:
 
 
 def text_of_classes(group: type) -> Iterator[tuple[type, str]]:
-    """Yield a group's class and those of the groups in it, the inner ones first, with their text."""
+    """Yield the classes of a group and of the groups in it, inner ones first, with their text."""
     for hint in fields_of(group).values():
         if is_group(hint):
             yield from text_of_classes(hint)
@@ -97,12 +97,14 @@ def array_at(array: Any) -> Any:
     """Return a function for compiled code that makes an array of a type from a row of addresses."""
     from numba.core import types
     from numba.extending import intrinsic
-    from numba.np.arrayobj import make_array, populate_array
+    from numba.np import arrayobj
 
-    @intrinsic  # type: ignore[untyped-decorator]
+    numba: Any = arrayobj
+
+    @intrinsic
     def view(_typing: Any, table: Any, row: Any) -> Any:
         def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            found = make_array(signature.args[0])(context, builder, arguments[0])
+            found = numba.make_array(signature.args[0])(context, builder, arguments[0])
             width, index = context.get_constant(types.intp, 4), arguments[1]
 
             def field(k: int) -> Any:
@@ -116,9 +118,9 @@ def array_at(array: Any) -> Any:
             for length in reversed(shape[1:]):
                 strides.insert(0, builder.mul(strides[0], length))
             pointer = context.get_data_type(array.dtype).as_pointer()
-            made = make_array(array)(context, builder)
+            made = numba.make_array(array)(context, builder)
             data = builder.inttoptr(field(0), pointer)
-            populate_array(
+            numba.populate_array(
                 made, data=data, shape=shape, strides=strides, itemsize=size, meminfo=None
             )
             return made._getvalue()

@@ -141,7 +141,9 @@ class Roster:
         self._drop_pairs(rows)
         gone = np.isin(engine.world.state.body_of_shape, rows)
         for slot in np.flatnonzero(gone).tolist():
-            self._free_shapes.setdefault(int(engine.world.shapes.count[slot]), []).append(slot)
+            self._free_shapes.setdefault(int(engine.world.shapes.vertex_count[slot]), []).append(
+                slot
+            )
         engine.world.state.body_of_shape[gone] = self._idle
         self._order = self._order[~gone[self._order]]
         engine.clear(rows)
@@ -198,7 +200,7 @@ class Roster:
         engine, slots = self.engine, np.sort(sequence)
         shapes = engine.world.shapes
         for values in (
-            *(engine.world.state.body_of_shape, shapes.kind, shapes.first, shapes.count),
+            *(engine.world.state.body_of_shape, shapes.kind, shapes.first, shapes.vertex_count),
             *(shapes.radius, shapes.material, shapes.filters),
         ):
             values[slots] = values[sequence]
@@ -208,7 +210,7 @@ class Roster:
             moved[engine.world.shapes.pair_overrides[:, :2].astype(np.int64)], axis=1
         )
         engine.set_pair_overrides(_by_shapes(engine.world.shapes.pair_overrides))
-        count = engine.world.shapes.count[slots].astype(np.int64)
+        count = engine.world.shapes.vertex_count[slots].astype(np.int64)
         start, total = np.cumsum(count) - count, int(count.sum())
         old = np.repeat(engine.world.shapes.first[slots] - start, count) + np.arange(total)
         if total and old.max() - old.min() + 1 == total:
@@ -267,7 +269,7 @@ class Roster:
         engine.world.state.body_of_shape[slots] = rows[owner]
         engine.world.shapes.kind[slots] = [piece.kind for piece in found]
         engine.world.shapes.radius[slots] = [piece.radius for piece in found]
-        count = engine.world.shapes.count[slots].astype(np.int64)
+        count = engine.world.shapes.vertex_count[slots].astype(np.int64)
         within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
         places = np.repeat(engine.world.shapes.first[slots], count) + within
         engine.world.shapes.local_vertices[places] = np.concatenate(
@@ -300,7 +302,7 @@ class Roster:
         if self._free_shapes.get(corners):
             return self._free_shapes[corners].pop()
         slot = self._shapes
-        self.engine.world.shapes.first[slot], self.engine.world.shapes.count[slot] = (
+        self.engine.world.shapes.first[slot], self.engine.world.shapes.vertex_count[slot] = (
             self._corners,
             corners,
         )

@@ -31,7 +31,12 @@ from tamias2d.engine.tables import (
     Control,
     Touching,
 )
-from tamias2d.generated.definitions import acceleration, pace_given, pace_later, way
+from tamias2d.generated.definitions import (
+    acceleration,
+    coordinate_displacement,
+    coordinate_velocity_gain,
+    coordinate_velocity_later,
+)
 
 FRAME_COLUMNS = FRAME_PROPAGATOR + 3
 
@@ -76,5 +81,7 @@ def move_frame(broad_phase: BroadPhase) -> None:
     decay, gain = frame[FRAME_PROPAGATOR + DECAY], frame[FRAME_PROPAGATOR + GAIN]
     lift = frame[FRAME_PROPAGATOR + LIFT]
     for speed, by, at in ((FRAME_VX, FRAME_AX, FRAME_X), (FRAME_VY, FRAME_AY, FRAME_Y)):
-        frame[at] += way(gain, lift, frame[speed], frame[by])
-        frame[speed] = pace_later(decay, frame[speed], pace_given(gain, frame[by]))
+        frame[at] += coordinate_displacement(gain, lift, frame[speed], frame[by])
+        frame[speed] = coordinate_velocity_later(
+            decay, frame[speed], coordinate_velocity_gain(gain, frame[by])
+        )

@@ -44,7 +44,7 @@ def fatten_box(s: int, bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: 
     vertices, bounds, box = shapes.world_vertices, broad_phase.fat_bounds[i], tree.boxes[s]
     low_x, low_y, high_x, high_y = FAR, FAR, -FAR, -FAR
     farthest = 0.0
-    for k in range(shapes.first[s], shapes.first[s] + shapes.count[s]):
+    for k in range(shapes.first[s], shapes.first[s] + shapes.vertex_count[s]):
         x, y = vertices[k, 0], vertices[k, 1]
         low_x, high_x = min(low_x, x), max(high_x, x)
         low_y, high_y = min(low_y, y), max(high_y, y)
@@ -89,7 +89,7 @@ def sides_apart(
         k, m = m, k
     one, other = tree.centres[k], tree.centres[m]
     s = tree.morton[LEAF, k]
-    if one[CENTRE_RADIUS] < LONGER * other[CENTRE_RADIUS] or shapes.count[s] == 1:
+    if one[CENTRE_RADIUS] < LONGER * other[CENTRE_RADIUS] or shapes.vertex_count[s] == 1:
         return False
     i, vertices = shapes.slot[s], shapes.world_vertices
     x, y = other[CENTRE_X] - one[CENTRE_X], other[CENTRE_Y] - one[CENTRE_Y]
@@ -97,7 +97,7 @@ def sides_apart(
     height = one[HALF_HEIGHT] + other[HALF_HEIGHT]
     turn = largest_turn(bodies.pose[i], bodies.motion[i], broad_phase.fat_bounds[i])
     reach = other[CENTRE_RADIUS] + shapes.radius[s] + turn * (abs(x) + abs(y) + width + height)
-    for c in range(shapes.first[s], shapes.first[s] + shapes.count[s]):
+    for c in range(shapes.first[s], shapes.first[s] + shapes.vertex_count[s]):
         normal_x, normal_y = vertices[c, 2], vertices[c, 3]
         distance = normal_x * (x - vertices[c, 0]) + normal_y * (y - vertices[c, 1])
         if distance - abs(normal_x) * width - abs(normal_y) * height > reach:

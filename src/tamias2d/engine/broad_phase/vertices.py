@@ -17,11 +17,11 @@ def turn_shape(s: int, bodies: Bodies, shapes: Shapes) -> None:
     """Turn the vertices of a shape, unless it is a half-plane or a disc around the centre."""
     local, world, first = shapes.local_vertices, shapes.world_vertices, shapes.first[s]
     if shapes.kind[s] == HALF_PLANE or (
-        shapes.count[s] == 1 and local[first, 0] == 0.0 and local[first, 1] == 0.0
+        shapes.vertex_count[s] == 1 and local[first, 0] == 0.0 and local[first, 1] == 0.0
     ):
         return
     c, d = cosine_sine(bodies.pose[shapes.slot[s], ANGLE])
-    for k in range(first, first + shapes.count[s]):
+    for k in range(first, first + shapes.vertex_count[s]):
         x, y = local[k, 0], local[k, 1]
         world[k, 0], world[k, 1] = c * x - d * y, d * x + c * y
         x, y = local[k, 2], local[k, 3]

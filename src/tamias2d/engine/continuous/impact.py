@@ -48,7 +48,7 @@ from tamias2d.engine.tables import (
     Y,
 )
 from tamias2d.generated.continuous_collision import position_later
-from tamias2d.generated.soft_contact import bouncing_push, limited_rub
+from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
 from tamias2d.state import Array, Vector
 
 
@@ -132,7 +132,7 @@ def apply_impact(
         left = 0.0 if supported else 1.0 - now
         speed = speed_along(tangent, left, bodies.motion, bodies.flight)
         mass = mass_along(tangent, bodies.properties)
-        friction_impulse = limited_rub(0.0, speed, mass, friction, impulse)
+        friction_impulse = limited_tangent_impulse(0.0, speed, mass, friction, impulse)
         change_velocities_and_paths(tangent, now, time_step, friction_impulse, bodies)
     return impulse
 
@@ -157,12 +157,12 @@ def stop_and_rebound(
     if before >= 0.0 and rate >= 0.0:
         return -1.0
     if supported:
-        bounce = bouncing_push(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
+        bounce = restitution_impulse(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
         impulse = max(-mass * before, 0.0) + bounce
         change_velocities(line, impulse, bodies.motion, bodies.properties)
         change_paths(line, now, (max(-mass * rate, 0.0) + bounce) * time_step, bodies)
         return impulse
-    impulse = bouncing_push(0.0, before, before, restitution, mass) if before < 0.0 else 0.0
+    impulse = restitution_impulse(0.0, before, before, restitution, mass) if before < 0.0 else 0.0
     change_velocities_and_paths(line, now, time_step, impulse, bodies)
     return impulse
 

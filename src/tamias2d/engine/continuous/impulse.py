@@ -16,13 +16,13 @@ from tamias2d.engine.tables import (
     Bodies,
 )
 from tamias2d.generated.soft_contact import (
-    angular_velocity_a_kicked,
-    angular_velocity_b_kicked,
+    angular_velocity_a_after,
+    angular_velocity_b_after,
     row_mass,
     row_velocity,
     turning_arm,
-    velocity_a_kicked,
-    velocity_b_kicked,
+    velocity_a_after,
+    velocity_b_after,
 )
 from tamias2d.state import Array, Vector
 
@@ -99,16 +99,16 @@ def change_velocities(line: ImpulseLine, amount: float, motion: Array, propertie
     """Apply an impulse, N s, to the velocities of both bodies."""
     i, j, direction = line.a, line.b, line.direction
     arm_a, arm_b = turning_arm(line.at_a, direction), turning_arm(line.at_b, direction)
-    motion[i, VX], motion[i, VY] = velocity_a_kicked(
+    motion[i, VX], motion[i, VY] = velocity_a_after(
         (motion[i, VX], motion[i, VY]), amount, direction, properties[i, INVERSE_MASS]
     )
-    motion[i, SPIN] = angular_velocity_a_kicked(
+    motion[i, SPIN] = angular_velocity_a_after(
         motion[i, SPIN], amount, arm_a, properties[i, INVERSE_INERTIA]
     )
-    motion[j, VX], motion[j, VY] = velocity_b_kicked(
+    motion[j, VX], motion[j, VY] = velocity_b_after(
         (motion[j, VX], motion[j, VY]), amount, direction, properties[j, INVERSE_MASS]
     )
-    motion[j, SPIN] = angular_velocity_b_kicked(
+    motion[j, SPIN] = angular_velocity_b_after(
         motion[j, SPIN], amount, arm_b, properties[j, INVERSE_INERTIA]
     )
 
@@ -117,9 +117,9 @@ def change_paths(line: ImpulseLine, now: float, amount: float, bodies: Bodies) -
     """Redirect the paths of both bodies as an impulse does, in N s times the time step, s."""
     i, j, direction, none = line.a, line.b, line.direction, (0.0, 0.0)
     arm_a, arm_b = turning_arm(line.at_a, direction), turning_arm(line.at_b, direction)
-    by = velocity_a_kicked(none, amount, direction, bodies.properties[i, INVERSE_MASS])
-    turn = angular_velocity_a_kicked(0.0, amount, arm_a, bodies.properties[i, INVERSE_INERTIA])
+    by = velocity_a_after(none, amount, direction, bodies.properties[i, INVERSE_MASS])
+    turn = angular_velocity_a_after(0.0, amount, arm_a, bodies.properties[i, INVERSE_INERTIA])
     redirect_path(i, now, by, turn, bodies.pose, bodies.motion)
-    by = velocity_b_kicked(none, amount, direction, bodies.properties[j, INVERSE_MASS])
-    turn = angular_velocity_b_kicked(0.0, amount, arm_b, bodies.properties[j, INVERSE_INERTIA])
+    by = velocity_b_after(none, amount, direction, bodies.properties[j, INVERSE_MASS])
+    turn = angular_velocity_b_after(0.0, amount, arm_b, bodies.properties[j, INVERSE_INERTIA])
     redirect_path(j, now, by, turn, bodies.pose, bodies.motion)

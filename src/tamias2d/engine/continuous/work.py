@@ -22,10 +22,10 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.generated.definitions import kinetic_energy, point_velocity
 from tamias2d.generated.island_energy import (
-    angular_velocity_calmed,
+    angular_velocity_damped,
     angular_velocity_seen,
-    calm_share,
-    velocity_calmed,
+    damped_share,
+    velocity_damped,
     velocity_seen,
     work,
 )
@@ -64,7 +64,7 @@ def take_energy_back(
     """Take a surplus from a body's energy as seen from its support, J, if it is positive."""
     energy = energy_seen(i, support, spin, motion, properties)
     if surplus > 0.0 and energy > 0.0:
-        share = calm_share(energy, max(energy - surplus, 0.0), 0.0)
+        share = damped_share(energy, max(energy - surplus, 0.0), 0.0)
         row = motion[i]
-        row[VX], row[VY] = velocity_calmed((row[VX], row[VY]), support, share)
-        row[SPIN] = angular_velocity_calmed(row[SPIN], spin, share)
+        row[VX], row[VY] = velocity_damped((row[VX], row[VY]), support, share)
+        row[SPIN] = angular_velocity_damped(row[SPIN], spin, share)

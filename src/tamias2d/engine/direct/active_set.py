@@ -47,13 +47,13 @@ from tamias2d.engine.tables import (
     Integers,
 )
 from tamias2d.generated.firm_contact import (
+    accumulated_impulse_wanted,
     angular_momentum_left,
     momentum_left,
-    push_share,
-    push_wanted,
+    normal_impulse_share,
     row_velocity_both,
-    rub_most,
-    rub_wanted,
+    tangent_impulse_most,
+    tangent_impulse_wanted,
 )
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
@@ -82,7 +82,7 @@ def guess_state(
             state += 1 << k
         normal += row[at + P_NORMAL_IMPULSE]
         tangent += row[at + P_TANGENT_IMPULSE]
-    limit = rub_most(normal, row[R_FRICTION + m])
+    limit = tangent_impulse_most(normal, row[R_FRICTION + m])
     if state > 0 and row[R_FRICTION + m] > 0.0:
         slides = normal > 0.0 and abs(tangent) >= limit
         state += HELD if not slides else LEFT if tangent < 0.0 else RIGHT
@@ -166,7 +166,7 @@ def propose_normal(
         before = row[at + P_NORMAL_IMPULSE]
         arm_a, arm_b = row[at + P_NORMAL_ARM_A], row[at + P_NORMAL_ARM_B]
         speed = point_speed(one, other, arm_a, arm_b, normal)
-        impulse = push_wanted(before, speed, factors[contact, BIAS + k], firm)
+        impulse = accumulated_impulse_wanted(before, speed, factors[contact, BIAS + k], firm)
         presses = (state >> k) & 1
         if not first:
             presses = 1 if impulse > (-slight if presses == 1 else slight) else 0
@@ -202,7 +202,10 @@ def propose_tangent(
     for k in range(points):
         before += row[SHARED + k * POINT_SIZE + P_TANGENT_IMPULSE + m]
     speed = tangent_speed_both(contact, state, bodies, constraints, direct)
-    wanted, limit = rub_wanted(before, speed, firm), rub_most(normal, friction)
+    wanted, limit = (
+        tangent_impulse_wanted(before, speed, firm),
+        tangent_impulse_most(normal, friction),
+    )
     slides = state & RIGHT
     if not first:
         slides = friction_state(state, wanted, limit, slight, friction)
@@ -218,7 +221,7 @@ def propose_tangent(
         share = share_of(k, state, contact, factors)
         if slides > HELD:
             pressing = max(factors[contact, NEW_NORMAL + k], 0.0)
-            share = push_share(pressing, normal) if normal > 0.0 else 0.0
+            share = normal_impulse_share(pressing, normal) if normal > 0.0 else 0.0
         factors[contact, NEW_TANGENT + k] = total * share
         more = total * share - row[at + P_TANGENT_IMPULSE]
         arm_a, arm_b = row[at + P_TANGENT_ARM_A], row[at + P_TANGENT_ARM_B]

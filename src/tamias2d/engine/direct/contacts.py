@@ -52,23 +52,23 @@ from tamias2d.engine.tables import (
     Integers,
 )
 from tamias2d.generated.firm_contact import (
-    angular_momentum_a_kicked,
-    angular_momentum_b_kicked,
-    limited_rub,
-    momentum_a_kicked,
-    momentum_b_kicked,
-    rub_most,
+    angular_momentum_a_after,
+    angular_momentum_b_after,
+    limited_tangent_impulse,
+    momentum_a_after,
+    momentum_b_after,
+    tangent_impulse_most,
 )
 from tamias2d.generated.soft_contact import (
-    angular_velocity_a_kicked,
-    angular_velocity_b_kicked,
+    angular_velocity_a_after,
+    angular_velocity_b_after,
     bias_velocity,
     bias_velocity_later,
     row_velocity,
     separation,
     separation_later,
-    velocity_a_kicked,
-    velocity_b_kicked,
+    velocity_a_after,
+    velocity_b_after,
 )
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
@@ -143,13 +143,13 @@ def add_to_nodes(
     if a >= 0:
         node = factors[a]
         momentum = (node[CHANGE], node[CHANGE + 1])
-        node[CHANGE], node[CHANGE + 1] = momentum_a_kicked(momentum, impulse, line)
-        node[CHANGE + 2] = angular_momentum_a_kicked(node[CHANGE + 2], impulse, arm_a)
+        node[CHANGE], node[CHANGE + 1] = momentum_a_after(momentum, impulse, line)
+        node[CHANGE + 2] = angular_momentum_a_after(node[CHANGE + 2], impulse, arm_a)
     if b >= 0:
         node = factors[b]
         momentum = (node[CHANGE], node[CHANGE + 1])
-        node[CHANGE], node[CHANGE + 1] = momentum_b_kicked(momentum, impulse, line)
-        node[CHANGE + 2] = angular_momentum_b_kicked(node[CHANGE + 2], impulse, arm_b)
+        node[CHANGE], node[CHANGE + 1] = momentum_b_after(momentum, impulse, line)
+        node[CHANGE + 2] = angular_momentum_b_after(node[CHANGE + 2], impulse, arm_b)
 
 
 def apply_contact(contact: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:
@@ -162,8 +162,8 @@ def apply_contact(contact: int, bodies: Bodies, constraints: Constraints, direct
     for k in range(lane[POINTS]):
         at = SHARED + k * POINT_SIZE + m
         normal = max(factors[contact, NEW_NORMAL + k], 0.0)
-        limit = rub_most(normal, row[R_FRICTION + m])
-        tangent = limited_rub(factors[contact, NEW_TANGENT + k], limit)
+        limit = tangent_impulse_most(normal, row[R_FRICTION + m])
+        tangent = limited_tangent_impulse(factors[contact, NEW_TANGENT + k], limit)
         factors[contact, NEW_NORMAL + k], factors[contact, NEW_TANGENT + k] = normal, tangent
         arm_a, arm_b = row[at + P_NORMAL_ARM_A], row[at + P_NORMAL_ARM_B]
         apply_impulse_to(
@@ -187,10 +187,10 @@ def apply_impulse_to(
     b: Array,
 ) -> None:
     """Apply an impulse, N s, to the motion of two bodies."""
-    a[VX], a[VY] = velocity_a_kicked((a[VX], a[VY]), impulse, line, row[R_MASS_A + m])
-    a[SPIN] = angular_velocity_a_kicked(a[SPIN], impulse, arm_a, row[R_INERTIA_A + m])
-    b[VX], b[VY] = velocity_b_kicked((b[VX], b[VY]), impulse, line, row[R_MASS_B + m])
-    b[SPIN] = angular_velocity_b_kicked(b[SPIN], impulse, arm_b, row[R_INERTIA_B + m])
+    a[VX], a[VY] = velocity_a_after((a[VX], a[VY]), impulse, line, row[R_MASS_A + m])
+    a[SPIN] = angular_velocity_a_after(a[SPIN], impulse, arm_a, row[R_INERTIA_A + m])
+    b[VX], b[VY] = velocity_b_after((b[VX], b[VY]), impulse, line, row[R_MASS_B + m])
+    b[SPIN] = angular_velocity_b_after(b[SPIN], impulse, arm_b, row[R_INERTIA_B + m])
 
 
 def store_contact(contact: int, constraints: Constraints, direct: Direct) -> None:

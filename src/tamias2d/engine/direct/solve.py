@@ -55,7 +55,7 @@ from tamias2d.engine.tables import (
     Constraints,
     Direct,
 )
-from tamias2d.generated.firm_contact import push_share
+from tamias2d.generated.firm_contact import normal_impulse_share
 from tamias2d.kernels.assembled import inlined
 
 STIFF = 1e9  # firm mass, in means of the largest and the smallest mass of the island
@@ -106,7 +106,7 @@ def note_softness(contact: int, constraints: Constraints, direct: Direct) -> Non
     first = row[FIRST_POINT + P_NORMAL_IMPULSE + m]
     total = first + row[SECOND_POINT + P_NORMAL_IMPULSE + m]
     both = constraints.lanes[b, POINTS] == 2 and total > 0.0
-    numbers[FRICTION_SHARE] = push_share(first, total) if both else 0.5
+    numbers[FRICTION_SHARE] = normal_impulse_share(first, total) if both else 0.5
 
 
 def solve_trees(

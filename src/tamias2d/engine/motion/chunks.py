@@ -38,9 +38,9 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.definitions import (
     acceleration,
     angular_acceleration,
-    pace_given,
-    pace_later,
-    way,
+    coordinate_displacement,
+    coordinate_velocity_gain,
+    coordinate_velocity_later,
 )
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
@@ -75,9 +75,11 @@ def begin_plain(
     for m in range(CHUNK_LANES):
         here, now, by, gain = pose[m], velocity[m], stream[L_BY + m], stream[L_GAIN + m]
         course[L_AT + m], course[L_SPEED + m] = here, now
-        to = here + way(gain, stream[L_LIFT + m], now, by)
+        to = here + coordinate_displacement(gain, stream[L_LIFT + m], now, by)
         pose[m] = to
-        velocity[m] = pace_later(stream[L_DECAY + m], now, pace_given(gain, by))
+        velocity[m] = coordinate_velocity_later(
+            stream[L_DECAY + m], now, coordinate_velocity_gain(gain, by)
+        )
         before, after = here - stream[L_BEFORE + m], to - stream[L_AFTER + m]
         low, high = course[L_LOW + m], course[L_HIGH + m]
         within = (before >= low) & (before <= high) & (after >= low) & (after <= high)
@@ -91,9 +93,11 @@ def take_lanes(pose: Array, velocity: Array, course: Array, stream: Array) -> in
     out = 0
     for m in range(CHUNK_LANES):
         now, by, gain = velocity[m], stream[L_BY + m], stream[L_GAIN + m]
-        to = pose[m] + way(gain, stream[L_LIFT + m], now, by)
+        to = pose[m] + coordinate_displacement(gain, stream[L_LIFT + m], now, by)
         pose[m] = to
-        velocity[m] = pace_later(stream[L_DECAY + m], now, pace_given(gain, by))
+        velocity[m] = coordinate_velocity_later(
+            stream[L_DECAY + m], now, coordinate_velocity_gain(gain, by)
+        )
         after = to - stream[L_AFTER + m]
         out += 0 if (after >= course[L_LOW + m]) & (after <= course[L_HIGH + m]) else 1
     return out

@@ -25,9 +25,9 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.definitions import (
     acceleration,
     angular_acceleration,
-    pace_given,
-    pace_later,
-    way,
+    coordinate_displacement,
+    coordinate_velocity_gain,
+    coordinate_velocity_later,
 )
 from tamias2d.state import Array
 
@@ -66,7 +66,9 @@ def integrate_coordinate(
 ) -> None:
     """Take one coordinate of a body through the step, under an acceleration (DD41)."""
     before, gain = motion[i, axis], propagator[at + GAIN]
-    after = pace_later(propagator[at + DECAY], before, pace_given(gain, by))
-    motion[i, DX + axis] = way(gain, propagator[at + LIFT], before, by)
+    after = coordinate_velocity_later(
+        propagator[at + DECAY], before, coordinate_velocity_gain(gain, by)
+    )
+    motion[i, DX + axis] = coordinate_displacement(gain, propagator[at + LIFT], before, by)
     motion[i, axis] = after
     flight[i, FORCE_GAIN + axis] = after - before

@@ -20,7 +20,7 @@ def core_of(s: int, shapes: Shapes) -> Core:
     return Core(
         int(shapes.kind[s]),
         int(shapes.first[s]),
-        int(shapes.count[s]),
+        int(shapes.vertex_count[s]),
         float(shapes.radius[s]),
         float(shapes.material[s, SHAPE_INRADIUS]),
     )

@@ -106,8 +106,16 @@ def speculative_margin(
     motion, time_step = bodies.motion, control.settings[TIME_STEP]
     speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
     distance = speed * time_step
-    turn_a = abs(motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS] if shapes.count[s] > 1 else 0.0
-    turn_b = abs(motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS] if shapes.count[t] > 1 else 0.0
+    turn_a = (
+        abs(motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS]
+        if shapes.vertex_count[s] > 1
+        else 0.0
+    )
+    turn_b = (
+        abs(motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS]
+        if shapes.vertex_count[t] > 1
+        else 0.0
+    )
     if distance + (turn_a + turn_b) * time_step > BULLET * smaller:
         return 0.0
     return CLOSE * smaller + min(distance, AHEAD * smaller)

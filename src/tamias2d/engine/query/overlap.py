@@ -59,7 +59,7 @@ def fit_box(s: int, pose: Array, shapes: Shapes, tree: Tree) -> None:
     first, local = shapes.first[s], shapes.local_vertices
     low_x = high_x = c * local[first, 0] - d * local[first, 1]
     low_y = high_y = d * local[first, 0] + c * local[first, 1]
-    for k in range(first + 1, first + shapes.count[s]):
+    for k in range(first + 1, first + shapes.vertex_count[s]):
         x, y = c * local[k, 0] - d * local[k, 1], d * local[k, 0] + c * local[k, 1]
         low_x, high_x = min(low_x, x), max(high_x, x)
         low_y, high_y = min(low_y, y), max(high_y, y)
@@ -151,7 +151,7 @@ def overlaps_box(s: int, box: Box, state: BodyState, shapes: Shapes) -> bool:
 
     The box around the shape overlaps it.
     """
-    i, first, count = state.body_of_shape[s], shapes.first[s], shapes.count[s]
+    i, first, count = state.body_of_shape[s], shapes.first[s], shapes.vertex_count[s]
     vertices = shapes.local_vertices[first : first + count]
     c, d = cosine_sine(state.pose[i, ANGLE])
     x = 0.5 * box.low_x + 0.5 * box.high_x - state.pose[i, X]

@@ -187,7 +187,12 @@ def enter(s: int, ray: Ray, state: BodyState, shapes: Shapes) -> Entry:
         c * ray.dy - d * ray.dx,
     )
     fraction, x, y = enter_bounded(
-        local, shapes.kind[s], first, shapes.count[s], shapes.radius[s], shapes.local_vertices
+        local,
+        shapes.kind[s],
+        first,
+        shapes.vertex_count[s],
+        shapes.radius[s],
+        shapes.local_vertices,
     )
     return fraction, c * x - d * y, d * x + c * y
 

@@ -39,14 +39,14 @@ from tamias2d.generated.definitions import (
     point_velocity,
 )
 from tamias2d.generated.island_energy import (
-    angular_velocity_calmed,
+    angular_velocity_damped,
     angular_velocity_island,
-    calm_share,
+    damped_share,
     inertia_island,
     inertia_origin,
     mass_moment,
     position_island,
-    velocity_calmed,
+    velocity_damped,
     velocity_island,
     velocity_seen,
 )
@@ -123,7 +123,7 @@ def find_rigid_motion(row: Array) -> None:
         row[REFERENCE + 2] = spin
     row[CALM_FACTOR] = 0.0
     if row[ENERGY_BOUND] > least and row[ENERGY_KEPT] > least:
-        row[CALM_FACTOR] = calm_share(row[ENERGY_KEPT], row[ENERGY_BOUND], least)
+        row[CALM_FACTOR] = damped_share(row[ENERGY_KEPT], row[ENERGY_BOUND], least)
 
 
 def calm(bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands) -> None:
@@ -135,5 +135,5 @@ def calm(bodies: Bodies, touching: Touching, constraints: Constraints, islands: 
             if factor < 1.0:
                 velocity, spin = reference_at(i, bodies, islands)
                 now = bodies.motion[i]
-                now[VX], now[VY] = velocity_calmed((now[VX], now[VY]), velocity, factor)
-                now[SPIN] = angular_velocity_calmed(now[SPIN], spin, factor)
+                now[VX], now[VY] = velocity_damped((now[VX], now[VY]), velocity, factor)
+                now[SPIN] = angular_velocity_damped(now[SPIN], spin, factor)

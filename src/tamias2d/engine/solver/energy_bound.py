@@ -62,13 +62,13 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.generated.definitions import kinetic_energy
 from tamias2d.generated.island_energy import (
+    accumulated_impulse_kept,
     angular_velocity_kept,
     angular_velocity_seen,
     kept_share_falling,
     kept_share_rising,
     kinetic_energy_kept,
     kinetic_energy_most,
-    push_kept,
     shift_seen,
     turn_seen,
     velocity_kept,
@@ -223,7 +223,9 @@ def keep_impulse_shares(bodies: Bodies, constraints: Constraints, islands: Islan
                 for n in range(lanes[b, POINTS]):
                     at = SHARED + n * POINT_SIZE + m
                     impulse = row[FIRST_RESTITUTION + n * LANES + m]
-                    row[at + P_NORMAL_IMPULSE] = push_kept(
+                    row[at + P_NORMAL_IMPULSE] = accumulated_impulse_kept(
                         row[at + P_NORMAL_IMPULSE], impulse, share
                     )
-                    row[at + P_TOTAL_IMPULSE] = push_kept(row[at + P_TOTAL_IMPULSE], impulse, share)
+                    row[at + P_TOTAL_IMPULSE] = accumulated_impulse_kept(
+                        row[at + P_TOTAL_IMPULSE], impulse, share
+                    )

@@ -32,8 +32,8 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.definitions import (
     acceleration,
     angular_acceleration,
-    pace_given,
-    pace_later,
+    coordinate_velocity_gain,
+    coordinate_velocity_later,
 )
 from tamias2d.generated.soft_contact import shift_later, turn_later
 
@@ -54,10 +54,13 @@ def begin_step(first: int, last: int, control: Control, bodies: Bodies, touching
             through = bodies.propagators[int(properties[PROPAGATOR])]
             decay, gain = through[ONE_SUBSTEP + DECAY], through[ONE_SUBSTEP + GAIN]
             state[DRAG_FACTOR] = state[DRAG_FACTOR + 1] = decay
-            state[INCREMENT], state[INCREMENT + 1] = pace_given(gain, by_x), pace_given(gain, by_y)
+            state[INCREMENT], state[INCREMENT + 1] = (
+                coordinate_velocity_gain(gain, by_x),
+                coordinate_velocity_gain(gain, by_y),
+            )
             gain = through[ONE_SUBSTEP + ANGULAR + GAIN]
             state[DRAG_FACTOR + 2] = through[ONE_SUBSTEP + ANGULAR + DECAY]
-            state[INCREMENT + 2] = pace_given(gain, by_angle)
+            state[INCREMENT + 2] = coordinate_velocity_gain(gain, by_angle)
 
 
 def apply_forces(again: bool, first: int, last: int, bodies: Bodies, touching: Touching) -> None:
@@ -73,7 +76,7 @@ def apply_forces(again: bool, first: int, last: int, bodies: Bodies, touching: T
         for n in range(3):
             state[CONTACT_CHANGE + n] += bodies.motion[i, n] - state[SUBSTEP_START + n]
             before = bodies.motion[i, n] if again else state[SUBSTEP_START + n]
-            free = pace_later(state[DRAG_FACTOR + n], before, state[INCREMENT + n])
+            free = coordinate_velocity_later(state[DRAG_FACTOR + n], before, state[INCREMENT + n])
             bodies.motion[i, n] = free + state[CONTACT_CHANGE + n]
             state[SUBSTEP_START + n] = bodies.motion[i, n]
 

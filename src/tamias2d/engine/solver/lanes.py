@@ -63,17 +63,17 @@ from tamias2d.engine.tables import (
     Integers,
 )
 from tamias2d.generated.soft_contact import (
-    angular_velocity_a_kicked,
-    angular_velocity_b_kicked,
+    angular_velocity_a_after,
+    angular_velocity_b_after,
     bias_velocity,
     bias_velocity_later,
-    bouncing_push,
-    limited_rub,
+    limited_tangent_impulse,
+    restitution_impulse,
     row_velocity,
     separation_later,
-    soft_push,
-    velocity_a_kicked,
-    velocity_b_kicked,
+    soft_normal_impulse,
+    velocity_a_after,
+    velocity_b_after,
 )
 from tamias2d.state import Array, Vector
 
@@ -110,16 +110,16 @@ def apply_impulse(
     m: int, amount: float, line: Vector, arm_a: float, arm_b: float, row: Array, scratch: Array
 ) -> None:
     """Apply an impulse, N s, along a line to the bodies of a lane; turning arms in m."""
-    scratch[B_VX_A + m], scratch[B_VY_A + m] = velocity_a_kicked(
+    scratch[B_VX_A + m], scratch[B_VY_A + m] = velocity_a_after(
         (scratch[B_VX_A + m], scratch[B_VY_A + m]), amount, line, row[R_MASS_A + m]
     )
-    scratch[B_SPIN_A + m] = angular_velocity_a_kicked(
+    scratch[B_SPIN_A + m] = angular_velocity_a_after(
         scratch[B_SPIN_A + m], amount, arm_a, row[R_INERTIA_A + m]
     )
-    scratch[B_VX_B + m], scratch[B_VY_B + m] = velocity_b_kicked(
+    scratch[B_VX_B + m], scratch[B_VY_B + m] = velocity_b_after(
         (scratch[B_VX_B + m], scratch[B_VY_B + m]), amount, line, row[R_MASS_B + m]
     )
-    scratch[B_SPIN_B + m] = angular_velocity_b_kicked(
+    scratch[B_SPIN_B + m] = angular_velocity_b_after(
         scratch[B_SPIN_B + m], amount, arm_b, row[R_INERTIA_B + m]
     )
 
@@ -178,7 +178,7 @@ def friction_lanes(at: int, row: Array, scratch: Array) -> None:
     for m in range(LANES):
         speed = tangent_speed(m, at, row, scratch)
         before = row[at + P_TANGENT_IMPULSE + m]
-        after = limited_rub(
+        after = limited_tangent_impulse(
             before,
             speed,
             row[at + P_TANGENT_MASS + m],
@@ -210,7 +210,7 @@ def soft_lanes(at: int, row: Array, scratch: Array, substep: float) -> None:
         mass_share = 1.0 if is_open else row[R_MASS_SHARE + m]
         impulse_share = 0.0 if is_open else row[R_IMPULSE_SHARE + m]
         before = row[at + P_NORMAL_IMPULSE + m]
-        after = soft_push(
+        after = soft_normal_impulse(
             before,
             normal_speed(m, at, row, scratch),
             bias,
@@ -228,7 +228,7 @@ def relax_lanes(at: int, row: Array, scratch: Array, substep: float) -> None:
         speed = normal_speed(m, at, row, scratch)
         bias = bias_velocity_later(row[at + P_GAP_NOW + m], speed, substep)
         before = row[at + P_NORMAL_IMPULSE + m]
-        after = soft_push(before, speed, bias, row[at + P_NORMAL_MASS + m], 1.0, 0.0)
+        after = soft_normal_impulse(before, speed, bias, row[at + P_NORMAL_MASS + m], 1.0, 0.0)
         row[at + P_NORMAL_IMPULSE + m] = after
         row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + after
         apply_normal(m, at, after - before, row, scratch)
@@ -244,7 +244,7 @@ def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest:
             & (row[at + P_TOTAL_IMPULSE + m] > 0.0)
             & (row[R_RESTITUTION + m] > 0.0)
         )
-        bounced = bouncing_push(
+        bounced = restitution_impulse(
             before,
             speed,
             row[at + P_APPROACH + m],
@@ -273,7 +273,7 @@ def closed_friction_lanes(at: int, closed: int, least: float, row: Array, scratc
     for m in range(LANES):
         speed = tangent_speed(m, at, row, scratch)
         before = row[at + P_TANGENT_IMPULSE + m]
-        limited = limited_rub(
+        limited = limited_tangent_impulse(
             before,
             speed,
             row[at + P_TANGENT_MASS + m],
