@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.sleep import SLOW
+from tamias2d.engine.sleep import SLEEP_SPEED
 from tamias2d.generated import sleeping
 from tamias2d.stepped.layout import HITS
 
@@ -76,7 +76,7 @@ def test_falling_asleep_loses_no_more_than_quiet_bodies_have() -> None:
     for body, mass in zip(range(1, 5), (1.0, 1.0, 1.0, 9.0), strict=True):
         lost = 0.5 * mass * (twin.velocity[body] ** 2).sum()
         lost += mass / 12 * twin.angular_velocity[body] ** 2
-        quiet = sleeping.quiet_square(SLOW, extent, 10.0)
+        quiet = sleeping.quiet_square(SLEEP_SPEED, extent, 10.0)
         assert 0.0 < lost <= sleeping.kinetic_energy_most(mass, mass / 6, extent, quiet)
 
 
