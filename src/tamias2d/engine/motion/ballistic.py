@@ -58,6 +58,7 @@ from tamias2d.engine.tables import (
     World,
 )
 from tamias2d.generated.definitions import acceleration
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 TOGETHER = 16  # chunks that take all their steps before the next ones do: they fit the L1 cache
@@ -152,6 +153,7 @@ def advance_chunks(
     return taken
 
 
+@inlined
 def begin_chunk(
     g: int,
     control: Control,

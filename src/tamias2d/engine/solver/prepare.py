@@ -184,10 +184,11 @@ def soften_lanes(row: Array, points: int, substep: float) -> None:
     The load is the normal impulse of a point in the last substep, N s. Contacts firmer than
     `FIRMEST` allows would shake in a deep pile, which one substep does not solve as a whole.
     """
+    each = 1.0 / points  # 1 or a half: the product is exact
     for m in range(LANES):
         a, b = row[R_MASS_A + m], row[R_MASS_B + m]
         second = row[SECOND_POINT + P_NORMAL_IMPULSE + m] if points == 2 else 0.0
-        load = (row[FIRST_POINT + P_NORMAL_IMPULSE + m] + second) / points
+        load = (row[FIRST_POINT + P_NORMAL_IMPULSE + m] + second) * each
         frequency = CIRCLE * CYCLES / substep
         frequency = frequency if (a > 0.0) & (b > 0.0) else FIRMER * frequency
         radius = row[R_SMALLER_RADIUS + m] if row[R_SMALLER_RADIUS + m] > 0.0 else 1.0
