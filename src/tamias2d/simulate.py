@@ -35,7 +35,7 @@ from tamias2d.motion.track import sample
 from tamias2d.plan import Plan, planned
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene
-from tamias2d.simulator import Frames, Overlap
+from tamias2d.simulator import Overlap, Stepper
 from tamias2d.state import Array, History
 from tamias2d.suggestions import suggests
 
@@ -251,39 +251,40 @@ def _legacy(plan: Plan) -> Run:
 
 def _stepped(plan: Plan, method: Stepped, progress: bool) -> Run:
     """Follow a scene step by step through its contacts (R12)."""
-    frames = Frames(
+    stepper = Stepper(
         plan.scene,
         time_step=plan.time_step or plan.duration,
         substeps=method.substeps,
         times=plan.times,
     )
     try:
-        _go(frames, plan, progress)
+        _go(stepper, plan, progress)
     except InputError:  # what was given was sound
-        raise RangeError(_beyond(f"run at {frames.time!r} s: a number"), time=frames.time) from None
+        reached = stepper.time
+        raise RangeError(_beyond(f"run at {reached!r} s: a number"), time=reached) from None
     except SimulationError as fault:
-        fault.run = _told(plan, frames)  # type: ignore[attr-defined]
+        fault.run = _told(plan, stepper)  # type: ignore[attr-defined]
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_told(plan, frames)) from None
-    return _told(plan, frames)
+        raise Interrupted(_told(plan, stepper)) from None
+    return _told(plan, stepper)
 
 
-def _told(plan: Plan, frames: Frames) -> Run:
+def _told(plan: Plan, stepper: Stepper) -> Run:
     """Return the run up to the step that was reached, with what is known of its error."""
-    history = frames.history()
+    history = stepper.history()
     plan = plan._replace(times=plan.times[: len(history.position)])
-    tally = Tally(steps=frames.steps, force_evaluations=frames.steps)
-    run = _finished(plan, history, _begun(frames), (), tally)
+    tally = Tally(steps=stepper.steps, force_evaluations=stepper.steps)
+    run = _finished(plan, history, _begun(stepper), (), tally)
     names = [body.name for body in plan.scene.bodies]
     notes = (
-        f"contacts: told at the ends of steps; {frames.contacts} points pushed, over all steps",
-        _overlap(frames.deepest, names),
+        f"contacts: told at the ends of steps; {stepper.contacts} points pushed, over all steps",
+        _overlap(stepper.deepest, names),
         f"energy: {run.energy[0]:.6g} J at first, {run.energy[-1]:.6g} J at last, "
         f"never more than {run.energy.max():.6g} J",
         "error: not bounded; `certify` finds how much shorter steps change",
     )
-    cost = replace(_cost(run.impacts, tally), contacts=frames.contacts)
+    cost = replace(_cost(run.impacts, tally), contacts=stepper.contacts)
     return replace(run, notes=run.notes + notes, cost=cost)
 
 
@@ -297,16 +298,18 @@ def _overlap(deepest: Overlap | None, names: Sequence[str]) -> str:
     )
 
 
-def _begun(frames: Frames) -> Impacts:
+def _begun(stepper: Stepper) -> Impacts:
     """Return the pairs that began to touch, as they are told of each step."""
-    met = [one.contacts for one in frames.met]
+    met = [one.contacts for one in stepper.met]
     return Impacts(
-        time=np.repeat([one.time for one in frames.met], [len(one) for one in met]),
+        time=np.repeat([one.time for one in stepper.met], [len(one) for one in met]),
         bodies=np.concatenate([np.zeros((0, 2), np.int64), *(one.bodies for one in met)]),
         point=np.concatenate([np.zeros((0, 2)), *(one.point for one in met)]),
         normal=np.concatenate([np.zeros((0, 2)), *(one.normal for one in met)]),
         impulse=np.concatenate([np.zeros(0), *(one.impulse for one in met)]),
-        normal_velocity=np.concatenate([np.zeros(0), *(one.normal_velocity for one in frames.met)]),
+        normal_velocity=np.concatenate(
+            [np.zeros(0), *(one.normal_velocity for one in stepper.met)]
+        ),
     )
 
 

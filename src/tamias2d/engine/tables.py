@@ -5,6 +5,7 @@ of the groups by slot belongs to a body in canonical order, so that bodies that 
 world are near in memory; the last row is idle, all zeros, for lanes of a block without a contact.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
@@ -39,6 +40,19 @@ class Sized:
         object.__setattr__(self, "shape", shape)
 
 
+@dataclass(frozen=True)
+class Saved:
+    """Marks an array of the saved state; all others follow from these, or hold nothing for long.
+
+    Whole numbers are from 0 on and less than `below`: a number, or a room whose rows they index.
+    Where that is so in some columns only, `below` has the bound of each. Other numbers are finite,
+    unless they may be infinite, or may be anything because each step looks at them first.
+    """
+
+    below: int | str | Mapping[int, int | str] | None = None
+    numbers: str = "finite"  # or "infinite", "any"
+
+
 # -- what a step is asked to do
 
 # control.settings: m/s^2, m/s^2, s
@@ -56,7 +70,7 @@ FLOWN, UPDATES_LEFT = range(2)
 class Control(NamedTuple):
     """What a step is asked to do, and how far it is; read by all stages."""
 
-    settings: Annotated[Floats, Sized(3)]
+    settings: Annotated[Floats, Sized(3), Saved()]
     counts: Annotated[Ranks, Sized(5)]
     progress: Annotated[Floats, Sized(2)]
 
@@ -92,15 +106,17 @@ FORCE_GAIN, REDIRECTED, SUPPORTED, PATH_LENGTH, PATH_EXCESS = 0, 3, 4, 5, 6
 class BodyState(NamedTuple):
     """Bodies as users see and set them, in the order of adding; read as a batch of steps begins."""
 
-    pose: Annotated[FloatRows, Sized("slots", 3)]
-    velocity: Annotated[FloatRows, Sized("slots", 3)]
-    load: Annotated[FloatRows, Sized("slots", 3)]  # N, N, N m
-    properties: Annotated[FloatRows, Sized("slots", 8)]
-    kind: Annotated[Bytes, Sized("slots")]
-    slot_of_body: Annotated[Places, Sized("slots")]
+    pose: Annotated[FloatRows, Sized("slots", 3), Saved(numbers="any")]
+    velocity: Annotated[FloatRows, Sized("slots", 3), Saved(numbers="any")]
+    load: Annotated[FloatRows, Sized("slots", 3), Saved(numbers="any")]  # N, N, N m
+    properties: Annotated[
+        FloatRows, Sized("slots", 8), Saved({PROPAGATOR: "propagators"}, "infinite")
+    ]
+    kind: Annotated[Bytes, Sized("slots"), Saved(4)]
+    slot_of_body: Annotated[Places, Sized("slots"), Saved("slots")]
     body_of_slot: Annotated[Places, Sized("slots")]
-    drag_rates: Annotated[FloatRows, Sized("propagators", 2)]  # 1/s, of velocity and spin
-    body_of_shape: Annotated[Places, Sized("shapes")]
+    drag_rates: Annotated[FloatRows, Sized("propagators", 2), Saved()]  # 1/s, of velocity and spin
+    body_of_shape: Annotated[Places, Sized("shapes"), Saved("slots")]
 
 
 class Bodies(NamedTuple):
@@ -133,15 +149,17 @@ class Shapes(NamedTuple):
     """Convex shapes: vertices grown by a radius; read by the broad and the narrow phase."""
 
     slot: Annotated[Places, Sized("shapes")]  # of the body
-    kind: Annotated[Indices, Sized("shapes")]
-    first: Annotated[Indices, Sized("shapes")]  # vertex
-    count: Annotated[Indices, Sized("shapes")]  # of vertices
-    radius: Annotated[Floats, Sized("shapes")]  # m
-    material: Annotated[FloatRows, Sized("shapes", 4)]
-    filters: Annotated[RankRows, Sized("shapes", 4)]
-    local_vertices: Annotated[FloatRows, Sized("vertices", 4)]  # vertex, m; normal of its side
-    world_vertices: Annotated[FloatRows, Sized("vertices", 4)]  # the same, turned
-    pair_overrides: Annotated[FloatRows, Sized("overrides", 4)]  # shapes, friction, restitution
+    kind: Annotated[Indices, Sized("shapes"), Saved(4)]
+    first: Annotated[Indices, Sized("shapes"), Saved("vertices")]  # vertex
+    count: Annotated[Indices, Sized("shapes"), Saved(2**31)]  # of vertices
+    radius: Annotated[Floats, Sized("shapes"), Saved()]  # m
+    material: Annotated[FloatRows, Sized("shapes", 4), Saved(numbers="infinite")]
+    filters: Annotated[RankRows, Sized("shapes", 4), Saved({SENSOR: 2})]
+    # vertex, m; normal of its side
+    local_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]
+    world_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]  # the same, turned
+    # shapes, friction, restitution
+    pair_overrides: Annotated[FloatRows, Sized("overrides", 4), Saved({0: "shapes", 1: "shapes"})]
 
 
 # -- broad phase
@@ -172,19 +190,19 @@ class Tree(NamedTuple):
     """A bounding volume hierarchy over shapes; read by the broad phase and by queries."""
 
     counts: Annotated[Ranks, Sized(2)]
-    boxes: Annotated[FloatRows, Sized("shapes", 8)]
-    nodes: Annotated[FloatRows, Sized("nodes", 4)]
-    centres: Annotated[FloatRows, Sized("shapes", 8)]
+    boxes: Annotated[FloatRows, Sized("shapes", 8), Saved(numbers="infinite")]
+    nodes: Annotated[FloatRows, Sized("nodes", 4), Saved(numbers="infinite")]
+    centres: Annotated[FloatRows, Sized("shapes", 8), Saved(numbers="infinite")]
     morton: Annotated[PlaceRows, Sized(4, "morton")]
-    leaf_of_shape: Annotated[Places, Sized("shapes")]
+    leaf_of_shape: Annotated[Places, Sized("shapes"), Saved("shapes")]
 
 
 class BroadPhase(NamedTuple):
     """Which shapes may touch; read by the broad phase and by continuous collision."""
 
-    counts: Annotated[Ranks, Sized(7)]
-    frame: Annotated[Floats, Sized(10)]
-    fat_bounds: Annotated[FloatRows, Sized("slots", 6)]
+    counts: Annotated[Ranks, Sized(7), Saved(2**62)]
+    frame: Annotated[Floats, Sized(10), Saved()]
+    fat_bounds: Annotated[FloatRows, Sized("slots", 6), Saved(numbers="infinite")]
     left: Annotated[Bytes, Sized("slots")]  # 1 if the body has left its bounds
     canonical: Annotated[PlaceRows, Sized(2, "shapes")]
     candidates: Annotated[PlaceRows, Sized("candidates", 4)]  # pairs of ranks; room to sort them
@@ -225,15 +243,19 @@ class ContactBuffers(NamedTuple):
 class Contacts(NamedTuple):
     """Pairs of shapes that may touch, in two runs, each in canonical order; one of the buffers."""
 
-    pairs: PlaceRows
-    manifolds: FloatRows
-    flags: IndexRows
+    pairs: Annotated[
+        PlaceRows, Sized("contacts", 4), Saved({0: "shapes", 1: "shapes", 2: "slots", 3: "slots"})
+    ]
+    manifolds: Annotated[FloatRows, Sized("contacts", MANIFOLD), Saved()]
+    flags: Annotated[
+        IndexRows, Sized("contacts", 6), Saved({POINT_COUNT: 3, TOUCHES: 4, CACHED_AXIS: 2**31})
+    ]
 
 
 class Touching(NamedTuple):
     """The contacts that touch, in canonical order; read by the solvers and by sleep."""
 
-    counts: Annotated[Ranks, Sized(3)]
+    counts: Annotated[Ranks, Sized(3), Saved(2**62)]
     contact: Annotated[Places, Sized("contacts")]
     body_a: Annotated[Places, Sized("contacts")]
     body_b: Annotated[Places, Sized("contacts")]
@@ -317,9 +339,13 @@ SLEEP_STEPS, SLEEPING = range(2)
 class Islands(NamedTuple):
     """Bodies that touch each other; read by sleep and by the bound on energy."""
 
-    counts: Annotated[Ranks, Sized(2)]
-    links: Annotated[IndexRows, Sized("slots", 7)]
-    rest: Annotated[FloatRows, Sized("slots", 8)]
+    counts: Annotated[Ranks, Sized(2), Saved(2**31)]
+    links: Annotated[
+        IndexRows,
+        Sized("slots", 7),
+        Saved({ROOT: "slots", SLOW_STEPS: 2**31, SLEEP_ID: "slots"}),
+    ]
+    rest: Annotated[FloatRows, Sized("slots", 8), Saved()]
     energy: Annotated[FloatRows, Sized("slots", 23)]
 
 

@@ -1,7 +1,4 @@
-"""Which bodies are meant: by index, by name, many at once (R1).
-
-Serves: whatever takes bodies. Hides: how they can be given.
-"""
+"""Which bodies are meant: by index, by name, many at once (R1)."""
 
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
