@@ -14,13 +14,16 @@ from tamias2d.engine.broad_phase.pairs import (
     MORE_CANDIDATES,
     MORE_CONTACTS,
     MORE_SPARSE,
+    OVERFLOWED,
 )
 from tamias2d.engine.contact_report import Touching, contact_report
 from tamias2d.engine.menu import CONTACT, functions
+from tamias2d.engine.pace import Pace
 from tamias2d.engine.query.query_tree import QueryTree
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ABSENT,
+    AT_START,
     CHECKED,
     FRICTION,
     GRAVITY_X,
@@ -34,10 +37,11 @@ from tamias2d.engine.tables import (
     SLEEP_STEPS,
     STAGE,
     STEPS_LEFT,
+    STEPS_TAKEN,
     SUBSTEPS,
     TIME_STEP,
 )
-from tamias2d.engine.validity import Invalid, first_invalid
+from tamias2d.engine.validity import Invalid, first_invalid, overflowed
 from tamias2d.engine.world import Rooms
 from tamias2d.state import Array
 
@@ -73,6 +77,7 @@ class Engine(Store):
         self._library = functions(CONTACT, compiled=self.compiled)
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
+        self._pace, self._ballistic_pace = Pace(), Pace()
         self._pool = BodyPool(self, rank)
         self._pool.publish_order()
         self.queries = QueryTree(self)
@@ -125,6 +130,11 @@ class Engine(Store):
         """Place of each body in the canonical order, -1 for one that is absent or new: (n,)."""
         return self._pool.rank
 
+    @property
+    def steps(self) -> int:
+        """How many steps were taken since the start."""
+        return int(self.world.control.counts[STEPS_TAKEN])
+
     # -- changes
 
     def add(self, batch: Batch) -> NDArray[np.int64]:
@@ -161,10 +171,6 @@ class Engine(Store):
         """Return what touched in the last step."""
         return contact_report(self)
 
-    def first_invalid(self) -> Invalid | None:
-        """Return the first value of a body that keeps a step from being taken; None for gravity."""
-        return first_invalid(self)
-
     def surfaces(self) -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
         """Return of the shapes of all bodies (m): body, friction and restitution, and filters.
 
@@ -183,33 +189,69 @@ class Engine(Store):
         super().forget_addresses()
         self._course_known = False
 
-    def step(self, count: int = 1) -> bool:
-        """Take some steps; return False, with the state as it was, if a value is not valid."""
-        counts, checked = self.world.control.counts, 0
-        while True:
-            if self._alone:
-                count -= self._ballistic_steps(count)
-                if count == 0:
-                    return True
-            counts[STEPS_LEFT], counts[CHECKED] = count, checked
-            self._alone = self._course_known = False
-            while (status := self._library.step(self.argument)) not in (DONE, CLEAR):
-                if status not in _ROOMS:
-                    counts[STAGE] = 0
-                    return False
-                self.resize(**{_ROOMS[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
-                counts = self.world.control.counts
-            if status == DONE:
-                return True
-            self._alone = True
-            count, checked = int(counts[STEPS_LEFT]), 1
-            if count == 0:
-                return True
+    def step(self, count: int = 1) -> Invalid | None:
+        """Take some steps; return the value that keeps one from being taken, or None.
+
+        Then the state is as it was before that step. If what a step makes of a body is not finite,
+        the body stays as it was before, all others take the step, and contacts are forgotten.
+        """
+        checked = 0
+        try:
+            while count > 0:
+                if self._alone:
+                    asked = min(count, self._ballistic_pace.most)
+                    taken = self._ballistic_steps(asked)
+                    count -= taken
+                    if taken == asked:
+                        continue
+                asked = min(count, self._pace.most)
+                status = self._solved_steps(asked, checked)
+                if status not in (DONE, CLEAR):
+                    return self._refused(status)
+                self._alone, checked = status == CLEAR, 1
+                count -= asked - int(self.world.control.counts[STEPS_LEFT])
+        except BaseException:  # Ctrl-C, or no memory
+            if self.world.control.counts[STAGE] != AT_START:
+                self._forget_contacts()
+            raise
+        return None
 
     def _ballistic_steps(self, count: int) -> int:
         """Take up to some steps while all bodies are alone; return how many."""
         if not self._course_known:
             self._library.note_course(self.argument)
             self._course_known = True
+        self._ballistic_pace.begin()
         taken: int = self._library.integrate_ballistic(self.argument, count)
+        self._ballistic_pace.end(count)
         return taken
+
+    def _solved_steps(self, count: int, checked: int) -> int:
+        """Take up to some steps through contacts; return how that ended."""
+        counts = self.world.control.counts
+        counts[STEPS_LEFT], counts[CHECKED] = count, checked
+        self._alone = self._course_known = False
+        self._pace.begin()
+        while (status := self._library.step(self.argument)) in _ROOMS:
+            self.resize(**{_ROOMS[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
+        self._pace.end(count)
+        return int(status)
+
+    def _refused(self, status: int) -> Invalid:
+        """Return why a step was not taken, or not by all bodies."""
+        if status != OVERFLOWED:
+            return first_invalid(self)
+        invalid = overflowed(self)
+        self._forget_contacts()
+        return invalid
+
+    def _forget_contacts(self) -> None:
+        """Give up a step, and forget all that is known of contacts."""
+        world = self.world
+        world.control.counts[STAGE] = AT_START
+        for values in (
+            *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
+            *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),
+        ):
+            values[...] = 0
+        self.forget_pairs()

@@ -22,6 +22,7 @@ from tamias2d.engine.tables import (
     LEAVES,
     LIST_HOLDS,
     RANK,
+    STEPS_TAKEN,
     TIME_STEP,
     Contacts,
     World,
@@ -40,7 +41,9 @@ def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
     return {**found, "rank": engine.rank.copy()}
 
 
-def restored_engine(arrays: Arrays, *, time_step: float, substeps: int, compiled: bool) -> Engine:
+def restored_engine(
+    arrays: Arrays, *, time_step: float, substeps: int, steps: int, compiled: bool
+) -> Engine:
     """Return an engine that continues from arrays with the same bits.
 
     Anybody may have made the arrays; none is used before all are checked.
@@ -57,6 +60,7 @@ def restored_engine(arrays: Arrays, *, time_step: float, substeps: int, compiled
             own[field.name][...] = arrays[field.name]
     engine.world.control.settings[TIME_STEP] = time_step
     _derive(engine.world, arrays)
+    engine.world.control.counts[STEPS_TAKEN] = steps
     engine.size = len(arrays["rank"])
     engine.begin(arrays["rank"].copy())
     if engine.world.broad_phase.counts[LIST_HOLDS]:

@@ -11,7 +11,14 @@ Cost: a substep visits each contact three times. Source: Macklin et al. (2019), 
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
 from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bounds
-from tamias2d.engine.broad_phase.pairs import CLEAR, DONE, INVALID, rebuild_pairs, update_pairs
+from tamias2d.engine.broad_phase.pairs import (
+    CLEAR,
+    DONE,
+    INVALID,
+    OVERFLOWED,
+    rebuild_pairs,
+    update_pairs,
+)
 from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.continuous import MOST_UPDATES, solve_continuous
@@ -27,7 +34,7 @@ from tamias2d.engine.sleep import (
 )
 from tamias2d.engine.solver.arrangement import arrange
 from tamias2d.engine.solver.substeps import solve_contacts
-from tamias2d.engine.state import all_valid, gather_state, scatter_state
+from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.tables import (
     ARRIVING,
     AT_START,
@@ -47,6 +54,7 @@ from tamias2d.engine.tables import (
     STATIC,
     STEPS_LEFT,
     STEPS_SINCE,
+    STEPS_TAKEN,
     UPDATES_LEFT,
     Contacts,
     World,
@@ -55,23 +63,25 @@ from tamias2d.kernels.assembled import inlined
 
 
 def step(world: World) -> int:
-    """Take the steps that are left of a call, or return which array is too short.
+    """Take the steps that are left of a call, or return why not all can be taken.
 
     Called again, it continues. It ends early where no pair is near: bodies may go ballistically
     then.
     """
     counts = world.control.counts
     if counts[STAGE] == AT_START:
-        odd = gather_state(world.control, world.state, world.bodies)
-        if odd and counts[CHECKED] == 0 and not all_valid(world.control, world.bodies):
+        valid = gather_state(world.control, world.state, world.bodies)
+        if not valid and counts[CHECKED] == 0:
             return INVALID
     alone = False
     while counts[STEPS_LEFT] > 0 and not alone:
         status = take_step(world)
         if status != DONE:
             return status
-        scatter_state(world.state, world.bodies)
         counts[STEPS_LEFT] -= 1
+        counts[STEPS_TAKEN] += 1
+        if not scatter_state(world.state, world.bodies):
+            return OVERFLOWED
         near = world.broad_phase.counts
         asleep = world.islands.counts[SLEEP_STEPS]
         alone = near[CONTACTS] == 0 and near[LIST_HOLDS] == 1 and asleep == 0

@@ -58,8 +58,9 @@ class Saved:
 # control.settings: m/s^2, m/s^2, s
 GRAVITY_X, GRAVITY_Y, TIME_STEP = range(3)
 # control.counts: substeps of a step; steps that are left of the call; 1 if the values that users
-# can set have been checked; the stage at which the step continues; rows that a full array needs
-SUBSTEPS, STEPS_LEFT, CHECKED, STAGE, ROWS_NEEDED = range(5)
+# can set have been checked; the stage at which the step continues; rows that a full array needs;
+# steps taken since the start
+SUBSTEPS, STEPS_LEFT, CHECKED, STAGE, ROWS_NEEDED, STEPS_TAKEN = range(6)
 # values of counts[STAGE]
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 # control.progress of continuous collision: fraction of the step that is done; updates of the pair
@@ -71,7 +72,7 @@ class Control(NamedTuple):
     """What a step is asked to do, and how far it is; read by all stages."""
 
     settings: Annotated[Floats, Sized(3), Saved()]
-    counts: Annotated[Ranks, Sized(5)]
+    counts: Annotated[Ranks, Sized(6)]
     progress: Annotated[Floats, Sized(2)]
 
 

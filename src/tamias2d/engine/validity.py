@@ -1,12 +1,17 @@
-"""Which value of the state is not valid, so that no step can be taken from it."""
+"""Which value of the state keeps a step from being taken."""
 
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from tamias2d.engine.state import LARGEST, RESOLVED
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import STATIC
+from tamias2d.engine.tables import BOUNDING_RADIUS, STATIC
 from tamias2d.state import Array
+
+NOT_FINITE, TOO_LARGE, TOO_FAR, MOVES, OVERFLOWED = range(5)
+"""Why a value is not valid; one has overflowed if it was not finite after a step."""
 
 _COLUMNS = {
     "position": ("pose", slice(0, 2)),
@@ -18,31 +23,60 @@ _COLUMNS = {
 }
 
 
-LARGEST = 2.0**256
-"""The fourth root of the largest float64, 1.2e77: products of four such numbers are finite."""
-
-
 class Invalid(NamedTuple):
-    """A value that is not valid, or a static body that moves."""
+    """A value that is not valid."""
 
     quantity: str
+    """as users call it, such as 'velocity'"""
     row: int
+    """of its body; -1 for gravity"""
     found: list[float]
-    moves: bool
+    """its numbers; radius of the body, m, where that is too far away"""
+    reason: int
 
 
-def first_invalid(store: Store) -> Invalid | None:
-    """Return the first value of a body that is not valid, or None if that is gravity."""
-    state = store.world.state
-    for quantity, (array, columns) in _COLUMNS.items():
-        values: Array = getattr(state, array)[: store.size, columns]
-        bad = ~np.isfinite(values).all(axis=1)
-        if bad.any():
-            row = int(np.argmax(bad))
-            return Invalid(quantity, row, values[row].tolist(), moves=False)
-    velocity = state.velocity[: store.size]
-    moving = velocity.any(axis=1) & (state.kind[: store.size] == STATIC)
-    if moving.any():
-        row = int(np.argmax(moving))
-        return Invalid("velocity", row, velocity[row].tolist(), moves=True)
-    return None
+def first_invalid(store: Store) -> Invalid:
+    """Return the first value of which `gather_state` says that it is not valid."""
+    state, size = store.world.state, store.size
+    columns = {
+        quantity: getattr(state, array)[:size, where]
+        for quantity, (array, where) in _COLUMNS.items()
+    }
+    for quantity, values in columns.items():
+        if (invalid := _first(quantity, values, ~np.isfinite(values), NOT_FINITE)) is not None:
+            return invalid
+    speed, load = np.abs(state.velocity[:size]), np.abs(state.load[:size])
+    with np.errstate(over="ignore"):
+        large = speed.sum(axis=1) + load.sum(axis=1) > LARGEST
+    if large.any():
+        row = int(np.argmax(large))
+        quantity = max(list(_COLUMNS)[2:], key=lambda q: np.abs(columns[q][row]).max())
+        return Invalid(quantity, row, columns[quantity][row].tolist(), TOO_LARGE)
+    radius = state.properties[:size, BOUNDING_RADIUS]
+    most = np.where(radius > 0.0, RESOLVED * radius, LARGEST)
+    place = columns["position"]
+    far = (np.abs(place) > most[:, None] / 2) & (np.abs(place).sum(axis=1) > most)[:, None]
+    if (invalid := _first("position", place, far, TOO_FAR)) is not None:
+        return invalid
+    moving = (speed > 0.0) & (state.kind[:size] == STATIC)[:, None]
+    if (invalid := _first("velocity", state.velocity[:size], moving, MOVES)) is not None:
+        return invalid
+    gravity = store.world.control.settings[:2]
+    reason = TOO_LARGE if np.isfinite(gravity).all() else NOT_FINITE
+    return Invalid("gravity", -1, gravity.tolist(), reason)
+
+
+def overflowed(store: Store) -> Invalid:
+    """Return the body whose numbers were not finite after a step, with those before it."""
+    world = store.world
+    numbers = np.hstack((world.bodies.pose, world.bodies.motion[:, :3]))
+    slots = world.state.slot_of_body[: store.size]
+    row = int(np.argmin(np.isfinite(numbers.sum(axis=1)[slots])))
+    return Invalid("velocity", row, world.state.velocity[row].tolist(), OVERFLOWED)
+
+
+def _first(quantity: str, values: Array, bad: NDArray[np.bool_], reason: int) -> Invalid | None:
+    if not bad.any():
+        return None
+    row = int(np.argmax(bad.any(axis=1)))
+    return Invalid(quantity, row, values[row].tolist(), reason)

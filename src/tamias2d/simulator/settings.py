@@ -3,7 +3,7 @@
 from operator import index
 from typing import Any
 
-from tamias2d.engine.validity import LARGEST
+from tamias2d.engine.state import LARGEST
 from tamias2d.scene.rules import RuleError, number, shown
 
 MOST_SUBSTEPS = 1000

@@ -23,7 +23,7 @@ from tamias2d.simulator import saving
 from tamias2d.simulator.adding import Shapes, added_batch
 from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
 from tamias2d.simulator.batch import scene_batch
-from tamias2d.simulator.exclusive import exclusive
+from tamias2d.simulator.exclusive import busy, exclusive
 from tamias2d.simulator.invalid_state import invalid_state
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
@@ -41,7 +41,7 @@ from tamias2d.suggestions import suggests
 
 Whole = NDArray[np.int64]
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
-_LONGEST_WAIT = 2**31 - 1  # steps
+_LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
 
 @suggests
@@ -65,7 +65,6 @@ class Simulator(Views):
         "_pushed",
         "_scene",
         "_staying",
-        "_steps",
         "_substeps",
         "_time_step",
         "_touching",
@@ -100,7 +99,6 @@ class Simulator(Views):
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
         varies = not VaryingLoads(scene, range(len(scene))).empty
         self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it
-        self._steps = 0
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
         self._staying = list(range(len(scene)))
         engine = Engine(
@@ -138,20 +136,30 @@ class Simulator(Views):
             InputError: a value that was set is not finite; the state is as it was before the step.
             SimulationError: a force that varies has no finite value.
         """
-        if count.__class__ is not int or count < 0:
+        if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
+        if not self._lock.acquire(blocking=False):
+            raise busy("step")
+        try:
+            self._step(count)
+        finally:
+            self._lock.release()
+
+    def _step(self, count: int) -> None:
         while count:
             if self._unsettled:
                 self._settle()
-            taken = count
-            if self._varying is not None or self._pushed is not None:
-                self._step_loaded()
-                taken = 1
-            elif not self._engine.step(count):
-                raise invalid_state(self._engine, self._name_of)
             self._touching = None
-            self._steps += taken
-            count -= taken
+            if self._varying is None and self._pushed is None:
+                self._advance(count)
+                return
+            self._step_loaded()
+            count -= 1
+
+    def _advance(self, count: int) -> None:
+        """Take some steps, or raise `RuleError`."""
+        if (invalid := self._engine.step(count)) is not None:
+            raise invalid_state(invalid, self._engine.kind, self._name_of)
 
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
@@ -178,8 +186,7 @@ class Simulator(Views):
         if self._pushed is not None:
             engine.load[: len(self._pushed)] += self._pushed
         try:
-            if not engine.step():
-                raise invalid_state(engine, self._name_of)
+            self._advance(1)
         finally:
             engine.load[:] = kept
         self._pushed = None
@@ -189,7 +196,7 @@ class Simulator(Views):
     @property
     def time(self) -> float:
         """Since the start, s."""
-        return self._steps * self._time_step
+        return self._engine.steps * self._time_step
 
     @property
     def time_step(self) -> float:
@@ -444,7 +451,7 @@ class Simulator(Views):
         about = saving.About(
             time_step=self._time_step,
             substeps=self._substeps,
-            steps=self._steps,
+            steps=self._engine.steps,
             names=self._names,
             staying=self._staying,
             scene=None if self._scene is None else scene_text(self._scene),
@@ -460,11 +467,12 @@ class Simulator(Views):
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
         about, arrays = saving.opened(content, where)
         self._time_step, self._substeps = about.time_step, about.substeps
-        self._steps, self._names, self._staying = about.steps, dict(about.names), about.staying
+        self._names, self._staying = dict(about.names), about.staying
         engine = restored_engine(
             saving.part(arrays, "engine"),
             time_step=about.time_step,
             substeps=about.substeps,
+            steps=about.steps,
             compiled=compiled,
         )
         self._scene = saving.scene_of(about, engine.kind, dynamic=DYNAMIC, where=where)
@@ -482,7 +490,7 @@ class Simulator(Views):
         engine = self._engine
         there = np.flatnonzero(engine.rank >= 0)
         order = there[np.argsort(engine.rank[there])]
-        total = hashlib.sha256(f"{self._steps} {self._time_step!r}".encode())
+        total = hashlib.sha256(f"{self._engine.steps} {self._time_step!r}".encode())
         for values in (engine.pose, engine.velocity, engine.load):
             total.update(np.ascontiguousarray(values[order] + 0.0).tobytes())
         return total.hexdigest()

@@ -45,6 +45,7 @@ DONE, MORE_CANDIDATES, MORE_CONTACTS, MORE_BLOCKS, INVALID, MORE_SPARSE = (
     5,
 )  # of a step
 CLEAR = 6  # it is done, and no pair is near
+OVERFLOWED = 7  # it is done, and a body's numbers are not finite
 
 
 def update_pairs(

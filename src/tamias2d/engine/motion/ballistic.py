@@ -52,6 +52,7 @@ from tamias2d.engine.tables import (
     SLEEP_STEPS,
     STAGE,
     STATIC,
+    STEPS_TAKEN,
     UNIFORM,
     WHOLE_STEP,
     Bodies,
@@ -123,6 +124,7 @@ def integrate_ballistic(world: World, steps: int) -> int:
                 )
         for _ in range(steps):
             move_frame(broad_phase)
+        control.counts[STEPS_TAKEN] += steps
     return steps
 
 
