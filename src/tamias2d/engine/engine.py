@@ -232,10 +232,18 @@ class Engine(Store):
         counts[STEPS_LEFT], counts[CHECKED] = count, checked
         self._alone = self._course_known = False
         self._pace.begin()
-        while (status := self._library.step(self.argument)) in _ROOMS:
+        while (status := self._call()) in _ROOMS:
             self.resize(**{_ROOMS[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
         self._pace.end(count)
-        return int(status)
+        return status
+
+    def _call(self) -> int:
+        try:
+            return int(self._library.step(self.argument))
+        except (ValueError, OverflowError, ZeroDivisionError):
+            if self.compiled:
+                raise
+            return OVERFLOWED  # plain Python makes no whole number of NaN; compiled code goes on
 
     def _refused(self, status: int) -> Invalid:
         """Return why a step was not taken, or not by all bodies."""

@@ -67,11 +67,13 @@ def first_invalid(store: Store) -> Invalid:
 
 
 def overflowed(store: Store) -> Invalid:
-    """Return the body whose numbers were not finite after a step, with those before it."""
+    """Return the body whose numbers were not finite after a step, or the largest, before it."""
     world = store.world
     numbers = np.hstack((world.bodies.pose, world.bodies.motion[:, :3]))
     slots = world.state.slot_of_body[: store.size]
-    row = int(np.argmin(np.isfinite(numbers.sum(axis=1)[slots])))
+    with np.errstate(all="ignore"):
+        total = np.abs(numbers[slots]).sum(axis=1)
+    row = int(np.argmax(np.where(np.isnan(total), np.inf, total)))
     return Invalid("velocity", row, world.state.velocity[row].tolist(), OVERFLOWED)
 
 

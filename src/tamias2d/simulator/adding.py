@@ -47,7 +47,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
     of = f"{_OF[kind]} added"
     known = _counted(shapes, given["position"], of)
     count = len(known)
-    for shape in dict.fromkeys(known):
+    for shape in {id(shape): shape for shape in known}.values():  # none may have a hash yet
         refuse_shape(shape, of, static=kind == STATIC, none=kind == DYNAMIC)
     _refuse_placed(known, given)
     many = {

@@ -22,7 +22,7 @@ def exclusive(method: _Method) -> _Method:
     @wraps(method)
     def call(self: Locked, *args: Any, **kwargs: Any) -> Any:
         if not self._lock.acquire(blocking=False):
-            raise busy(method.__name__)
+            raise busy(method.__name__.strip("_"))
         try:
             return method(self, *args, **kwargs)
         finally:

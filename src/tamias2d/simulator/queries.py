@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
+from tamias2d.engine.state import LARGEST
 from tamias2d.scene.filters import checked_mask
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.columns import as_array, vectors
@@ -44,6 +45,8 @@ def cast_rays(engine: Engine, start: object, end: object, mask: object) -> Hits:
         vectors(points, key, of, _POINT, count=count, symbol="position")
         for key, points in (("start", start), ("end", end))
     ]
+    for key, points in zip(("start", "end"), ends, strict=True):
+        _refuse_far(points, key, of)
     still = np.flatnonzero((ends[0] == ends[1]).all(axis=1))
     if len(still):
         raise RuleError(
@@ -96,12 +99,24 @@ def _within(engine: Engine, low: Array, high: Array, mask: object) -> Whole:
 
 
 def _refuse_endless(engine: Engine) -> None:
-    """Raise `RuleError` if a body is nowhere."""
-    if not np.isfinite(engine.pose).all():
-        row = int(np.argmin(np.isfinite(engine.pose).all(axis=1)))
+    """Raise `RuleError` if a body is nowhere, or too far away."""
+    good = np.abs(engine.pose[:, :2]).max(axis=1, initial=0.0) <= LARGEST
+    good &= np.isfinite(engine.pose[:, 2])
+    if not good.all():
         raise RuleError(
-            f"position or orientation[{row}]: must be finite to be asked for (R4). Set it to a "
-            "number."
+            f"position or orientation[{int(np.argmin(good))}]: must be finite, and within "
+            f"{LARGEST:.2g} m, to be asked for (R4). Set it to a number."
+        )
+
+
+def _refuse_far(points: Array, key: str, of: str) -> None:
+    """Raise `RuleError` if float64 cannot hold the squares of distances to points (k, 2)."""
+    far = np.flatnonzero((np.abs(points) > LARGEST).any(axis=1))
+    if len(far):
+        raise RuleError(
+            f"{key}[{far[0]}] {points[far[0]].tolist()} of {of}: must be within {LARGEST:.2g} m, "
+            "or float64 cannot hold what follows (R4). Give a nearer point.",
+            key,
         )
 
 
@@ -111,5 +126,6 @@ def _rows(points: object, key: str, of: str) -> int:
 
 
 def _point(point: object, key: str, of: str) -> Array:
-    place: Array = vectors(point, key, of, _POINT, count=1, symbol="position")[0]
-    return place
+    place: Array = vectors(point, key, of, _POINT, count=1, symbol="position")
+    _refuse_far(place, key, of)
+    return place[0]

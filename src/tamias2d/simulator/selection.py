@@ -42,12 +42,13 @@ def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -
             f"bodies: found {shown(bodies)}: must be whole numbers or names (R1). {_REMEDY}",
             "bodies",
         )
-    rows = given.astype(np.int64).ravel()
-    there = (rows >= 0) & (rows < len(kind))
+    asked = given.ravel()
+    rows = asked.astype(np.int64)
+    there = (asked >= 0) & (asked < len(kind))
     there[there] = kind[rows[there]] != ABSENT
     if not there.all():
         raise RuleError(
-            f"body {rows[int(np.argmin(there))]}: the simulator has none such, or it was removed "
+            f"body {asked[int(np.argmin(there))]}: the simulator has none such, or it was removed "
             f"(R1). {_REMEDY}",
             "bodies",
         )

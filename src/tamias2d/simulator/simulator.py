@@ -18,6 +18,7 @@ from tamias2d.engine.saved_state import restored_engine, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
+from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene import checked_scene
 from tamias2d.simulator import saving
 from tamias2d.simulator.adding import Shapes, added_batch
@@ -353,6 +354,8 @@ class Simulator(Views):
 
     def index(self, name: str) -> int:
         """Return the index of a body of the scene by its name; raise `InputError` if none."""
+        if not isinstance(name, str):
+            raise RuleError(f"name: found {shown(name)}: must be a name (R1). Give a text.", "name")
         return int(self._rows(name)[0])
 
     # -- what happened

@@ -116,7 +116,7 @@ def _write(view: Array, value: ArrayLike, key: str) -> None:
     refuse_masked(value, "the simulator", "Fill it.", at=(key,))
     try:
         view[...] = value
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         found = getattr(value, "shape", type(value).__name__)
         raise RuleError(
             f"{key.replace('_', ' ')} of the simulator: found {found}: must be numbers of shape "
