@@ -38,6 +38,7 @@ def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
     side, size = int(counts[BUFFER]), int(counts[CONTACTS])
     own |= {f"contacts.{name}": own[f"buffers.{name}"][side, :size] for name in Contacts._fields}
     found = {field.name: own[field.name].copy() for field in saved_fields()}
+    found["broad_phase.counts"][[BUFFER, CONTACTS]] = 0, size
     return {**found, "rank": engine.rank.copy()}
 
 

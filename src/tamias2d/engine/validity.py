@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from tamias2d.engine.state import LARGEST, RESOLVED
 from tamias2d.engine.store import Store
-from tamias2d.engine.tables import BOUNDING_RADIUS, STATIC
+from tamias2d.engine.tables import BOUNDING_RADIUS, DYNAMIC, STATIC
 from tamias2d.state import Array
 
 NOT_FINITE, TOO_LARGE, TOO_FAR, MOVES, OVERFLOWED = range(5)
@@ -73,7 +73,9 @@ def overflowed(store: Store) -> Invalid:
     slots = world.state.slot_of_body[: store.size]
     with np.errstate(all="ignore"):
         total = np.abs(numbers[slots]).sum(axis=1)
-    row = int(np.argmax(np.where(np.isnan(total), np.inf, total)))
+    total[np.isnan(total)] = np.inf
+    total[world.state.kind[: store.size] != DYNAMIC] = -1.0
+    row = int(np.argmax(total))
     return Invalid("velocity", row, world.state.velocity[row].tolist(), OVERFLOWED)
 
 

@@ -188,9 +188,9 @@ class Simulator(Views):
             engine.load[: len(self._pushed)] += self._pushed
         try:
             self._advance(1)
-        finally:
+        finally:  # a push that cannot be is forgotten, too
             engine.load[:] = kept
-        self._pushed = None
+            self._pushed = None
 
     # -- state
 
