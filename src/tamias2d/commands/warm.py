@@ -1,7 +1,4 @@
-"""`tamias2d warm`: compile ahead what runs would otherwise wait for.
-
-Serves: the command `warm`. Hides: how it is told whether something was compiled.
-"""
+"""`tamias2d warm`: compile ahead what runs would otherwise wait for."""
 
 import time
 

@@ -128,4 +128,5 @@ def _rows(points: object, key: str, of: str) -> int:
 def _point(point: object, key: str, of: str) -> Array:
     place: Array = vectors(point, key, of, _POINT, count=1, symbol="position")
     _refuse_far(place, key, of)
-    return place[0]
+    one: Array = place[0]
+    return one

@@ -1,7 +1,7 @@
 """Which bodies are meant: by index, by name, many at once (R1)."""
 
 from collections.abc import Mapping, Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,7 +42,7 @@ def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -
             f"bodies: found {shown(bodies)}: must be whole numbers or names (R1). {_REMEDY}",
             "bodies",
         )
-    asked = given.ravel()
+    asked: NDArray[Any] = given.ravel()
     rows = asked.astype(np.int64)
     there = (asked >= 0) & (asked < len(kind))
     there[there] = kind[rows[there]] != ABSENT
