@@ -260,6 +260,9 @@ class Engine(Store):
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
             *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),
+            *(world.broad_phase.frame, world.broad_phase.fat_bounds),
+            *(world.tree.boxes, world.tree.nodes, world.tree.centres),
         ):
             values[...] = 0
+        world.shapes.world_vertices[...] = world.shapes.local_vertices
         self.forget_pairs()

@@ -16,6 +16,7 @@ from tamias2d.engine.tables import (
     CACHED_AXIS,
     CAPSULE,
     CHUNK,
+    CONTACTS,
     DISC,
     DYNAMIC,
     FIRST_RUN,
@@ -40,6 +41,7 @@ _ROWS = {
     "propagators": "state.drag_rates",
     "overrides": "shapes.pair_overrides",
     "contacts": "contacts.pairs",
+    "candidates": "broad_phase.candidates",
 }
 """The array that tells how many rows there are of what."""
 
@@ -55,7 +57,7 @@ def check_saved(arrays: Arrays) -> Rooms:
         UnfitError: the arrays are not the state of an engine; names the array.
     """
     rooms = _rooms(arrays)
-    lengths = rooms.lengths() | {"contacts": len(arrays["contacts.pairs"])}
+    lengths = rooms.lengths()
     for field in saved_fields():
         _check_field(field, arrays, lengths)
     _check_bodies(arrays)
@@ -83,7 +85,7 @@ def _rooms(arrays: Arrays) -> Rooms:
     fits = rows["slots"] > 0 and rows["slots"] % CHUNK == 0 and rows["propagators"] > 0
     require(fits, "state.pose", "has no rows of an engine")
     require(max(rows.values()) < 2**31, "shapes.kind", "has more rows than an engine")
-    return Rooms(**(rows | {"contacts": max(rows["contacts"], Rooms().contacts)}))
+    return Rooms(**rows)
 
 
 def _check_field(field: SavedField, arrays: Arrays, lengths: Mapping[str, int]) -> None:
@@ -180,7 +182,9 @@ def _canonical(arrays: Arrays) -> Whole:
 
 def _check_contacts(arrays: Arrays, order: Whole) -> None:
     counts, pairs = arrays["broad_phase.counts"], arrays["contacts.pairs"]
-    require(counts[FIRST_RUN] <= len(pairs), "broad_phase.counts", "a run is longer than the list")
+    fits = counts[FIRST_RUN] <= counts[CONTACTS] <= len(pairs)
+    require(fits, "broad_phase.counts", "a run is longer than the list")
+    pairs, flags = (arrays[f"contacts.{name}"][: counts[CONTACTS]] for name in ("pairs", "flags"))
     fits = 1 <= counts[HORIZON] <= 2**20 and counts[LIST_HOLDS] <= 1
     require(fits, "broad_phase.counts", "must be those of a list of pairs")
     name, shapes = "contacts.pairs", pairs[:, :2].astype(np.int64)
@@ -198,7 +202,7 @@ def _check_contacts(arrays: Arrays, order: Whole) -> None:
         require(np.diff(run) > 0, name, "must be in canonical order")
     kinds = arrays["shapes.kind"][shapes]
     require((kinds != HALF_PLANE).any(axis=1), name, "two half-planes never meet")
-    sides = arrays["contacts.flags"][:, CACHED_AXIS].astype(np.int64) // (STATES * TURNS)
+    sides = flags[:, CACHED_AXIS].astype(np.int64) // (STATES * TURNS)
     known = np.column_stack((sides % SIDES, sides // SIDES)) < arrays["shapes.count"][shapes]
     require(known, "contacts.flags", "names a side that a shape has not")
 

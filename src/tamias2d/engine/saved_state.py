@@ -36,8 +36,12 @@ def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
     """Return copies of the state of an engine that has settled, by names such as 'state.pose'."""
     own, counts = named_arrays(engine.world), engine.world.broad_phase.counts
     side, size = int(counts[BUFFER]), int(counts[CONTACTS])
-    own |= {f"contacts.{name}": own[f"buffers.{name}"][side, :size] for name in Contacts._fields}
+    own |= {f"contacts.{name}": own[f"buffers.{name}"][side] for name in Contacts._fields}
     found = {field.name: own[field.name].copy() for field in saved_fields()}
+    for name in ("contacts.pairs", "contacts.manifolds", "contacts.flags"):
+        found[name][size:] = 0
+    found["broad_phase.candidates"][...] = 0
+    found["touching.counts"][[ARRANGED, ISLANDS_KNOWN]] = 0
     found["broad_phase.counts"][[BUFFER, CONTACTS]] = 0, size
     return {**found, "rank": engine.rank.copy()}
 
@@ -72,14 +76,13 @@ def restored_engine(
 def _derive(world: World, arrays: Arrays) -> None:
     """Fill the arrays that follow from the saved ones."""
     state, bodies, counts = world.state, world.bodies, world.broad_phase.counts
-    slots, size = state.slot_of_body, len(arrays["contacts.pairs"])
+    slots = state.slot_of_body
     state.body_of_slot[slots] = np.arange(len(slots))
     bodies.properties[slots], bodies.kind[slots] = state.properties, state.kind
     world.shapes.slot[:] = slots[state.body_of_shape]
-    world.touching.counts[ARRANGED] = world.touching.counts[ISLANDS_KNOWN] = 0
-    counts[BUFFER], counts[CONTACTS] = 0, size
+    world.touching.counts[[ARRANGED, ISLANDS_KNOWN]] = counts[BUFFER] = 0
     for name in Contacts._fields:
-        getattr(world.buffers, name)[0, :size] = arrays[f"contacts.{name}"]
+        getattr(world.buffers, name)[0] = arrays[f"contacts.{name}"]
 
 
 def _derive_list(world: World) -> None:

@@ -71,7 +71,7 @@ FLOWN, UPDATES_LEFT = range(2)
 class Control(NamedTuple):
     """What a step is asked to do, and how far it is; read by all stages."""
 
-    settings: Annotated[Floats, Sized(3), Saved()]
+    settings: Annotated[Floats, Sized(3), Saved(numbers="any")]
     counts: Annotated[Ranks, Sized(6)]
     progress: Annotated[Floats, Sized(2)]
 
@@ -206,7 +206,8 @@ class BroadPhase(NamedTuple):
     fat_bounds: Annotated[FloatRows, Sized("slots", 6), Saved(numbers="infinite")]
     left: Annotated[Bytes, Sized("slots")]  # 1 if the body has left its bounds
     canonical: Annotated[PlaceRows, Sized(2, "shapes")]
-    candidates: Annotated[PlaceRows, Sized("candidates", 4)]  # pairs of ranks; room to sort them
+    # pairs of ranks; room to sort them. Saved, because its length decides when pairs are rebuilt.
+    candidates: Annotated[PlaceRows, Sized("candidates", 4), Saved(2**32)]
     first_of_rank: Annotated[Places, Sized("ranks")]  # contact of the first run
     rank_counts: Annotated[Places, Sized("ranks")]
 
