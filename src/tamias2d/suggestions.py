@@ -77,7 +77,9 @@ def suggests(target: _Target) -> _Target:
 
 
 def _arguments(method: Callable[..., Any]) -> int:
-    return method.__code__.co_argcount + method.__code__.co_kwonlyargcount - 1
+    code = inspect.unwrap(method).__code__
+    count: int = code.co_argcount + code.co_kwonlyargcount - 1
+    return count
 
 
 def _told(function: Callable[..., Any], name: str, *, own: int = 0) -> Callable[..., Any]:

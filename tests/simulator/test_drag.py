@@ -29,7 +29,7 @@ def test_each_body_slows_at_its_own_rate() -> None:
     sim.velocity[:] = (0.0, 1.0)
     sim.step(30)
     np.testing.assert_allclose(sim.velocity[:, 1], np.exp(-3.0 * np.array(drags)), rtol=1e-12)
-    assert len(sim._world.flows) == 4  # of 0, 0.5, 2 and 0.125
+    assert len(sim._engine.world.bodies.propagators) == 4  # of 0, 0.5, 2 and 0.125
 
 
 def test_what_nobody_has_is_given_up() -> None:
@@ -41,7 +41,7 @@ def test_what_nobody_has_is_given_up() -> None:
         sim.step()
         sim.remove(goes)
     sim.step()
-    assert len(sim._world.flows) == len(sim._world.rates) <= 6
+    assert len(sim._engine.world.bodies.propagators) == len(sim._engine.world.state.drag_rates) <= 6
     sim.velocity[stays] = (0.0, 1.0)
     sim.step(10)
     np.testing.assert_allclose(sim.velocity[stays, 1], np.exp(-0.75), rtol=1e-12)
@@ -56,5 +56,5 @@ def test_a_restored_simulator_knows_the_rates() -> None:
         add(one, 0.5, 1.0)
         add(one, 0.25, 2.0)
         one.step(5)
-    assert len(again._world.flows) == 3
+    assert len(again._engine.world.bodies.propagators) == 3
     assert again.velocity.tobytes() == sim.velocity.tobytes()

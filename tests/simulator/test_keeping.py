@@ -40,7 +40,8 @@ def history(sim: t2.Simulator, steps: int) -> list[str]:
 
 
 def everything(sim: t2.Simulator) -> dict[str, bytes]:
-    return {key: np.asarray(value).tobytes() for key, value in sim._arrays().items()}
+    left = {"digest", "engine.contacts.manifolds"}  # where none touch, lies what others left
+    return {key: value.tobytes() for key, value in sim._arrays().items() if key not in left}
 
 
 @pytest.mark.parametrize("way", ["file", "pickle", "copy"])
@@ -100,15 +101,20 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     damaged[len(content) // 2] ^= 1
     for bad in (b"", b"text", content[: len(content) // 2], bytes(damaged)):
         path.write_bytes(bad)
-        with pytest.raises(t2.RecordingError, match="damaged, or no saved simulator"):
+        with pytest.raises(t2.RecordingError, match=r"damaged|cannot be read"):
             t2.Simulator.restore(path)
     np.savez(path, something=np.zeros(3))
-    with pytest.raises(t2.RecordingError, match="damaged, or no saved simulator"):
+    with pytest.raises(t2.RecordingError, match=r"found .nothing. of version nothing"):
         t2.Simulator.restore(path)
     np.savez(path, mark=np.array("tamias2d simulator"), version=0)
     with pytest.raises(t2.RecordingError, match="of version 0: must be"):
         t2.Simulator.restore(path)
     np.savez(path, mark=np.array("tamias2d simulator"), version=VERSION, about=np.array("{}"))
-    with pytest.raises(t2.RecordingError, match="saved by another version"):
+    with pytest.raises(t2.RecordingError, match="its digest is not that"):
         t2.Simulator.restore(path)
+    for name in ("a\0b.npz", "\0.npz"):
+        with pytest.raises(t2.RecordingError, match="cannot be written"):
+            sim.save(tmp_path / name)
+        with pytest.raises(t2.RecordingError, match="no such file"):
+            t2.Simulator.restore(tmp_path / name)
     assert list(tmp_path.iterdir()) == [path]

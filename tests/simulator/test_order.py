@@ -4,7 +4,6 @@ import numpy as np
 from hypothesis import given, settings, strategies as st
 
 import tamias2d as t2
-from tamias2d.stepped.menu import QUERY
 from tests.simulator.crowd import SHAPES, crowd
 
 
@@ -68,30 +67,14 @@ def test_no_order_changes_a_bit(order: list[int], pairs: list[int]) -> None:
 
 
 def test_queries_compiled_have_the_bits_of_plain_ones() -> None:
-    sim = t2.Simulator(crowd(25, seed=4))
-    world = sim._asked()._world
     rays = np.random.default_rng(2).uniform(-9, 9, (40, 4))
+    low, high = np.minimum(rays[:, :2], rays[:, 2:]), np.maximum(rays[:, :2], rays[:, 2:])
     found = []
-    for engine in (QUERY.plain(), QUERY.compiled()):
-        box, node = np.zeros_like(world.box), np.zeros_like(world.node)
-        curve, sizes = np.zeros_like(world.curve), np.zeros(2, dtype=np.int64)
-        room = np.zeros(len(world.shape_body), dtype=np.uint32)
-        shapes = (
-            *(world.shape_body, world.shape_kind, world.shape_first, world.shape_count),
-            world.shape_radius,
-        )
-        tree = (box, curve, node)
-        with np.errstate(all="ignore"):
-            engine.survey(world.kind, world.pose, world.ranked, *shapes, world.corner, *tree, sizes)
-            met, hits = np.zeros(40, dtype=np.int64), np.zeros((40, 3))
-            engine.cast(
-                *(rays, 2**63 - 1, world.pose, world.ranked, *shapes, world.filters),
-                *(world.corner, *tree, sizes, met, hits, room),
-            )
-            count = engine.gather(
-                *(-3.0, -3.0, 3.0, 3.0, 2**63 - 1, world.pose, *shapes, world.filters),
-                *(world.corner, *tree, sizes, room),
-            )
-        found.append((node.tobytes(), met.tobytes(), hits.tobytes(), room[:count].tobytes()))
+    for compiled in (True, False):
+        sim = t2.Simulator(crowd(25, seed=4), compiled=compiled)
+        hits = sim.ray_cast(rays[:, :2], rays[:, 2:])
+        assert len(set(hits.body.tolist())) > 5
+        boxes = [sim.in_box(*corners).tolist() for corners in zip(low, high, strict=True)]
+        arrays = [values.tobytes() for values in vars(hits).values()]
+        found.append((arrays, boxes, [sim.at_point(point).tolist() for point in low]))
     assert found[0] == found[1]
-    assert (sim.ray_cast(rays[:, :2], rays[:, 2:]).body >= 0).any()

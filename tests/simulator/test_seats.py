@@ -79,12 +79,14 @@ def test_neighbours_sit_beside_each_other() -> None:
     place = np.array([(0.9 * (k % 20), 0.5 + 0.9 * (k // 20)) for k in range(200)])
     sim.add(t2.Disc(radius=0.4), mass=1.0, position=place, friction=0.5, restitution=0.0)
     sim.step()
-    world = sim._world
-    seats = place[world.owner[1:201].astype(np.int64) - 1]
+    world = sim._engine.world
+    owner = world.state.body_of_slot
+    seats = place[owner[1:201].astype(np.int64) - 1]
     apart = np.linalg.norm(np.diff(seats, axis=0), axis=1)
     assert np.median(apart) < 2.0
-    assert (world.shape_body[world.ranked[0, 1:201]] == world.owner[1:201]).all()
-    assert (np.diff(world.ranked[0, 1:201].astype(np.int64)) == 1).all()
+    order = world.broad_phase.canonical[0, 1:201].astype(np.int64)
+    assert (world.state.body_of_shape[order] == owner[1:201]).all()
+    assert (np.diff(order) == 1).all()
 
 
 def test_what_goes_before_it_took_a_step_leaves_nothing() -> None:
@@ -99,4 +101,4 @@ def test_what_goes_before_it_took_a_step_leaves_nothing() -> None:
     sim.step()
     add()
     sim.step()
-    assert sorted(sim._roster._order.tolist()) == [0]
+    assert sorted(sim._engine._pool._order.tolist()) == [0]

@@ -10,8 +10,8 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.engine.sleep import SLEEP_SPEED
+from tamias2d.engine.tables import TOUCHING
 from tamias2d.generated import sleeping
-from tamias2d.stepped.layout import HITS
 
 SURFACE: Any = {"friction": 0.6, "restitution": 0.0}
 BOX = t2.Box(width=1.0, height=1.0)
@@ -50,7 +50,7 @@ def test_it_falls_asleep_after_half_a_second_and_costs_nothing() -> None:
     assert sim.position.tobytes() == place.tobytes()
     assert sim.orientation.tobytes() == turn.tobytes()
     assert not sim.velocity.any()
-    assert sim._world.counts[HITS] == 0
+    assert sim._engine.world.touching.counts[TOUCHING] == 0
 
 
 def test_what_sleeps_touches_on() -> None:
@@ -238,7 +238,7 @@ def test_a_pile_falls_asleep_and_a_bullet_wakes_it() -> None:
     assert sim.asleep[3:].all()
     place = sim.position.copy()
     sim.step(60)
-    assert sim._world.counts[HITS] == 0
+    assert sim._engine.world.touching.counts[TOUCHING] == 0
     assert sim.position.tobytes() == place.tobytes()
     sim.add(t2.Disc(radius=0.1), mass=1.0, position=(0.0, 30.0), velocity=(0.0, -900.0), **SURFACE)
     sim.step(10)

@@ -1,44 +1,46 @@
-"""The engine: the arrays of a world, and the steps that are taken on them."""
+"""The engine: bodies that can be added, changed and asked for, and the steps that are taken."""
 
 from collections.abc import Mapping
-from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.memory import aligned_copy
-from tamias2d.engine.menu import CONTACT
+from tamias2d.engine.batch import Batch
+from tamias2d.engine.body_pool import BodyPool
+from tamias2d.engine.contact_report import Touching, contact_report
+from tamias2d.engine.menu import CONTACT, functions
+from tamias2d.engine.pace import Pace
+from tamias2d.engine.query.query_tree import QueryTree
+from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
-    ANGULAR,
+    ABSENT,
+    AT_START,
     CHECKED,
-    CHUNK,
     CLEAR,
-    DECAY,
     DONE,
-    GAIN,
+    FRICTION,
     GRAVITY_X,
+    GRAVITY_Y,
     HORIZON,
-    LIFT,
-    LIST_HOLDS,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
     MORE_BLOCKS,
     MORE_CANDIDATES,
     MORE_CONTACTS,
     MORE_SPARSE,
-    ONE_SUBSTEP,
+    OVERFLOWED,
+    RESTITUTION,
     ROWS_NEEDED,
     SLEEP_ID,
-    SLOW_STEPS,
+    SLEEP_STEPS,
     STAGE,
     STEPS_LEFT,
+    STEPS_TAKEN,
     SUBSTEPS,
     TIME_STEP,
-    WHOLE_STEP,
-    Integers,
 )
-from tamias2d.engine.world import Rooms, allocated, named_arrays, resized, with_arrays
-from tamias2d.generated import drag
-from tamias2d.kernels.groups import addresses
+from tamias2d.engine.validity import Invalid, first_invalid, overflowed
+from tamias2d.engine.world import Rooms
 from tamias2d.state import Array
 
 _ROOMS = {
@@ -49,11 +51,8 @@ _ROOMS = {
 }
 
 
-class Engine:
-    """n bodies and m shapes in the arrays that `tables` declares.
-
-    What users see is in the order of adding (`state`), what steps work on is by slots.
-    """
+class Engine(Store):
+    """n bodies, present or absent, each by its row; SI units."""
 
     def __init__(
         self,
@@ -63,196 +62,205 @@ class Engine:
         substeps: int,
         compiled: bool = True,
     ) -> None:
-        """Start an empty world; steps are those of plain Python unless they are compiled."""
-        self.size = 0  # rows of bodies in use, absent ones too
-        self.revision = 0  # changes whenever bodies or shapes come, go or change
-        self.rooms = Rooms()
-        self.world = allocated(self.rooms)
-        self._library = CONTACT.compiled() if compiled else CONTACT.plain()
-        self._argument: Any = None  # what compiled or plain code takes as the world
-        self._compiled = compiled
+        """Start without bodies; steps of `time_step`, s, are plain Python unless compiled."""
+        super().__init__(Rooms(), compiled=compiled)
+        control = self.world.control
+        control.settings[GRAVITY_X : GRAVITY_Y + 1] = gravity
+        control.settings[TIME_STEP], control.counts[SUBSTEPS] = time_step, substeps
+        self.world.broad_phase.counts[HORIZON] = 4
+        self.begin(np.zeros(0, dtype=np.int64))
+
+    def begin(self, rank: NDArray[np.int64]) -> None:
+        """Find out what the arrays hold; bodies have ranks (n,), -1 where absent."""
+        self._library = functions(CONTACT, compiled=self.compiled)
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
-        slots = np.arange(self.rooms.slots, dtype=np.uint32)
-        self.world.state.slot_of_body[:] = self.world.state.body_of_slot[:] = slots
-        control, settings = self.world.control, self.world.control.settings
-        settings[GRAVITY_X : GRAVITY_X + 2], settings[TIME_STEP] = gravity, time_step
-        control.counts[SUBSTEPS], self.world.broad_phase.counts[HORIZON] = substeps, 4
-        self.set_drag_rates(np.zeros((1, 2)))
+        self._pace, self._ballistic_pace = Pace(), Pace()
+        self._pool = BodyPool(self, rank)
+        self._pool.publish_order()
+        self.queries = QueryTree(self)
 
-    # -- arrays
+    # -- what users see and set
 
-    def arrays(self) -> dict[str, NDArray[Any]]:
-        """Return all arrays by their names, and the size as one."""
-        return {**named_arrays(self.world), "size": np.array(self.size)}
+    @property
+    def gravity(self) -> Array:
+        """The acceleration of all bodies, m/s^2: a view (2,)."""
+        return self.world.control.settings[GRAVITY_X : GRAVITY_Y + 1]
 
-    def take_over(self, arrays: Mapping[str, NDArray[Any]]) -> None:
-        """Continue from the arrays of another engine."""
-        self.size = int(arrays["size"])
-        found = {name: aligned_copy(a) for name, a in arrays.items() if name != "size"}
-        self.world = with_arrays(self.world, found)
-        lengths = {
-            "slots": len(found["bodies.pose"]),
-            "shapes": len(found["shapes.kind"]),
-            "vertices": len(found["shapes.local_vertices"]),
-            "propagators": len(found["bodies.propagators"]),
-            "overrides": len(found["shapes.pair_overrides"]),
-            "candidates": len(found["broad_phase.candidates"]),
-            "contacts": found["buffers.pairs"].shape[1],
-            "blocks": len(found["constraints.blocks"]),
-            "sparse": len(found["direct.sparse"]),
-            "clip": len(found["events.scratch"]),
-        }
-        self.rooms = Rooms(**lengths)
-        self._forget_addresses()
+    @property
+    def pose(self) -> Array:
+        """Positions of the centres of mass, m, and orientations, rad: a view (n, 3)."""
+        return self.world.state.pose[: self.size]
 
-    def replace(self, **arrays: NDArray[Any]) -> None:
-        """Put arrays, by `group__field`, in the place of others of the same rooms."""
-        named = {name.replace("__", "."): values for name, values in arrays.items()}
-        self.world = with_arrays(self.world, named)
-        self._forget_addresses()
+    @property
+    def velocity(self) -> Array:
+        """Velocities, m/s, and angular velocities, rad/s: a view (n, 3)."""
+        return self.world.state.velocity[: self.size]
 
-    def resize(self, **rooms: int) -> None:
-        """Change how many of what there is room for; arrays keep what they hold."""
-        if all(getattr(self.rooms, name) == count for name, count in rooms.items()):
-            return
-        self.rooms = replace(self.rooms, **rooms)
-        self.world = resized(self.world, self.rooms)
-        self._forget_addresses()
+    @property
+    def load(self) -> Array:
+        """Applied forces, N, and torques, N m: a view (n, 3)."""
+        return self.world.state.load[: self.size]
 
-    def set_drag_rates(self, rates: Array) -> None:
-        """Let row k of the propagators be that of rates (k, 2), 1/s, of velocity and spin."""
-        self.resize(propagators=len(rates))
-        self.world.state.drag_rates[:] = rates
-        self.world.bodies.propagators[:] = self.propagators(rates)
+    @property
+    def kind(self) -> NDArray[np.int8]:
+        """ABSENT, STATIC, KINEMATIC or DYNAMIC, of `tables`: a view (n,)."""
+        return self.world.state.kind[: self.size]
 
-    def propagators(self, rates: Array) -> Array:
-        """Return (k, 12), how bodies move in a step and in a substep (DD41).
+    @property
+    def inverse_mass(self) -> Array:
+        """1/kg, 0 for a body that nothing pushes: a view (n,)."""
+        return self.world.state.properties[: self.size, INVERSE_MASS]
 
-        The rates (k, 2) are those at which drag slows down, 1/s: of the velocity, and of the spin.
-        """
-        found = np.zeros((len(rates), 12))
-        control = self.world.control
-        whole = control.settings[TIME_STEP]
-        one, none = (1.0, 0.0), (0.0, 0.0)
-        for start, time in ((WHOLE_STEP, whole), (ONE_SUBSTEP, whole / control.counts[SUBSTEPS])):
-            for at, rate in ((start, rates[:, 0]), (start + ANGULAR, rates[:, 1])):
-                found[:, at + DECAY] = drag.velocity(one, none, rate, time)[0]
-                found[:, at + GAIN] = drag.position(none, one, none, rate, time)[0]
-                found[:, at + LIFT] = drag.position(none, none, one, rate, time)[0]
-        return found
+    @property
+    def inverse_inertia(self) -> Array:
+        """1/(kg m^2), 0 for a body that nothing turns: a view (n,)."""
+        return self.world.state.properties[: self.size, INVERSE_INERTIA]
 
-    def set_pair_overrides(self, rows: Array) -> None:
-        """Set what two shapes have together: rows (k, 4), sorted by shapes."""
-        self.resize(overrides=len(rows))
-        self.world.shapes.pair_overrides[:] = rows
+    @property
+    def asleep(self) -> NDArray[np.bool_]:
+        """Which bodies sleep: a new array (n,)."""
+        slots = self.world.state.slot_of_body[: self.size]
+        return np.greater(self.world.islands.links[slots, SLEEP_ID], 0)
 
-    # -- bodies
+    @property
+    def rank(self) -> NDArray[np.int64]:
+        """Place of each body in the canonical order, -1 for one that is absent or new: (n,)."""
+        return self._pool.rank
 
-    def make_room(self, count: int) -> None:
-        """Make room for so many bodies more, in whole chunks.
+    @property
+    def steps(self) -> int:
+        """How many steps were taken since the start."""
+        return int(self.world.control.counts[STEPS_TAKEN])
 
-        Shapes without a body are those of the idle one.
-        """
-        if self.size + count < self.rooms.slots:
-            return
-        idle = self.rooms.slots - 1
-        slots = max(self.size + count, self.rooms.slots * 3 // 2) // CHUNK * CHUNK + CHUNK
-        self.resize(slots=slots)
-        state = self.world.state
-        state.slot_of_body[idle:] = state.body_of_slot[idle:] = np.arange(idle, slots)
-        state.body_of_shape[state.body_of_shape == idle] = slots - 1
+    # -- changes
 
-    def make_shape_room(self, shapes: int, vertices: int) -> None:
-        """Make room for so many shapes and vertices in all."""
-        rooms, taken = self.rooms, self.rooms.shapes
-        if shapes > rooms.shapes:
-            self.resize(shapes=max(shapes, rooms.shapes * 3 // 2))
-            self.world.state.body_of_shape[taken:] = rooms.slots - 1
-        if vertices > rooms.vertices:
-            self.resize(vertices=max(vertices, rooms.vertices * 3 // 2))
+    def add(self, batch: Batch) -> NDArray[np.int64]:
+        """Add bodies, and return their rows (k,); views may have to be taken anew."""
+        return self._pool.add(batch)
 
-    def assign_slots(self, rows: Integers, slots: Integers) -> None:
-        """Give some bodies other slots, which together were theirs."""
-        state = self.world.state
-        state.slot_of_body[rows], state.body_of_slot[slots] = slots, rows
+    def remove(self, rows: NDArray[np.int64]) -> None:
+        """Take bodies out; their rows are free once the engine has settled."""
+        self._pool.remove(rows)
 
-    def settle(self, rows: Integers) -> None:
-        """Bring what some bodies are, which are new or gone, to their slots."""
-        state, bodies = self.world.state, self.world.bodies
-        slots = state.slot_of_body[rows]
-        bodies.properties[slots], bodies.kind[slots] = state.properties[rows], state.kind[rows]
-        self.world.shapes.slot[:] = state.slot_of_body[state.body_of_shape]
+    def override_pairs(
+        self,
+        friction: Mapping[tuple[int, int], float],
+        restitution: Mapping[tuple[int, int], float],
+    ) -> None:
+        """Set the friction and restitution of pairs of bodies, given by rows."""
+        self._pool.override_pairs(friction, restitution)
 
-    def clear(self, rows: Integers) -> None:
-        """Forget all that is known of some bodies."""
-        slots = self.world.state.slot_of_body[rows]
-        state = self.world.state
-        for values in (state.pose, state.velocity, state.load, state.properties, state.kind):
-            values[rows] = 0
-        for group in (self.world.bodies, self.world.broad_phase, self.world.islands):
-            for name, values in group._asdict().items():
-                if name not in ("propagators", "counts", "frame") and len(values) == len(
-                    state.pose
-                ):
-                    values[slots] = 0
-        self.world.direct.trees[slots] = 0
+    def settle(self) -> None:
+        """Give what was added its place, and free what was removed; before a step or query."""
+        self._pool.settle()
 
-    def wake(self, rows: Integers) -> None:
+    def wake(self, rows: NDArray[np.int64]) -> None:
         """Wake bodies that sleep, with their islands."""
-        links = self.world.islands.links
-        asleep = links[self.world.state.slot_of_body[rows], SLEEP_ID]
-        woken = np.isin(links[:, SLEEP_ID], asleep[asleep > 0])
-        links[woken, SLEEP_ID] = links[woken, SLOW_STEPS] = 0
+        self._pool.wake(rows)
 
-    def forget_pairs(self) -> None:
-        """Look for pairs anew at the next step."""
-        self.world.broad_phase.counts[LIST_HOLDS] = 0
-        self.revision += 1
-        self._forget_addresses()
+    def sleep_after(self, steps: int) -> None:
+        """Let islands fall asleep that have been slow for so many steps; 0 for never."""
+        self.world.islands.counts[SLEEP_STEPS] = steps
+
+    # -- answers
+
+    def contact_report(self) -> Touching:
+        """Return what touched in the last step."""
+        return contact_report(self)
+
+    def surfaces(self) -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
+        """Return of the shapes of all bodies (m): body, friction and restitution, and filters.
+
+        Shapes are (m,), (m, 2), -1 where not stated, and (m, 4): category, mask, group, sensor.
+        """
+        owner = self.world.state.body_of_shape.astype(np.int64)
+        there = np.flatnonzero(self.world.state.kind[owner] != ABSENT)
+        shapes = self.world.shapes
+        stated = shapes.material[there, FRICTION : RESTITUTION + 1]
+        return owner[there], stated, shapes.filters[there]
 
     # -- steps
 
-    def step(self, count: int = 1) -> bool:
-        """Take some steps; return False, with the state as it was, if a value is not valid."""
-        if self._argument is None:
-            self._find_addresses()
-        counts, checked = self.world.control.counts, 0
-        while True:
-            if self._alone:
-                count -= self._ballistic_steps(count)
-                if count == 0:
-                    return True
-            counts[STEPS_LEFT], counts[CHECKED] = count, checked
-            self._alone = self._course_known = False
-            while (status := self._library.step(self._argument)) not in (DONE, CLEAR):
-                if status not in _ROOMS:
-                    counts[STAGE] = 0
-                    return False
-                self.resize(**{_ROOMS[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
-                self._find_addresses()
-                counts = self.world.control.counts
-            if status == DONE:
-                return True
-            self._alone = True
-            count, checked = int(counts[STEPS_LEFT]), 1
-            if count == 0:
-                return True
+    def forget_addresses(self) -> None:
+        """Find the addresses of the arrays, and where bodies may be, anew before they are used."""
+        super().forget_addresses()
+        self._course_known = False
+
+    def step(self, count: int = 1) -> Invalid | None:
+        """Take some steps; return the value that keeps one from being taken, or None.
+
+        Then the state is as it was before that step. If what a step makes of a body is not finite,
+        the body stays as it was before, all others take the step, and contacts are forgotten.
+        """
+        checked = 0
+        try:
+            while count > 0:
+                if self._alone:
+                    asked = min(count, self._ballistic_pace.most)
+                    taken = self._ballistic_steps(asked)
+                    count -= taken
+                    if taken == asked:
+                        continue
+                asked = min(count, self._pace.most)
+                status = self._solved_steps(asked, checked)
+                if status not in (DONE, CLEAR):
+                    return self._refused(status)
+                self._alone, checked = status == CLEAR, 1
+                count -= asked - int(self.world.control.counts[STEPS_LEFT])
+        except BaseException:  # Ctrl-C, or no memory
+            if self.world.control.counts[STAGE] != AT_START:
+                self._forget_contacts()
+            raise
+        return None
 
     def _ballistic_steps(self, count: int) -> int:
         """Take up to some steps while all bodies are alone; return how many."""
         if not self._course_known:
-            self._library.note_course(self._argument)
+            self._library.note_course(self.argument)
             self._course_known = True
-        taken: int = self._library.integrate_ballistic(self._argument, count)
+        self._ballistic_pace.begin()
+        taken: int = self._library.integrate_ballistic(self.argument, count)
+        self._ballistic_pace.end(count)
         return taken
 
-    def _forget_addresses(self) -> None:
-        self._argument = None
-        self._course_known = False
+    def _solved_steps(self, count: int, checked: int) -> int:
+        """Take up to some steps through contacts; return how that ended."""
+        counts = self.world.control.counts
+        counts[STEPS_LEFT], counts[CHECKED] = count, checked
+        self._alone = self._course_known = False
+        self._pace.begin()
+        while (status := self._call()) in _ROOMS:
+            self.resize(**{_ROOMS[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
+        self._pace.end(count)
+        return status
 
-    def _find_addresses(self) -> None:
-        vertices = 2 * int(self.world.shapes.vertex_count.max(initial=0))
-        if vertices >= self.rooms.clip:
-            self.resize(clip=vertices + 1)
-        self._argument = addresses(self.world) if self._compiled else self.world
+    def _call(self) -> int:
+        try:
+            return int(self._library.step(self.argument))
+        except (ValueError, OverflowError, ZeroDivisionError):
+            if self.compiled:
+                raise
+            return OVERFLOWED  # plain Python makes no whole number of NaN; compiled code goes on
+
+    def _refused(self, status: int) -> Invalid:
+        """Return why a step was not taken, or not by all bodies."""
+        if status != OVERFLOWED:
+            return first_invalid(self)
+        invalid = overflowed(self)
+        self._forget_contacts()
+        return invalid
+
+    def _forget_contacts(self) -> None:
+        """Give up a step, and forget all that is known of contacts."""
+        world = self.world
+        world.control.counts[STAGE] = AT_START
+        for values in (
+            *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
+            *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),
+            *(world.broad_phase.frame, world.broad_phase.fat_bounds),
+            *(world.tree.boxes, world.tree.nodes, world.tree.centres),
+        ):
+            values[...] = 0
+        world.shapes.world_vertices[...] = world.shapes.local_vertices
+        self.forget_pairs()

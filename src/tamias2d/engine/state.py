@@ -1,49 +1,61 @@
-"""Bodies as users see and set them, gathered into slots and scattered back."""
+"""The state that users see and set, brought to the slots of the engine and back."""
 
-from tamias2d.engine.tables import DX, GRAVITY_X, GRAVITY_Y, STATIC, Bodies, BodyState, Control
+from tamias2d.engine.tables import (
+    ANGLE,
+    BOUNDING_RADIUS,
+    DX,
+    GRAVITY_X,
+    GRAVITY_Y,
+    STATIC,
+    Bodies,
+    BodyState,
+    Control,
+    X,
+    Y,
+)
+
+LARGEST = 2.0**256
+"""The fourth root of the largest float64, 1.2e77: products of four such numbers are finite."""
+RESOLVED = 2.0**50
+"""Radii of a body from the origin, 1e15: farther off float64 does not tell its parts apart."""
 
 
 def gather_state(control: Control, state: BodyState, bodies: Bodies) -> bool:
-    """Bring what users can set to the slots; return whether some of it may not be valid.
+    """Bring what users can set to the slots of the bodies; return whether all of it is valid.
 
-    That is so where a sum is not finite, or a static body moves.
+    Numbers are finite and not too large, and static bodies stand still.
     """
-    total = control.settings[GRAVITY_X] + control.settings[GRAVITY_Y]
-    doubtful = 0 if total - total == 0.0 else 1
+    bad = 0 if abs(control.settings[GRAVITY_X]) + abs(control.settings[GRAVITY_Y]) <= LARGEST else 1
     for i in range(len(state.body_of_slot)):
         k = state.body_of_slot[i]
-        pose, velocity, load = state.pose[k], state.velocity[k], state.load[k]
+        at, speed, by = state.pose[k], state.velocity[k], state.load[k]
         for n in range(3):
-            bodies.pose[i, n], bodies.motion[i, n], bodies.load[i, n] = (
-                pose[n],
-                velocity[n],
-                load[n],
-            )
-            total = pose[n] + velocity[n] + load[n]
-            doubtful += 0 if total - total == 0.0 else 1
-        moves = abs(velocity[0]) + abs(velocity[1]) + abs(velocity[2]) > 0.0
-        doubtful += 1 if moves & (bodies.kind[i] == STATIC) else 0
-    return doubtful > 0
+            bodies.pose[i, n], bodies.motion[i, n], bodies.load[i, n] = at[n], speed[n], by[n]
+        fast = abs(speed[0]) + abs(speed[1]) + abs(speed[2])
+        bad += 0 if fast + (abs(by[0]) + abs(by[1]) + abs(by[2])) <= LARGEST else 1
+        radius = bodies.properties[i, BOUNDING_RADIUS]
+        most = RESOLVED * radius if radius > 0.0 else LARGEST
+        bad += 0 if (abs(at[X]) + abs(at[Y]) <= most) & (at[ANGLE] - at[ANGLE] == 0.0) else 1
+        bad += 1 if (fast > 0.0) & (bodies.kind[i] == STATIC) else 0
+    return bad == 0
 
 
-def all_valid(control: Control, bodies: Bodies) -> bool:
-    """Return whether all that users can set is finite, and static bodies stand still."""
-    x, y = control.settings[GRAVITY_X], control.settings[GRAVITY_Y]
-    invalid = 0 if x - x == 0.0 and y - y == 0.0 else 1
-    for i in range(len(bodies.pose)):
-        mobile = bodies.kind[i] != STATIC
-        for n in range(3):
-            place, load, speed = bodies.pose[i, n], bodies.load[i, n], bodies.motion[i, n]
-            finite = (place - place == 0.0) & (load - load == 0.0) & (speed - speed == 0.0)
-            invalid += 0 if finite & (mobile | (speed == 0.0)) else 1
-    return invalid == 0
+def scatter_state(state: BodyState, bodies: Bodies) -> bool:
+    """Put all bodies at the ends of their paths, and show users where they are and how they move.
 
-
-def scatter_state(state: BodyState, bodies: Bodies) -> None:
-    """Put all bodies at the ends of their paths, and write poses and velocities for users."""
+    A body whose numbers are not finite stays as it was. Return whether there is none.
+    """
+    bad = 0
     for i in range(len(state.body_of_slot)):
         k = state.body_of_slot[i]
+        total = 0.0
         for n in range(3):
-            place = bodies.pose[i, n] + bodies.motion[i, DX + n]
-            bodies.pose[i, n], bodies.motion[i, DX + n] = place, 0.0
-            state.pose[k, n], state.velocity[k, n] = place, bodies.motion[i, n]
+            to = bodies.pose[i, n] + bodies.motion[i, DX + n]
+            bodies.pose[i, n], bodies.motion[i, DX + n] = to, 0.0
+            total += to + bodies.motion[i, n]
+        if total - total == 0.0:
+            for n in range(3):
+                state.pose[k, n], state.velocity[k, n] = bodies.pose[i, n], bodies.motion[i, n]
+        else:
+            bad += 1
+    return bad == 0

@@ -27,7 +27,7 @@ from tamias2d.engine.sleep import (
     update_sleep,
     wake_touched,
 )
-from tamias2d.engine.state import all_valid, gather_state, scatter_state
+from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import (
     ARRIVING,
@@ -43,6 +43,7 @@ from tamias2d.engine.tables import (
     LIST_HOLDS,
     MANIFOLDS_KNOWN,
     OUT_OF_BOUNDS,
+    OVERFLOWED,
     PAIRS_KNOWN,
     PAIRS_STALE,
     SLEEP_STEPS,
@@ -51,29 +52,32 @@ from tamias2d.engine.tables import (
     STATIC,
     STEPS_LEFT,
     STEPS_SINCE,
+    STEPS_TAKEN,
     UPDATES_LEFT,
     World,
 )
 
 
 def step(world: World) -> int:
-    """Take the steps that are left of a call, or return which array is too short.
+    """Take the steps that are left of a call, or return why not all of them can be taken.
 
     Called again, it continues. It ends early, with CLEAR, where no contact is on the list: bodies
     may go ballistically then.
     """
     counts = world.control.counts
     if counts[STAGE] == AT_START:
-        doubtful = gather_state(world.control, world.state, world.bodies)
-        if doubtful and counts[CHECKED] == 0 and not all_valid(world.control, world.bodies):
+        valid = gather_state(world.control, world.state, world.bodies)
+        if not valid and counts[CHECKED] == 0:
             return INVALID
     clear = False
     while counts[STEPS_LEFT] > 0 and not clear:
         status = take_step(world)
         if status != DONE:
             return status
-        scatter_state(world.state, world.bodies)
         counts[STEPS_LEFT] -= 1
+        counts[STEPS_TAKEN] += 1
+        if not scatter_state(world.state, world.bodies):
+            return OVERFLOWED
         pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[SLEEP_STEPS]
         clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0
     return CLEAR if clear else DONE

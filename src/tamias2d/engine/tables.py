@@ -6,6 +6,7 @@ bodies in canonical order, so that bodies that are near in the world are near in
 slot is an idle body, all zeros, for lanes of a block that have no contact.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
@@ -54,6 +55,19 @@ class Sized:
         object.__setattr__(self, "shape", shape)
 
 
+@dataclass(frozen=True)
+class Saved:
+    """Marks an array of the saved state; all others follow from these, or hold nothing for long.
+
+    Whole numbers are from 0 on and less than `below`: a number, or a room whose rows they index.
+    Where that is so in some columns only, `below` has the bound of each. Other numbers are finite,
+    unless they may be infinite, or may be anything because each step looks at them first.
+    """
+
+    below: int | str | Mapping[int, int | str] | None = None
+    numbers: str = "finite"  # or "infinite", "any"
+
+
 # -- control of a step
 
 _settings = Columns()
@@ -67,21 +81,24 @@ STEPS_LEFT = _control()  # steps of this call that are still to be taken
 CHECKED = _control()  # 1 if the values that users can set have been checked
 STAGE = _control()  # at which the step continues, one of those below
 ROWS_NEEDED = _control()  # by the array that was too short
+STEPS_TAKEN = _control()  # since the start
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 
 _progress = Columns()
 FLOWN = _progress()  # fraction of the step that continuous collision has done
 UPDATES_LEFT = _progress()  # updates of the contact list that continuous collision may still make
 
-# status of a step: done, an array that is too short, a value that is not valid, or done with no
-# contact on the list
-DONE, MORE_CANDIDATES, MORE_CONTACTS, MORE_BLOCKS, INVALID, MORE_SPARSE, CLEAR = range(7)
+# status of a step: done, an array that is too short, a value that is not valid, done with no
+# contact on the list, or done though a body has numbers that are not finite
+DONE, MORE_CANDIDATES, MORE_CONTACTS, MORE_BLOCKS, INVALID, MORE_SPARSE, CLEAR, OVERFLOWED = range(
+    8
+)
 
 
 class Control(NamedTuple):
     """What a step is asked to do, and how far it is; read by all stages."""
 
-    settings: Annotated[Floats, Sized(_settings.width)]
+    settings: Annotated[Floats, Sized(_settings.width), Saved(numbers="any")]
     counts: Annotated[Ranks, Sized(_control.width)]
     progress: Annotated[Floats, Sized(_progress.width)]
 
@@ -142,15 +159,18 @@ PATH_EXCESS = _flight()  # m, by which that is more than its thickness
 class BodyState(NamedTuple):
     """Bodies as users see and set them, in the order of adding; read as a batch of steps begins."""
 
-    pose: Annotated[FloatRows, Sized("slots", _pose.width)]
-    velocity: Annotated[FloatRows, Sized("slots", 3)]  # m/s, m/s, rad/s
-    load: Annotated[FloatRows, Sized("slots", 3)]  # N, N, N m
-    properties: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
-    kind: Annotated[Bytes, Sized("slots")]
-    slot_of_body: Annotated[Places, Sized("slots")]
+    pose: Annotated[FloatRows, Sized("slots", _pose.width), Saved(numbers="any")]
+    velocity: Annotated[FloatRows, Sized("slots", 3), Saved(numbers="any")]  # m/s, m/s, rad/s
+    load: Annotated[FloatRows, Sized("slots", 3), Saved(numbers="any")]  # N, N, N m
+    # a cache line
+    properties: Annotated[
+        FloatRows, Sized("slots", 8), Saved({PROPAGATOR: "propagators"}, "infinite")
+    ]
+    kind: Annotated[Bytes, Sized("slots"), Saved(4)]
+    slot_of_body: Annotated[Places, Sized("slots"), Saved("slots")]
     body_of_slot: Annotated[Places, Sized("slots")]
-    drag_rates: Annotated[FloatRows, Sized("propagators", 2)]  # 1/s, of velocity and spin
-    body_of_shape: Annotated[Places, Sized("shapes")]
+    drag_rates: Annotated[FloatRows, Sized("propagators", 2), Saved()]  # 1/s, of velocity and spin
+    body_of_shape: Annotated[Places, Sized("shapes"), Saved("slots")]
 
 
 class Bodies(NamedTuple):
@@ -184,15 +204,17 @@ class Shapes(NamedTuple):
     """Convex shapes: vertices grown by a radius; read by the broad and the narrow phase."""
 
     slot: Annotated[Places, Sized("shapes")]  # of the body
-    kind: Annotated[Indices, Sized("shapes")]
-    first: Annotated[Indices, Sized("shapes")]  # vertex
-    vertex_count: Annotated[Indices, Sized("shapes")]  # of vertices
-    radius: Annotated[Floats, Sized("shapes")]  # m
-    material: Annotated[FloatRows, Sized("shapes", _material.width)]
-    filters: Annotated[RankRows, Sized("shapes", 4)]
-    local_vertices: Annotated[FloatRows, Sized("vertices", 4)]  # vertex, m; normal of its side
-    world_vertices: Annotated[FloatRows, Sized("vertices", 4)]  # the same, turned
-    pair_overrides: Annotated[FloatRows, Sized("overrides", 4)]  # shapes, friction, restitution
+    kind: Annotated[Indices, Sized("shapes"), Saved(4)]
+    first: Annotated[Indices, Sized("shapes"), Saved("vertices")]  # vertex
+    vertex_count: Annotated[Indices, Sized("shapes"), Saved(2**31)]  # of vertices
+    radius: Annotated[Floats, Sized("shapes"), Saved()]  # m
+    material: Annotated[FloatRows, Sized("shapes", _material.width), Saved(numbers="infinite")]
+    filters: Annotated[RankRows, Sized("shapes", 4), Saved({SENSOR: 2})]
+    # vertex, m; normal of its side
+    local_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]
+    world_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]  # the same, turned
+    # shapes, friction, restitution
+    pair_overrides: Annotated[FloatRows, Sized("overrides", 4), Saved({0: "shapes", 1: "shapes"})]
 
 
 # -- bounding volume hierarchy
@@ -219,11 +241,12 @@ class Tree(NamedTuple):
     """A bounding volume hierarchy over shapes; read by the broad phase and by queries."""
 
     counts: Annotated[Ranks, Sized(_tree.width)]
-    boxes: Annotated[FloatRows, Sized("shapes", _boxes.width)]
-    nodes: Annotated[FloatRows, Sized("nodes", 4)]  # boxes, m; node k holds 2k and 2k + 1
-    centres: Annotated[FloatRows, Sized("shapes", 8)]
+    boxes: Annotated[FloatRows, Sized("shapes", _boxes.width), Saved(numbers="infinite")]
+    # boxes, m; node k holds 2k and 2k + 1
+    nodes: Annotated[FloatRows, Sized("nodes", 4), Saved(numbers="infinite")]
+    centres: Annotated[FloatRows, Sized("shapes", 8), Saved(numbers="infinite")]
     morton: Annotated[PlaceRows, Sized(2, "shapes")]  # in Morton order
-    leaf_of_shape: Annotated[Places, Sized("shapes")]
+    leaf_of_shape: Annotated[Places, Sized("shapes"), Saved("shapes")]
     sorting: Annotated[PlaceRows, Sized(2, "shapes")]  # between passes of the radix sort
     bins: Annotated[Places, Sized(256)]  # of the radix sort
 
@@ -263,13 +286,14 @@ SHAPE_OF_RANK, RANK = range(2)  # rows of canonical
 class BroadPhase(NamedTuple):
     """Which shapes may touch; read by the broad phase, its bounds by continuous collision."""
 
-    counts: Annotated[Ranks, Sized(_broad_phase.width)]
-    frame: Annotated[Floats, Sized(_frame.width)]
-    fat_bounds: Annotated[FloatRows, Sized("slots", _fat_bounds.width)]
+    counts: Annotated[Ranks, Sized(_broad_phase.width), Saved(2**62)]
+    frame: Annotated[Floats, Sized(_frame.width), Saved()]
+    fat_bounds: Annotated[FloatRows, Sized("slots", _fat_bounds.width), Saved(numbers="infinite")]
     left: Annotated[Bytes, Sized("slots")]  # 1 if the body has left its bounds
     canonical: Annotated[PlaceRows, Sized(2, "shapes")]  # shapes in canonical order; their ranks
     leaf_pairs: Annotated[PlaceRows, Sized("candidates", 2)]  # leaves whose boxes overlap
-    candidates: Annotated[PlaceRows, Sized("candidates", 2)]  # pairs of ranks, the lower one first
+    # pairs of ranks, the lower one first; saved for its length, which decides when all are sought
+    candidates: Annotated[PlaceRows, Sized("candidates", 2), Saved(2**32)]
     sorting: Annotated[PlaceRows, Sized("candidates", 2)]  # candidates between passes of the sort
     rank_counts: Annotated[Places, Sized("ranks")]  # bins of that sort
     first_of_rank: Annotated[Places, Sized("ranks")]  # contact of the first run
@@ -314,9 +338,15 @@ class ContactBuffers(NamedTuple):
 class Contacts(NamedTuple):
     """Pairs of shapes that may touch, in two runs, each in canonical order; one of the buffers."""
 
-    pairs: PlaceRows
-    manifolds: FloatRows
-    flags: IndexRows
+    pairs: Annotated[
+        PlaceRows, Sized("contacts", 4), Saved({0: "shapes", 1: "shapes", 2: "slots", 3: "slots"})
+    ]
+    manifolds: Annotated[FloatRows, Sized("contacts", MANIFOLD), Saved()]
+    flags: Annotated[
+        IndexRows,
+        Sized("contacts", _flags.width),
+        Saved({POINT_COUNT: 3, TOUCHES: 4, CACHED_AXIS: 2**31}),
+    ]
 
 
 _touching = Columns()
@@ -328,7 +358,7 @@ ISLANDS_KNOWN = _touching()  # 1 if islands are
 class Touching(NamedTuple):
     """The contacts that touch, in canonical order; read by the solvers and by sleep."""
 
-    counts: Annotated[Ranks, Sized(_touching.width)]
+    counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
     body_a: Annotated[Places, Sized("contacts")]  # slot
     body_b: Annotated[Places, Sized("contacts")]  # slot
@@ -482,9 +512,13 @@ SLEEPING = _islands()  # bodies that sleep
 class Islands(NamedTuple):
     """Bodies that touch each other; read by sleep and by the bound on energy."""
 
-    counts: Annotated[Ranks, Sized(_islands.width)]
-    links: Annotated[IndexRows, Sized("slots", _links.width)]
-    rest: Annotated[FloatRows, Sized("slots", _rest.width)]
+    counts: Annotated[Ranks, Sized(_islands.width), Saved(2**31)]
+    links: Annotated[
+        IndexRows,
+        Sized("slots", _links.width),
+        Saved({ROOT: "slots", SLOW_STEPS: 2**31, SLEEP_ID: "slots"}),
+    ]
+    rest: Annotated[FloatRows, Sized("slots", _rest.width), Saved()]
     energy: Annotated[FloatRows, Sized("slots", _energy.width)]
 
 

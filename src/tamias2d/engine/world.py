@@ -3,14 +3,23 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.broad_phase.bvh import first_leaf_node
 from tamias2d.engine.memory import aligned_zeros
-from tamias2d.engine.tables import CHUNK, CHUNK_LANES, Chunks, Sized, World
+from tamias2d.engine.tables import (
+    CHUNK,
+    CHUNK_LANES,
+    BodyState,
+    Chunks,
+    Contacts,
+    Saved,
+    Sized,
+    World,
+)
 from tamias2d.kernels.groups import array_type, fields_of, is_group
 
 
@@ -59,6 +68,17 @@ def named_arrays(world: World) -> dict[str, NDArray[Any]]:
     return dict(_named(world, ""))
 
 
+def arrays_by_slot(world: World) -> Iterator[NDArray[Any]]:
+    """Yield the arrays that have a row for each slot of a body."""
+    groups: tuple[Any, ...] = world
+    for group in groups:
+        own: Any = type(group)
+        for name, declared in _declared(own).items():
+            by_body = isinstance(group, BodyState)
+            if declared is not None and declared[1].shape[0] == "slots" and not by_body:
+                yield getattr(group, name)
+
+
 def with_arrays(world: World, arrays: Mapping[str, NDArray[Any]]) -> World:
     """Return the world with some arrays, by their names, in the place of its own."""
     for name, values in arrays.items():
@@ -82,6 +102,32 @@ def _made(group: type, lengths: Mapping[str, int], old: Any) -> Any:
         else:
             values[name] = before
     return group(**values)
+
+
+class SavedField(NamedTuple):
+    """An array of the saved state, as `tables` declares it."""
+
+    name: str
+    """such as 'state.pose'"""
+    dtype: np.dtype[Any]
+    shape: tuple[int | str, ...]
+    saved: Saved
+
+
+@cache
+def saved_fields() -> tuple[SavedField, ...]:
+    """Return the declarations of the saved state; of the contact buffers, of the one in use."""
+    return (*_saved_in(World, ""), *_saved_in(Contacts, "contacts."))
+
+
+def _saved_in(group: type, prefix: str) -> Iterator[SavedField]:
+    known = _declared(group)
+    for name, hint in fields_of(group).items():
+        if is_group(hint):
+            yield from _saved_in(hint, f"{prefix}{name}.")
+        elif saved := next((m for m in hint.__metadata__ if isinstance(m, Saved)), None):
+            dtype, sized = known[name]
+            yield SavedField(f"{prefix}{name}", dtype, sized.shape, saved)
 
 
 @cache

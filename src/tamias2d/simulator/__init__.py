@@ -3,9 +3,9 @@
 Serves: games. Hides: which file holds which concept.
 """
 
-from tamias2d.simulator.asking import Hits
-from tamias2d.simulator.contacts import Contacts
-from tamias2d.simulator.frames import Frames, Overlap
+from tamias2d.engine.contact_report import Contacts
+from tamias2d.simulator.queries import Hits
 from tamias2d.simulator.simulator import Simulator
+from tamias2d.simulator.stepper import Overlap, Stepper
 
-__all__ = ["Contacts", "Frames", "Hits", "Overlap", "Simulator"]
+__all__ = ["Contacts", "Hits", "Overlap", "Simulator", "Stepper"]

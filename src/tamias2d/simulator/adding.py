@@ -1,8 +1,4 @@
-"""Bodies that are added while a simulator runs, from arrays of arguments (R2, R3, R4).
-
-Serves: `add`, `add_static` and `add_kinematic`. Hides: how arguments for many bodies are spread
-and judged.
-"""
+"""Bodies that are added while a simulator runs, from arrays of arguments (R2, R3, R4)."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -10,13 +6,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.batch import UNSTATED, Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.scene.checks import checked_inertia, refuse_shape
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL, checked_sensor, checked_whole
 from tamias2d.scene.rules import RuleError, sequence
 from tamias2d.scene.shapes import HalfPlane
-from tamias2d.simulator.batch import UNSTATED, Batch, slowing
+from tamias2d.simulator.batch import drag_rates
 from tamias2d.simulator.columns import as_array, numbers, vectors, wholes
 from tamias2d.state import Array
 
@@ -50,7 +47,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
     of = f"{_OF[kind]} added"
     known = _counted(shapes, given["position"], of)
     count = len(known)
-    for shape in dict.fromkeys(known):
+    for shape in {id(shape): shape for shape in known}.values():  # none may have a hash yet
         refuse_shape(shape, of, static=kind == STATIC, none=kind == DYNAMIC)
     _refuse_placed(known, given)
     many = {
@@ -71,7 +68,7 @@ def added_batch(kind: int, shapes: object, **given: Any) -> Batch:
         load=np.column_stack((pairs["force"], many["torque"])),
         mass=mass,
         inertia=inertia,
-        slowing=slowing(many["linear_drag"], mass, many["angular_drag"], inertia),
+        drag_rates=drag_rates(many["linear_drag"], mass, many["angular_drag"], inertia),
         filters=_filters(given, of, count),
         shapes=known,
         **{key: _surface(given.get(key), key, of, count) for key in _SURFACE},

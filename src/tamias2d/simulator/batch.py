@@ -1,56 +1,14 @@
-"""Bodies on their way into the engine: checked columns, a row for each body.
-
-Serves: the start of a simulator, and adding while it runs. Hides: how scenes and arrays of
-arguments become the same columns.
-"""
-
-from dataclasses import dataclass
+"""A scene's bodies as rows for the engine, and the rates at which drag slows bodies."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tamias2d.engine.batch import UNSTATED, Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.generated import drag
 from tamias2d.scene import Body, Scene
 from tamias2d.scene.acting import steady_load
-from tamias2d.scene.compound import Shape
 from tamias2d.scene.rules import RuleError
 from tamias2d.state import Array
-
-Whole = NDArray[np.int64]
-UNSTATED = -1.0
-"""Friction or restitution where a body states none."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Batch:
-    """What k bodies are, and where and how they start; SI units."""
-
-    kind: Whole
-    """(k,), of `stepped.layout`"""
-    pose: Array
-    """(k, 3), position and orientation"""
-    motion: Array
-    """(k, 3), velocity and angular velocity"""
-    load: Array
-    """(k, 3), applied force and torque"""
-    mass: Array
-    """(k,); infinite unless dynamic"""
-    inertia: Array
-    """(k,); infinite for what nothing turns"""
-    slowing: Array
-    """(k, 2), rates at which drag slows velocity and angular velocity down, 1/s"""
-    friction: Array
-    """(k,), -1 where not stated"""
-    restitution: Array
-    """(k,), -1 where not stated"""
-    filters: Whole
-    """(k, 4): category, mask, group, sensor"""
-    shapes: tuple[Shape | None, ...]
-    """k shapes; None for a particle"""
-
-    def __len__(self) -> int:
-        return len(self.kind)
 
 
 def scene_batch(scene: Scene) -> Batch:
@@ -65,7 +23,7 @@ def scene_batch(scene: Scene) -> Batch:
         load=_rows([steady_load(scene, k) for k in range(len(bodies))], 3),
         mass=mass,
         inertia=inertia,
-        slowing=slowing(
+        drag_rates=drag_rates(
             np.array([body.linear_drag for body in bodies]),
             mass,
             np.array([body.angular_drag for body in bodies]),
@@ -80,7 +38,7 @@ def scene_batch(scene: Scene) -> Batch:
     )
 
 
-def slowing(linear_drag: Array, mass: Array, angular_drag: Array, inertia: Array) -> Array:
+def drag_rates(linear_drag: Array, mass: Array, angular_drag: Array, inertia: Array) -> Array:
     """Return the rates (k, 2) at which drag slows bodies down, 1/s.
 
     Raises:

@@ -1,7 +1,6 @@
 """Arguments for many bodies at once: one value for all, or an array with a row for each (R4).
 
-Serves: whatever takes values of a selection of bodies. Hides: how arrays are judged; the message
-is the one that the value at fault would get alone.
+The message about a value at fault is the one that it would get alone.
 """
 
 from collections.abc import Callable

@@ -1,29 +1,50 @@
-"""A simulator as plain arrays, and back: it goes on with the same bits.
+"""Saved simulators: the file, its digest, and what it holds besides the engine's arrays."""
 
-Serves: `save`, `restore` and pickle. Hides: what of it decides how it goes on, and the file.
-"""
-
+import hashlib
+import json
 from collections.abc import Mapping
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.engine import Engine
-from tamias2d.errors import RecordingError
+from tamias2d import archive
+from tamias2d.engine.contact_report import Contacts, Touching, contacts_of
+from tamias2d.engine.saved_checks import UnfitError, require
+from tamias2d.errors import RecordingError, TamiasError
+from tamias2d.scene import Scene
+from tamias2d.scene.reading import read_scene
+from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
 from tamias2d.storage import aside
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 6  # of what the arrays hold; of the engine's columns too
+VERSION = 7  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
+_ABOUT, _DIGEST = "about", "digest"
+
+
+@dataclass(frozen=True, kw_only=True)
+class About:
+    """What a saved simulator is, besides its arrays."""
+
+    time_step: float
+    substeps: int
+    steps: int
+    names: Mapping[str, int]
+    """Rows of the scene's bodies that are still there, by name."""
+    staying: list[int]
+    """Rows of the scene's bodies that are still there."""
+    scene: str | None
+    """The text of a scene whose loads vary."""
 
 
 def write(path: Path, arrays: Arrays) -> None:
     """Write arrays to a file, whole or not at all.
 
     Raises:
-        RecordingError: it cannot be written.
+        RecordingError: the file cannot be written.
     """
     if path.suffix != ".npz":
         raise RecordingError(
@@ -31,9 +52,9 @@ def write(path: Path, arrays: Arrays) -> None:
         )
     try:
         with aside(path) as draft, draft.open("wb") as file:
-            np.savez(file, allow_pickle=False, mark=np.array(_MARK), version=VERSION, **arrays)
-    except OSError as error:
-        why = error.strerror or type(error).__name__
+            np.savez(file, allow_pickle=False, **arrays)
+    except (OSError, ValueError) as error:  # a name with a null byte
+        why = getattr(error, "strerror", None) or str(error) or type(error).__name__
         raise RecordingError(
             f"{path}: cannot be written: {why}. Check the directory, the disk's space and the "
             "permissions."
@@ -41,47 +62,157 @@ def write(path: Path, arrays: Arrays) -> None:
 
 
 def read(path: Path) -> dict[str, NDArray[Any]]:
-    """Return the arrays in a file.
+    """Return the arrays in a file, of which nothing is known.
 
     Raises:
-        RecordingError: there is no file, or it is damaged, of another kind or another version.
+        RecordingError: there is no file, or it is none of arrays.
     """
     if not path.is_file():
         raise RecordingError(f"{path}: there is no such file. Make it by `sim.save(path)`.")
-    try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays = {name: file[name] for name in file.files}
-        mark, version = str(arrays.pop("mark")), int(arrays.pop("version"))
-    except Exception as error:  # zipfile, zlib and numpy have their own
+    return archive.read(path, remedy="Save it again.")
+
+
+def sealed(about: About, arrays: Arrays) -> dict[str, NDArray[Any]]:
+    """Return all arrays of a saved simulator, with its version and digest."""
+    content = {
+        "mark": np.array(_MARK),
+        "version": np.array(VERSION),
+        _ABOUT: np.array(json.dumps(asdict(about))),
+        **arrays,
+    }
+    return {**content, _DIGEST: np.array(digest(content))}
+
+
+def opened(content: Arrays, where: str) -> tuple[About, dict[str, NDArray[Any]]]:
+    """Return what `sealed` was given.
+
+    Raises:
+        RecordingError: it is damaged, of another kind or of another version.
+        UnfitError: it has the right digest, and other than a simulator.
+    """
+    arrays = dict(content)
+    mark, version = (str(arrays.pop(name, "nothing")) for name in ("mark", "version"))
+    if (mark, version) != (_MARK, str(VERSION)):
         raise RecordingError(
-            f"{path}: cannot be read ({type(error).__name__}): it is damaged, or no saved "
-            "simulator. Save it again."
-        ) from error
-    if (mark, version) != (_MARK, VERSION):
-        raise RecordingError(
-            f"{path}: found '{mark}' of version {version}: must be '{_MARK}' of version "
+            f"{where}: found '{mark}' of version {version}: must be '{_MARK}' of version "
             f"{VERSION}. Save it again with this version."
         )
-    return arrays
+    found = str(arrays.pop(_DIGEST, ""))
+    if found != digest({name: a for name, a in content.items() if name != _DIGEST}):
+        raise RecordingError(
+            f"{where}: it is damaged: its digest is not that of what it holds. Save it again."
+        )
+    return _about(str(arrays.pop(_ABOUT, ""))), arrays
+
+
+def digest(arrays: Arrays) -> str:
+    """Return the SHA-256 of arrays, with their names, types and shapes."""
+    total = hashlib.sha256()
+    for name, values in sorted(arrays.items()):
+        total.update(f"{name} {values.dtype.str} {values.shape}\n".encode())
+        total.update(np.ascontiguousarray(values).tobytes())
+    return total.hexdigest()
+
+
+def _about(text: str) -> About:
+    try:
+        about = About(**json.loads(text))
+        checked_time_step(about.time_step)
+        checked_substeps(about.substeps)
+        checked_count(about.steps, "steps", 0)
+        rows = [*about.staying, *about.names.values()]
+        fits = all(isinstance(row, int) and not isinstance(row, bool) and row >= 0 for row in rows)
+        fits = fits and isinstance(about.time_step, float) and isinstance(about.substeps, int)
+        fits = fits and isinstance(about.names, dict) and isinstance(about.staying, list)
+    except (TypeError, ValueError, AttributeError, RecursionError) as error:
+        raise UnfitError(f"{_ABOUT}: {error}") from error
+    require(fits, _ABOUT, "must be numbers, rows and names")
+    return about
+
+
+def scene_of(about: About, kind: NDArray[np.int8], *, dynamic: int, where: str) -> Scene | None:
+    """Return the scene whose loads vary, if there is one; its bodies fit the kinds of rows (n,).
+
+    Raises:
+        UnfitError: they do not, or it is no scene.
+    """
+    rows = {*about.staying, *about.names.values()}
+    require(len(set(about.staying)) == len(about.staying), _ABOUT, "names a body twice")
+    require(all(row < len(kind) and kind[row] for row in rows), _ABOUT, "names a body not there")
+    if about.scene is None:
+        return None
+    try:
+        scene = read_scene(about.scene, file=where)
+    except (TamiasError, TypeError) as error:
+        raise UnfitError(f"{_ABOUT}: {error}") from error
+    fits = all(
+        row < len(scene) and scene.bodies[row].dynamic == (kind[row] == dynamic)
+        for row in about.staying
+    )
+    require(fits, _ABOUT, "has a scene of other bodies")
+    return scene
+
+
+def touching_arrays(told: Touching) -> dict[str, NDArray[Any]]:
+    """Return a contact report as arrays by name."""
+    reports = {"contacts": told.contacts, "began": told.began}
+    return {"ended": told.ended} | {
+        f"{which}.{name}": values
+        for which, r in reports.items()
+        for name, values in vars(r).items()
+    }
+
+
+def touching_of(arrays: Arrays, size: int) -> Touching:
+    """Return the contact report of arrays, about `size` bodies.
+
+    Raises:
+        UnfitError: they are none.
+    """
+    contacts, began = (
+        contacts_of(
+            _report_array(arrays, f"{which}.{name}", size, width) for name, width in _WIDTH.items()
+        )
+        for which in ("contacts", "began")
+    )
+    for report in (contacts, began):
+        same = {len(values) for values in vars(report).values()}
+        require(len(same) == 1, "touching", "its columns must have one length")
+    return Touching(contacts=contacts, began=began, ended=_report_array(arrays, "ended", size, 2))
+
+
+_WIDTH = {"bodies": 2, "point": 2, "normal": 2, "impulse": 0, "separation": 0}
+"""Columns of the fields of `Contacts`, 0 for a number for each."""
+assert tuple(_WIDTH) == tuple(Contacts.__dataclass_fields__)
+
+
+def _report_array(arrays: Arrays, name: str, size: int, width: int) -> NDArray[Any]:
+    values = arrays.get(name, np.zeros(()))
+    rows = name.endswith(("bodies", "ended"))
+    fits = values.shape[1:] == ((width,) if width else ()) and values.ndim == 1 + bool(width)
+    require(fits, name, "is missing, or of another shape")
+    require(values.dtype == (np.int64 if rows else np.float64), name, "is of another type")
+    require(np.isfinite(values), name, "must be numbers")
+    if rows:
+        require((values >= 0) & (values < size), name, "names a body that is not there")
+    return values.copy()
+
+
+def pushed_of(arrays: Arrays, size: int) -> NDArray[np.float64] | None:
+    """Return the loads (k, 3) for the next step only, if there are any.
+
+    Raises:
+        UnfitError: they are no loads of `size` bodies.
+    """
+    pushed = arrays.get("pushed")
+    if pushed is None:
+        return None
+    fits = pushed.dtype == np.float64 and pushed.ndim == 2 and pushed.shape[1] == 3
+    require(fits and len(pushed) <= size, "pushed", "must be float64 of shape (k, 3)")
+    require(np.isfinite(pushed), "pushed", "must be numbers")
+    return pushed.copy()
 
 
 def part(arrays: Arrays, name: str) -> dict[str, NDArray[Any]]:
     """Return the arrays of one part, by their names in it."""
     return {key.partition(".")[2]: a for key, a in arrays.items() if key.startswith(f"{name}.")}
-
-
-def fill(engine: Engine, found: Arrays, where: str) -> None:
-    """Let an engine continue from arrays.
-
-    Raises:
-        RecordingError: one is missing, or of another kind than the engine's own.
-    """
-    for name, own in engine.arrays().items():
-        there = found.get(name)
-        if there is None or (there.dtype, there.ndim) != (own.dtype, own.ndim):
-            what = "nothing" if there is None else f"{there.dtype} of {there.ndim} axes"
-            raise RecordingError(
-                f"{where}: {name}: found {what}: must be {own.dtype} of {own.ndim} axes. It is "
-                "damaged, or was saved by another version. Save it again."
-            )
-    engine.take_over(found)

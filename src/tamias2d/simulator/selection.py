@@ -1,10 +1,7 @@
-"""Which bodies are meant: by index, by name, many at once (R1).
-
-Serves: whatever takes bodies. Hides: how they can be given.
-"""
+"""Which bodies are meant: by index, by name, many at once (R1)."""
 
 from collections.abc import Mapping, Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,12 +42,13 @@ def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -
             f"bodies: found {shown(bodies)}: must be whole numbers or names (R1). {_REMEDY}",
             "bodies",
         )
-    rows = given.astype(np.int64).ravel()
-    there = (rows >= 0) & (rows < len(kind))
+    asked: NDArray[Any] = given.ravel()
+    rows = asked.astype(np.int64)
+    there = (asked >= 0) & (asked < len(kind))
     there[there] = kind[rows[there]] != ABSENT
     if not there.all():
         raise RuleError(
-            f"body {rows[int(np.argmin(there))]}: the simulator has none such, or it was removed "
+            f"body {asked[int(np.argmin(there))]}: the simulator has none such, or it was removed "
             f"(R1). {_REMEDY}",
             "bodies",
         )

@@ -1,48 +1,48 @@
-"""The frame loop for games: bodies in arrays that can be read and written between steps.
-
-Serves: `tamias2d.Simulator`. Hides: the engine, and what is done only where something changed.
-"""
+"""The frame loop for games: bodies in arrays that can be read and written between steps."""
 
 import hashlib
-import json
 from collections.abc import Mapping
 from copy import deepcopy
-from operator import index
 from pathlib import Path
+from threading import Lock
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.batch import Batch
+from tamias2d.engine.contact_report import Contacts, Touching
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.tables import (
-    DYNAMIC,
-    KINEMATIC,
-    SLEEP_STEPS,
-    STATIC,
-)
+from tamias2d.engine.saved_checks import UnfitError
+from tamias2d.engine.saved_state import restored_engine, saved_arrays
+from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
-from tamias2d.scene.reading import read_scene
-from tamias2d.scene.rules import RuleError, number, shown
+from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
-from tamias2d.simulator.acting import Acting
 from tamias2d.simulator.adding import Shapes, added_batch
-from tamias2d.simulator.asking import Hits, Questions, box_corners, one_point
-from tamias2d.simulator.batch import Batch, scene_batch
-from tamias2d.simulator.contacts import Contacts, Touching, arrays_of, touching, touching_of
-from tamias2d.simulator.fault import fault
-from tamias2d.simulator.pushing import add_rows, kicks, loads
-from tamias2d.simulator.roster import Roster
+from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
+from tamias2d.simulator.batch import scene_batch
+from tamias2d.simulator.exclusive import busy, exclusive
+from tamias2d.simulator.invalid_state import invalid_state
+from tamias2d.simulator.missing_restitution import refuse_missing_restitution
+from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
 from tamias2d.simulator.selection import Bodies, selected
-from tamias2d.simulator.unstated import refuse_unstated
+from tamias2d.simulator.settings import (
+    checked_count,
+    checked_flag,
+    checked_substeps,
+    checked_time_step,
+)
+from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array
 from tamias2d.suggestions import suggests
 
 Whole = NDArray[np.int64]
-_QUIET = 0.5  # s, until what is quiet falls asleep
+_SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
+_LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
 
 @suggests
@@ -61,18 +61,16 @@ class Simulator(Views):
     """
 
     __slots__ = (
-        "_acting",
+        "_lock",
         "_names",
         "_pushed",
-        "_questions",
-        "_roster",
         "_scene",
         "_staying",
-        "_steps",
         "_substeps",
         "_time_step",
         "_touching",
         "_unsettled",
+        "_varying",
     )  # fmt: skip
 
     def __init__(
@@ -82,44 +80,50 @@ class Simulator(Views):
         time_step: float = 1 / 60,
         substeps: int = 4,
         sleeping: bool = False,
+        compiled: bool = True,
     ) -> None:
         """Start where a scene does; steps are of `time_step` in s, contacts solved in substeps.
 
-        With `sleeping`, bodies that touch each other and have been quiet for half a second stop and
-        cost next to nothing until something happens to them. Quiet is what is slower than
+        With `sleeping`, bodies that touch each other and have been slow for half a second stop and
+        cost next to nothing until something happens to them. Slow is what is slower than
         2 % of sqrt(g r), or of r a second without gravity, where r is how far a body reaches from
-        its centre: a fall through 1/5000 of that makes it faster. What sleeps loses what was left
-        of its motion, so that a run with sleeping is another one than without.
+        its centre: a fall through 1/5000 of that makes it faster. A body that falls asleep loses
+        what was left of its motion, so that a run with sleeping is another one than without.
+
+        Without `compiled`, steps and queries are plain Python: the same bits, some thousand times
+        slower, for debuggers, and where nothing can be compiled.
 
         Raises:
             InputError: a value breaks a rule (R4).
         """
         checked_scene(scene)
-        remedy = "Give it in s, such as 1/60."
-        self._time_step = number(time_step, "time_step", "the simulator", remedy, at=("time_step",))
-        self._substeps = _checked_count(substeps, "substeps", 1)
-        varies = not Acting(scene, range(len(scene))).empty
+        self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
+        varies = not VaryingLoads(scene, range(len(scene))).empty
         self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it
-        self._steps = 0
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
         self._staying = list(range(len(scene)))
-        gravity, substeps = scene.gravity, self._substeps
-        self._begin(Engine(gravity=gravity, time_step=self._time_step, substeps=substeps))
-        if _checked_flag(sleeping, "sleeping"):
-            self._engine.world.islands.counts[SLEEP_STEPS] = max(round(_QUIET / self._time_step), 1)
+        engine = Engine(
+            gravity=scene.gravity,
+            time_step=self._time_step,
+            substeps=self._substeps,
+            compiled=checked_flag(compiled, "compiled"),
+        )
+        if checked_flag(sleeping, "sleeping"):
+            steps = round(min(_SLOW_TIME / self._time_step, _LONGEST_WAIT))
+            engine.sleep_after(max(steps, 1))
         batch = scene_batch(scene)
         names = [f"'{body.name}'" for body in scene.bodies]
-        refuse_unstated(self._engine, batch, names.__getitem__, scene.restitution_of_pairs)
-        self._roster.place(batch)
-        self._look()
-        self._roster.mix(scene.friction_of_pairs, scene.restitution_of_pairs)
+        known = scene.restitution_of_pairs
+        refuse_missing_restitution(engine, batch, names.__getitem__, known)
+        engine.add(batch)
+        engine.override_pairs(scene.friction_of_pairs, known)
+        self._begin(engine)
 
     def _begin(self, engine: Engine) -> None:
+        self._lock = Lock()
         self._engine = engine
         self._look()
-        self._roster = Roster(engine)
-        self._questions = Questions(self._engine)
-        self._acting: Acting | None = None
+        self._varying: VaryingLoads | None = None
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
         self._unsettled = True
@@ -133,57 +137,67 @@ class Simulator(Views):
             InputError: a value that was set is not finite; the state is as it was before the step.
             SimulationError: a force that varies has no finite value.
         """
-        if count.__class__ is not int or count < 0:
-            count = _checked_count(count, "count", 0)
+        if count.__class__ is not int or not 0 <= count < _ENDLESS:
+            count = checked_count(count, "count", 0)
+        if not self._lock.acquire(blocking=False):
+            raise busy("step")
+        try:
+            self._step(count)
+        finally:
+            self._lock.release()
+
+    def _step(self, count: int) -> None:
         while count:
             if self._unsettled:
                 self._settle()
-            taken = count
-            if self._acting is not None or self._pushed is not None:
-                self._step_loaded()
-                taken = 1
-            elif not self._engine.step(count):
-                raise fault(self._engine, self._name_of)
             self._touching = None
-            self._steps += taken
-            count -= taken
+            if self._varying is None and self._pushed is None:
+                self._advance(count)
+                return
+            self._step_loaded()
+            count -= 1
+
+    def _advance(self, count: int) -> None:
+        """Take some steps, or raise `RuleError`."""
+        if (invalid := self._engine.step(count)) is not None:
+            raise invalid_state(invalid, self._engine.kind, self._name_of)
 
     def _settle(self) -> None:
-        """Give what was added its place, and see what acts on what is left."""
-        self._roster.settle()
+        """Give what was added its place, and see which loads vary on what is left."""
+        self._engine.settle()
         self._unsettled = False
-        self._acting = None
+        self._varying = None
         if self._scene is not None:
-            acting = Acting(self._scene, sorted(self._staying, key=self._roster.rank.__getitem__))
-            self._acting = None if acting.empty else acting
+            rank = self._engine.rank
+            varying = VaryingLoads(self._scene, sorted(self._staying, key=rank.__getitem__))
+            self._varying = None if varying.empty else varying
 
-    def _kept(self) -> None:
-        """Settle between steps: what touched is told before what was removed is forgotten."""
+    def _settle_between(self) -> None:
+        """Settle between steps: contacts are reported before removed bodies are forgotten."""
         if self._unsettled:
-            self._tell()
+            self._report()
             self._settle()
 
     def _step_loaded(self) -> None:
         """Take a step with loads that count for this one only."""
         engine = self._engine
-        kept = engine.world.state.load.copy()
-        if self._acting is not None:
-            engine.world.state.load += self._acting.loads(engine, self.time)
+        kept = engine.load.copy()
+        if self._varying is not None:
+            engine.load[:] += self._varying.loads(engine, self.time)
         if self._pushed is not None:
-            engine.world.state.load[: len(self._pushed)] += self._pushed
+            engine.load[: len(self._pushed)] += self._pushed
         try:
-            if not engine.step():
-                raise fault(engine, self._name_of)
-        finally:
-            engine.world.state.load[:] = kept
-        self._pushed = None
+            self._advance(1)
+        finally:  # a push that cannot be is forgotten, too
+            engine.load[:] = kept
+            self._pushed = None
 
     # -- state
 
     @property
     def time(self) -> float:
         """Since the start, s."""
-        return self._steps * self._time_step
+        return self._engine.steps * self._time_step
 
     @property
     def time_step(self) -> float:
@@ -197,39 +211,38 @@ class Simulator(Views):
 
     # -- pushing
 
+    @exclusive
     def apply_impulse(self, bodies: Bodies, impulse: object, *, at: object | None = None) -> None:
         """Change velocities by an impulse in N s, (2,) or (k, 2), for each of k bodies.
 
-        It acts at the centres of mass, or `at` points of the engine, (2,) or (k, 2), m. A body that
+        It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m. A body that
         is given twice gets it twice; what nothing can push stays as it is.
 
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
         """
         rows = self._rows(bodies)
-        add_rows(
-            self._engine.world.state.velocity,
-            rows,
-            kicks(self._engine, rows, impulse, at),
-            "impulse",
-        )
+        changes = velocity_changes(self._engine, rows, impulse, at)
+        add_rows(self._engine.velocity, rows, changes, "impulse")
 
+    @exclusive
     def apply_force(self, bodies: Bodies, force: object, *, at: object | None = None) -> None:
         """Push bodies through the next step with a force in N, (2,) or (k, 2), besides `force`.
 
-        It acts at the centres of mass, or `at` points of the engine, (2,) or (k, 2), m.
+        It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m.
 
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
         """
         rows = self._rows(bodies)
-        changes = loads(self._engine, rows, force, at)
+        changes = applied_loads(self._engine, rows, force, at)
         pushed = np.zeros((self._engine.size, 3))
         if self._pushed is not None:
             pushed[: len(self._pushed)] = self._pushed
         add_rows(pushed, rows, changes, "force")
         self._pushed = pushed
 
+    @exclusive
     def wake(self, bodies: Bodies) -> None:
         """Wake bodies that sleep, and what they touch; `asleep` tells which do.
 
@@ -243,6 +256,7 @@ class Simulator(Views):
 
     # -- adding and removing
 
+    @exclusive
     def add(
         self,
         shape: Shapes,
@@ -276,6 +290,7 @@ class Simulator(Views):
         given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
         return self._add(added_batch(DYNAMIC, shape, **given), position)
 
+    @exclusive
     def add_static(
         self,
         shape: Shapes,
@@ -293,6 +308,7 @@ class Simulator(Views):
         given = {key: value for key, value in locals().items() if key not in ("self", "shape")}
         return self._add(added_batch(STATIC, shape, **given), position)
 
+    @exclusive
     def add_kinematic(
         self,
         shape: Shapes,
@@ -313,13 +329,14 @@ class Simulator(Views):
         return self._add(added_batch(KINEMATIC, shape, **given), position)
 
     def _add(self, batch: Batch, position: object) -> Any:
-        refuse_unstated(self._engine, batch, self._name_of)
-        rows = self._roster.place(batch)
+        refuse_missing_restitution(self._engine, batch, self._name_of)
+        rows = self._engine.add(batch)
         self._look()
         self._unsettled = True
         one = len(rows) == 1 and np.ndim(position) == 1  # type: ignore[arg-type]
         return int(rows[0]) if one else rows
 
+    @exclusive
     def remove(self, bodies: Bodies) -> None:
         """Take bodies out; the indices of all others stay, and springs that held them go.
 
@@ -327,7 +344,7 @@ class Simulator(Views):
             InputError: a body is not there.
         """
         rows = np.unique(self._rows(bodies))
-        self._roster.remove(rows)
+        self._engine.remove(rows)
         if self._pushed is not None:
             self._pushed[rows[rows < len(self._pushed)]] = 0.0
         gone = set(rows.tolist())
@@ -337,33 +354,39 @@ class Simulator(Views):
 
     def index(self, name: str) -> int:
         """Return the index of a body of the scene by its name; raise `InputError` if none."""
+        if not isinstance(name, str):
+            raise RuleError(f"name: found {shown(name)}: must be a name (R1). Give a text.", "name")
         return int(self._rows(name)[0])
 
     # -- what happened
 
     @property
+    @exclusive
     def contacts(self) -> Contacts:
         """All points at which bodies pushed each other in the last step."""
-        return self._tell().contacts
+        return self._report().contacts
 
     @property
+    @exclusive
     def began(self) -> Contacts:
         """The pairs that touched in the last step and not before, each with its strongest point.
 
         Its impulse is that of all points of the pair over the step; that of a sensor is 0.
         """
-        return self._tell().began
+        return self._report().began
 
     @property
+    @exclusive
     def ended(self) -> Whole:
         """The pairs (k, 2) that touched before the last step, and not in it.
 
         What was removed is in none of them.
         """
-        return self._tell().ended
+        return self._report().ended
 
-    # -- asking
+    # -- queries
 
+    @exclusive
     def ray_cast(self, start: object, end: object, *, mask: int | None = None) -> Hits:
         """Return what rays meet first, from points to points, (2,) or (k, 2) each, m.
 
@@ -373,13 +396,16 @@ class Simulator(Views):
         Raises:
             InputError: a ray has no length, or a value breaks a rule (R4).
         """
-        return self._asked().rays(start, end, mask)
+        self._settle_between()
+        return cast_rays(self._engine, start, end, mask)
 
+    @exclusive
     def at_point(self, point: object, *, mask: int | None = None) -> Whole:
         """Return the bodies (k,) at a point (2,), m, but for sensors; `mask` as in `ray_cast`."""
-        place = one_point(point)
-        return self._asked().within(place, place, mask)
+        self._settle_between()
+        return bodies_at_point(self._engine, point, mask)
 
+    @exclusive
     def in_box(self, low: object, high: object, *, mask: int | None = None) -> Whole:
         """Return the bodies (k,) that reach into a box between two corners (2,), m.
 
@@ -388,19 +414,17 @@ class Simulator(Views):
         Raises:
             InputError: `low` is beyond `high`, or a value breaks a rule (R4).
         """
-        return self._asked().within(*box_corners(low, high), mask)
+        self._settle_between()
+        return bodies_in_box(self._engine, low, high, mask)
 
-    def _asked(self) -> Questions:
-        self._kept()
-        return self._questions
-
-    def _tell(self) -> Touching:
+    def _report(self) -> Touching:
         if self._touching is None:
-            self._touching = touching(self._engine)
+            self._touching = self._engine.contact_report()
         return self._touching
 
     # -- keeping
 
+    @exclusive
     def save(self, path: str | Path) -> None:
         """Write all of it to a file (.npz), from which `restore` goes on with the same bits.
 
@@ -410,63 +434,67 @@ class Simulator(Views):
         saving.write(Path(path), self._arrays())
 
     @classmethod
-    def restore(cls, path: str | Path) -> "Simulator":
-        """Return the simulator that was saved in a file; it goes on with the same bits.
+    def restore(cls, path: str | Path, *, compiled: bool = True) -> "Simulator":
+        """Return the simulator that was saved in a file; it continues with the same bits.
+
+        Without `compiled`, it steps in plain Python.
 
         Raises:
             RecordingError: there is no file, or it is damaged, of another kind or version.
         """
-        return _restored(saving.read(Path(path)), str(path))
+        checked_flag(compiled, "compiled")
+        return _restored(saving.read(Path(path)), str(path), compiled)
 
+    @exclusive
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self._arrays(), "pickle")
+        return _restored, (self._arrays(), "pickle", self._engine.compiled)
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
-        self._kept()
-        about = {
-            "time_step": self._time_step,
-            "substeps": self._substeps,
-            "steps": self._steps,
-            "names": self._names,
-            "staying": self._staying,
-            "scene": None if self._scene is None else scene_text(self._scene),
-        }
+        self._settle_between()
+        about = saving.About(
+            time_step=self._time_step,
+            substeps=self._substeps,
+            steps=self._engine.steps,
+            names=self._names,
+            staying=self._staying,
+            scene=None if self._scene is None else scene_text(self._scene),
+        )
         parts = {
-            "engine": self._engine.arrays(),
-            "roster": self._roster.arrays(),
-            "touching": arrays_of(self._tell()),
-            "pushed": {} if self._pushed is None else {"load": self._pushed},
+            "engine": saved_arrays(self._engine),
+            "touching": saving.touching_arrays(self._report()),
         }
         found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
-        return {"about": np.array(json.dumps(about)), **found}
+        pushed = {} if self._pushed is None else {"pushed": self._pushed}
+        return saving.sealed(about, {**found, **pushed})
 
-    def _take_over(self, arrays: Mapping[str, NDArray[Any]], where: str) -> None:
-        about = json.loads(str(arrays["about"]))
-        self._time_step, self._substeps = about["time_step"], about["substeps"]
-        self._steps, self._names, self._staying = about["steps"], about["names"], about["staying"]
-        text = about["scene"]
-        self._scene = None if text is None else read_scene(text, file=where)
-        engine = Engine(gravity=(0.0, 0.0), time_step=self._time_step, substeps=self._substeps)
-        saving.fill(engine, saving.part(arrays, "engine"), where)
+    def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
+        about, arrays = saving.opened(content, where)
+        self._time_step, self._substeps = about.time_step, about.substeps
+        self._names, self._staying = dict(about.names), about.staying
+        engine = restored_engine(
+            saving.part(arrays, "engine"),
+            time_step=about.time_step,
+            substeps=about.substeps,
+            steps=about.steps,
+            compiled=compiled,
+        )
+        self._scene = saving.scene_of(about, engine.kind, dynamic=DYNAMIC, where=where)
         self._begin(engine)
-        self._roster.take_over(saving.part(arrays, "roster"))
-        self._touching = touching_of(saving.part(arrays, "touching"))
-        self._pushed = arrays.get("pushed.load")
+        self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
+        self._pushed = saving.pushed_of(arrays, engine.size)
 
+    @exclusive
     def digest(self) -> str:
         """Return the SHA-256 of the time and of the state of all bodies, in canonical order.
 
         Equal simulators have equal digests, in whatever order they were built.
         """
-        self._kept()
-        there = np.flatnonzero(self._roster.rank >= 0)
-        order = there[np.argsort(self._roster.rank[there])]
-        total = hashlib.sha256(f"{self._steps} {self._time_step!r}".encode())
-        for values in (
-            self._engine.world.state.pose,
-            self._engine.world.state.velocity,
-            self._engine.world.state.load,
-        ):
+        self._settle_between()
+        engine = self._engine
+        there = np.flatnonzero(engine.rank >= 0)
+        order = there[np.argsort(engine.rank[there])]
+        total = hashlib.sha256(f"{self._engine.steps} {self._time_step!r}".encode())
+        for values in (engine.pose, engine.velocity, engine.load):
             total.update(np.ascontiguousarray(values[order] + 0.0).tobytes())
         return total.hexdigest()
 
@@ -474,7 +502,7 @@ class Simulator(Views):
         return f"<Simulator of {len(self)} bodies at {self.time:.6g} s>"
 
     def _rows(self, bodies: Bodies) -> Whole:
-        return selected(bodies, self._kind, self._names)
+        return selected(bodies, self._engine.kind, self._names)
 
     def _name_of(self, row: int) -> str:
         names: Mapping[int, str] = {k: name for name, k in self._names.items()}
@@ -483,31 +511,13 @@ class Simulator(Views):
         return f"body '{names[row]}'" if row in names else f"body {row}"
 
 
-def _restored(arrays: Mapping[str, NDArray[Any]], where: str) -> Simulator:
-    """Return a simulator that goes on where the one went on whose arrays they are."""
+def _restored(content: Mapping[str, NDArray[Any]], where: str, compiled: bool = True) -> Simulator:
+    """Return the simulator that was saved as arrays."""
     sim = Simulator.__new__(Simulator)
     try:
-        sim._take_over(arrays, where)
-    except (KeyError, TypeError, ValueError) as error:
+        sim._take_over(content, where, compiled)
+    except UnfitError as error:
         raise RecordingError(
-            f"{where}: {error}: it is damaged, or was saved by another version. Save it again."
+            f"{where}: {error}. It is damaged, or nobody's saved simulator. Save it again."
         ) from error
     return sim
-
-
-def _checked_flag(value: Any, key: str) -> bool:
-    if not isinstance(value, bool):
-        raise RuleError(f"{key}: found {shown(value)}: must be True or False (R4). Give one.", key)
-    return value
-
-
-def _checked_count(value: Any, key: str, least: int) -> int:
-    try:
-        count = least - 1 if isinstance(value, bool) else index(value)
-    except TypeError:
-        count = least - 1
-    if count < least:
-        raise RuleError(
-            f"{key} {shown(value)}: must be a whole number of at least {least} (R4). Give one.", key
-        )
-    return count

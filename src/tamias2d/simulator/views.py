@@ -1,13 +1,12 @@
-"""Places, velocities and loads of all bodies, as views of the arrays that the engine works on.
+"""Positions, velocities and loads of all bodies, as views of the arrays that the engine uses."""
 
-Serves: the frame loop. Hides: the columns of the engine.
-"""
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.tables import ABSENT, DYNAMIC, INVERSE_MASS, SLEEP_ID
+from tamias2d.engine.tables import ABSENT, DYNAMIC
 from tamias2d.scene.rules import RuleError, refuse_masked
 from tamias2d.state import Array
 
@@ -21,12 +20,12 @@ class Views:
 
     def _look(self) -> None:
         """Look at the arrays of the engine anew, which adding may put elsewhere."""
-        self._position = self._engine.world.state.pose[: self._engine.size, :2]
+        self._position = self._engine.pose[:, :2]
 
     @property
     def gravity(self) -> Array:
         """The same for all bodies, m/s^2: a view (2,)."""
-        return self._engine.world.control.settings[:2]
+        return self._engine.gravity
 
     @gravity.setter
     def gravity(self, value: ArrayLike) -> None:
@@ -44,7 +43,7 @@ class Views:
     @property
     def orientation(self) -> Array:
         """Counter-clockwise, unbounded, rad: a view (n,)."""
-        return self._engine.world.state.pose[: self._engine.size, 2]
+        return self._engine.pose[:, 2]
 
     @orientation.setter
     def orientation(self, value: ArrayLike) -> None:
@@ -53,7 +52,7 @@ class Views:
     @property
     def velocity(self) -> Array:
         """m/s: a view (n, 2)."""
-        return self._engine.world.state.velocity[: self._engine.size, :2]
+        return self._engine.velocity[:, :2]
 
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None:
@@ -62,7 +61,7 @@ class Views:
     @property
     def angular_velocity(self) -> Array:
         """rad/s: a view (n,)."""
-        return self._engine.world.state.velocity[: self._engine.size, 2]
+        return self._engine.velocity[:, 2]
 
     @angular_velocity.setter
     def angular_velocity(self, value: ArrayLike) -> None:
@@ -71,7 +70,7 @@ class Views:
     @property
     def force(self) -> Array:
         """Applied besides gravity until it is changed, N: a view (n, 2)."""
-        return self._engine.world.state.load[: self._engine.size, :2]
+        return self._engine.load[:, :2]
 
     @force.setter
     def force(self, value: ArrayLike) -> None:
@@ -80,7 +79,7 @@ class Views:
     @property
     def torque(self) -> Array:
         """Applied until it is changed, N m: a view (n,)."""
-        return self._engine.world.state.load[: self._engine.size, 2]
+        return self._engine.load[:, 2]
 
     @torque.setter
     def torque(self, value: ArrayLike) -> None:
@@ -88,46 +87,45 @@ class Views:
 
     @property
     def mass(self) -> Array:
-        """kg, infinite for what nothing can push: a new array (n,)."""
+        """kg, infinite for what nothing can push: a read-only copy (n,)."""
         with np.errstate(divide="ignore"):
-            return 1 / self._engine.world.state.properties[: self._engine.size, INVERSE_MASS]
+            return _read_only(1 / self._engine.inverse_mass)
 
     @property
     def present(self) -> NDArray[np.bool_]:
-        """Which rows hold a body: a new array (n,)."""
-        return np.not_equal(self._kind, ABSENT)
+        """Which rows hold a body: a read-only copy (n,)."""
+        return _read_only(np.not_equal(self._engine.kind, ABSENT))
 
     @property
     def dynamic(self) -> NDArray[np.bool_]:
-        """Which rows hold a body that can be pushed: a new array (n,)."""
-        return np.equal(self._kind, DYNAMIC)
+        """Which rows hold a body that can be pushed: a read-only copy (n,)."""
+        return _read_only(np.equal(self._engine.kind, DYNAMIC))
 
     @property
     def asleep(self) -> NDArray[np.bool_]:
-        """Which bodies sleep: a new array (n,)."""
-        night: NDArray[np.int64] = self._engine.world.islands.links[
-            self._engine.world.state.slot_of_body[: self._engine.size], SLEEP_ID
-        ]
-        return np.greater(night, 0)
-
-    @property
-    def _kind(self) -> NDArray[np.int8]:
-        return self._engine.world.state.kind[: self._engine.size]
+        """Which bodies sleep: a read-only copy (n,)."""
+        return _read_only(self._engine.asleep)
 
     def __len__(self) -> int:
         """How many bodies there are."""
-        return int(np.count_nonzero(self._kind))
+        return int(np.count_nonzero(self._engine.kind))
 
 
 def _write(view: Array, value: ArrayLike, key: str) -> None:
-    """Write into a view, or raise `RuleError`; what is not finite the next step finds."""
+    """Write into a view, or raise `RuleError`; the next step finds what is not finite."""
     refuse_masked(value, "the simulator", "Fill it.", at=(key,))
     try:
         view[...] = value
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         found = getattr(value, "shape", type(value).__name__)
         raise RuleError(
             f"{key.replace('_', ' ')} of the simulator: found {found}: must be numbers of shape "
             f"{view.shape} (R4). Give them all, or write into a part of the view.",
             key,
         ) from None
+
+
+def _read_only(values: NDArray[Any]) -> NDArray[Any]:
+    """Return an array, a copy, so that writing into it is refused and not lost."""
+    values.flags.writeable = False
+    return values

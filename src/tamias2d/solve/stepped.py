@@ -8,7 +8,7 @@ import numpy as np
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.motion import Stepped, Tally
 from tamias2d.run import Impacts, Run
-from tamias2d.simulator import Frames, Overlap
+from tamias2d.simulator import Overlap, Stepper
 from tamias2d.solve.assembly import cost_of, run_of
 from tamias2d.solve.finite import range_error
 from tamias2d.solve.following import Interrupted, follow
@@ -20,39 +20,39 @@ def run_by_steps(plan: Plan, method: Stepped, *, progress: bool) -> Run:
 
     Raises as `solve` does; the error's `run` is the history up to there.
     """
-    frames = Frames(
+    stepper = Stepper(
         plan.scene,
         time_step=plan.time_step or plan.duration,
         substeps=method.substeps,
         times=plan.times,
     )
     try:
-        follow(frames, plan.duration, progress=progress)
+        follow(stepper, plan.duration, progress=progress)
     except InputError:  # the plan is sound: a number went beyond float64 on the way
-        raise range_error(f"run at {frames.time!r} s: a number", frames.time) from None
+        raise range_error(f"run at {stepper.time!r} s: a number", stepper.time) from None
     except SimulationError as fault:
-        fault.run = _reached(plan, frames)  # type: ignore[attr-defined]
+        fault.run = _reached(plan, stepper)  # type: ignore[attr-defined]
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_reached(plan, frames)) from None
-    return _reached(plan, frames)
+        raise Interrupted(_reached(plan, stepper)) from None
+    return _reached(plan, stepper)
 
 
-def _reached(plan: Plan, frames: Frames) -> Run:
+def _reached(plan: Plan, stepper: Stepper) -> Run:
     """Return the run up to the step that was reached, with what is known of its error."""
-    history = frames.history()
+    history = stepper.history()
     plan = plan._replace(times=plan.times[: len(history.position)])
-    tally = Tally(steps=frames.steps, force_evaluations=frames.steps)
-    run = run_of(plan, history, _impacts(frames), (), tally)
+    tally = Tally(steps=stepper.steps, force_evaluations=stepper.steps)
+    run = run_of(plan, history, _impacts(stepper), (), tally)
     names = [body.name for body in plan.scene.bodies]
     notes = (
-        f"contacts: told at the ends of steps; {frames.contacts} points pushed, over all steps",
-        _overlap(frames.deepest, names),
+        f"contacts: told at the ends of steps; {stepper.contacts} points pushed, over all steps",
+        _overlap(stepper.deepest, names),
         f"energy: {run.energy[0]:.6g} J at first, {run.energy[-1]:.6g} J at last, "
         f"never more than {run.energy.max():.6g} J",
         "error: not bounded; `certify` finds how much shorter steps change",
     )
-    cost = cost_of(run.impacts, tally, contacts=frames.contacts)
+    cost = cost_of(run.impacts, tally, contacts=stepper.contacts)
     return replace(run, notes=run.notes + notes, cost=cost)
 
 
@@ -66,14 +66,16 @@ def _overlap(deepest: Overlap | None, names: Sequence[str]) -> str:
     )
 
 
-def _impacts(frames: Frames) -> Impacts:
+def _impacts(stepper: Stepper) -> Impacts:
     """Return the pairs that began to touch, at the end of the step in which they did."""
-    met = [one.contacts for one in frames.met]
+    met = [one.contacts for one in stepper.met]
     return Impacts(
-        time=np.repeat([one.time for one in frames.met], [len(one) for one in met]),
+        time=np.repeat([one.time for one in stepper.met], [len(one) for one in met]),
         bodies=np.concatenate([np.zeros((0, 2), np.int64), *(one.bodies for one in met)]),
         point=np.concatenate([np.zeros((0, 2)), *(one.point for one in met)]),
         normal=np.concatenate([np.zeros((0, 2)), *(one.normal for one in met)]),
         impulse=np.concatenate([np.zeros(0), *(one.impulse for one in met)]),
-        normal_velocity=np.concatenate([np.zeros(0), *(one.normal_velocity for one in frames.met)]),
+        normal_velocity=np.concatenate(
+            [np.zeros(0), *(one.normal_velocity for one in stepper.met)]
+        ),
     )

@@ -49,6 +49,7 @@ from tamias2d.engine.tables import (
     SLEEP_STEPS,
     STAGE,
     STATIC,
+    STEPS_TAKEN,
     UNIFORM,
     Bodies,
     BodyState,
@@ -95,6 +96,7 @@ def integrate_ballistic(world: World, steps: int) -> int:
         store_all_mixed(world.state, chunks)
         for _ in range(steps):
             move_frame(broad_phase)
+        control.counts[STEPS_TAKEN] += steps
     return steps
 
 

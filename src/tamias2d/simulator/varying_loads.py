@@ -1,8 +1,7 @@
 """Loads that vary with time or state: evaluated at the start of each step, and held through it.
 
-Serves: simulators of scenes with laws, springs, attraction, fields or quadratic drag. Hides: the
-terms, and in which rows their bodies are. What is held over a step makes the answer one of first
-order in the time step. Constant loads, gravity and linear drag are not here: the engine has them.
+Laws, springs, attraction, fields and quadratic drag vary. What is held over a step makes the answer
+one of first order in the time step. The engine itself has constant loads, gravity and linear drag.
 """
 
 from collections.abc import Sequence
@@ -18,8 +17,8 @@ from tamias2d.scene.acting import varying_laws
 from tamias2d.state import Array
 
 
-class Acting:
-    """What acts on the bodies of a scene that are still there, given by rows in some order."""
+class VaryingLoads:
+    """The loads on the bodies of a scene that are still there, given by rows in some order."""
 
     def __init__(self, scene: Scene, rows: Sequence[int]) -> None:
         """Take those that are there, in canonical order, so that no sum depends on another one."""
@@ -30,16 +29,16 @@ class Acting:
 
     @property
     def empty(self) -> bool:
-        """Whether nothing acts that varies."""
+        """Whether no load varies."""
         return not self._terms
 
     def loads(self, engine: Engine, time: float) -> Array:
-        """Return what acts on the bodies of a engine at a time, s: forces and torques (n+1, 3).
+        """Return the forces and torques (n, 3) on the bodies of an engine at a time, s.
 
         Raises:
             SimulationError: a force is not finite; names it and a body.
         """
-        place, rate = engine.world.state.pose[self._rows], engine.world.state.velocity[self._rows]
+        place, rate = engine.pose[self._rows], engine.velocity[self._rows]
         held = np.zeros_like(place)
         with np.errstate(all="ignore"):
             for term in self._terms:
@@ -51,13 +50,13 @@ class Acting:
                         f"'{name}' (R4): bodies are at one place, or float64 cannot hold it. "
                         "Move it, or change the scene."
                     )
-        loads = np.zeros_like(engine.world.state.load)
+        loads = np.zeros_like(engine.load)
         loads[self._rows] = held
         return loads
 
 
 def _terms(scene: Scene, rows: Sequence[int]) -> list[Term]:
-    """Return what acts; a spring is there while its bodies are."""
+    """Return the terms of the loads; a spring is there while its bodies are."""
     dynamic = [row for row in rows if scene.bodies[row].dynamic]
     place = {row: k for k, row in enumerate(rows)}
     found: list[Term] = [

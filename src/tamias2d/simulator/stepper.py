@@ -1,8 +1,4 @@
-"""A scene followed step by step: its states at given times, and what began to touch.
-
-Serves: `simulate`, where it goes through contacts by steps. Hides: how states between the ends of
-two steps are told, and how deep bodies overlapped.
-"""
+"""A scene followed step by step: its states at given times, and what began to touch."""
 
 import math
 from collections.abc import Callable
@@ -10,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tamias2d.engine.contact_report import Contacts
 from tamias2d.generated import impact
 from tamias2d.scene import Scene
-from tamias2d.simulator.contacts import Contacts
 from tamias2d.simulator.simulator import Simulator
 from tamias2d.state import Array, History
 
@@ -41,7 +37,7 @@ class Met(NamedTuple):
     """(m,), as the step began, m/s"""
 
 
-class Frames:
+class Stepper:
     """A scene on its way by steps: `go` to the end, then read what there was.
 
     The state at the end of a step is the engine's; between two ends all of it changes linearly.

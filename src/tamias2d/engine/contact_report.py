@@ -1,22 +1,22 @@
-"""What touched in the last step: contacts, and pairs that began or ceased to touch.
+"""The contact report: what touched in the last step, and which pairs began or ceased to touch.
 
-Serves: games that play sounds or count hits. Hides: where the engine keeps impulses. What goes so
-far in a step that it is stopped where it meets something met it *in flight*.
+A body that goes so far in a step that it is stopped where it meets another met it *in flight*.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tamias2d.engine.engine import Engine
+from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     BUFFER,
     CONTACTS,
     GAP,
     IMPACT_NORMAL,
+    IS_TOUCHING,
     NX,
     NY,
     POINT,
@@ -27,6 +27,7 @@ from tamias2d.engine.tables import (
     SLOT_B,
     TOTAL_IMPULSE,
     TOUCHES,
+    WAS_TOUCHING,
     WORLD_POINT,
 )
 from tamias2d.state import Array
@@ -63,7 +64,7 @@ class _Points(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Touching:
-    """What touched in a step, and what did not before."""
+    """What touched in a step, and which pairs did not before or do not any more."""
 
     contacts: Contacts
     began: Contacts
@@ -72,64 +73,42 @@ class Touching:
     """(k, 2), indices of bodies"""
 
 
-def arrays_of(told: Touching) -> dict[str, NDArray[Any]]:
-    """Return all of it as arrays by name."""
-    points = {"contacts": told.contacts, "began": told.began}
-    return {"ended": told.ended} | {
-        f"{which}.{field.name}": getattr(found, field.name)
-        for which, found in points.items()
-        for field in fields(Contacts)
-    }
-
-
-def touching_of(arrays: Mapping[str, NDArray[Any]]) -> Touching:
-    """Return what `arrays_of` was given."""
-    contacts, began = (
-        Contacts(**{field.name: arrays[f"{which}.{field.name}"] for field in fields(Contacts)})
-        for which in ("contacts", "began")
-    )
-    return Touching(contacts=contacts, began=began, ended=arrays["ended"])
-
-
-def touching(engine: Engine) -> Touching:
-    """Return what touched in the last step of a engine."""
-    side, size = (
-        int(engine.world.broad_phase.counts[BUFFER]),
-        int(engine.world.broad_phase.counts[CONTACTS]),
-    )
-    noted = engine.world.buffers.flags[side, :size, TOUCHES]
-    rows = np.flatnonzero(noted)
-    bodies = engine.world.state.body_of_slot[
-        engine.world.buffers.pairs[side, rows, SLOT_A : SLOT_B + 1]
-    ].astype(np.int64)
-    code = bodies.min(axis=1) * len(engine.world.state.pose) + bodies.max(axis=1)
-    now, before = (np.unique(code[noted[rows] & bit != 0]) for bit in (1, 2))
-    touch = engine.world.buffers.manifolds[side, rows]
-    count = engine.world.buffers.flags[side, rows, POINT_COUNT].astype(np.int64)
-    pushed = _pushed(touch, count, noted[rows].astype(np.int64))
-    sensed = np.setdiff1d(np.flatnonzero(noted[rows] & 1), pushed.pair)
-    found = _Points(
+def contact_report(store: Store) -> Touching:
+    """Return what touched in the last step."""
+    state, buffers, counts = store.world.state, store.world.buffers, store.world.broad_phase.counts
+    side, size = int(counts[BUFFER]), int(counts[CONTACTS])
+    rows = np.flatnonzero(buffers.flags[side, :size, TOUCHES])
+    flags, found = buffers.flags[side, rows].astype(np.int64), buffers.manifolds[side, rows]
+    bodies = state.body_of_slot[buffers.pairs[side, rows, SLOT_A : SLOT_B + 1]].astype(np.int64)
+    code = bodies.min(axis=1) * len(state.pose) + bodies.max(axis=1)
+    bits = flags[:, TOUCHES]
+    now, before = (np.unique(code[bits & bit != 0]) for bit in (IS_TOUCHING, WAS_TOUCHING))
+    count = flags[:, POINT_COUNT]
+    pushed = _pushed(found, count, bits)
+    sensed = np.setdiff1d(np.flatnonzero(bits & IS_TOUCHING), pushed.pair)
+    points = _Points(
         np.concatenate((pushed.pair, sensed)),
         np.concatenate((pushed.number, np.zeros_like(sensed))),
         np.concatenate((pushed.impulse, np.zeros(len(sensed)))),
     )
-    touch[sensed, WORLD_POINT : WORLD_POINT + 2] = (
-        engine.world.state.pose[bodies[sensed, 0], :2] + touch[sensed, PX : PY + 1]
+    found[sensed, WORLD_POINT : WORLD_POINT + 2] = (
+        state.pose[bodies[sensed, 0], :2] + found[sensed, PX : PY + 1]
     )
-    begun = _strongest(found, code, np.setdiff1d(now, before))
+    begun = _strongest(points, code, np.setdiff1d(now, before))
     ended = np.flatnonzero(np.isin(code, np.setdiff1d(before, now)))
+    ended = np.sort(ended[np.unique(code[ended], return_index=True)[1]])
     return Touching(
-        contacts=_contacts(bodies, touch, count, pushed),
-        began=_contacts(bodies, touch, count, begun),
-        ended=bodies[np.sort(ended[np.unique(code[ended], return_index=True)[1]])],
+        contacts=_contacts(bodies, found, count, pushed),
+        began=_contacts(bodies, found, count, begun),
+        ended=_read_only(bodies[ended]),
     )
 
 
-def _pushed(touch: Array, count: Whole, noted: Whole) -> _Points:
+def _pushed(touch: Array, count: Whole, bits: Whole) -> _Points:
     """Return all points that were pushed, in the order of the pairs; in flight a pair has one."""
     total = touch[:, [TOTAL_IMPULSE, TOTAL_IMPULSE + POINT]]
     there = np.arange(2) < np.maximum(count, 1)[:, None]
-    pair, number = np.nonzero(there & (total > 0.0) & (noted & 1 != 0)[:, None])
+    pair, number = np.nonzero(there & (total > 0.0) & (bits & IS_TOUCHING != 0)[:, None])
     return _Points(pair, number, total[pair, number])
 
 
@@ -147,7 +126,7 @@ def _strongest(found: _Points, code: Whole, wanted: Whole) -> _Points:
 
 
 def _contacts(bodies: Whole, touch: Array, count: Whole, points: _Points) -> Contacts:
-    """Return where points are and what they did."""
+    """Return where points are, and their impulses."""
     pair, number, impulse = points
     flown = count[pair] == 0
     row = touch[pair]
@@ -156,10 +135,17 @@ def _contacts(bodies: Whole, touch: Array, count: Whole, points: _Points) -> Con
     normal = np.where(
         flown[:, None], row[:, IMPACT_NORMAL : IMPACT_NORMAL + 2], row[:, NX : NY + 1]
     )
-    return Contacts(
-        bodies=bodies[pair],
-        point=np.column_stack((row[at, place], row[at, place + 1])),
-        normal=normal,
-        impulse=impulse,
-        separation=np.where(flown, 0.0, row[at, GAP + POINT * number]),
-    )
+    point = np.column_stack((row[at, place], row[at, place + 1]))
+    separation = np.where(flown, 0.0, row[at, GAP + POINT * number])
+    return contacts_of((bodies[pair], point, normal, impulse, separation))
+
+
+def contacts_of(columns: Iterable[NDArray[Any]]) -> Contacts:
+    """Return the contacts with these columns, in the order of the fields; they become read-only."""
+    names = (field.name for field in fields(Contacts))
+    return Contacts(**{n: _read_only(values) for n, values in zip(names, columns, strict=True)})
+
+
+def _read_only(values: NDArray[Any]) -> NDArray[Any]:
+    values.flags.writeable = False
+    return values

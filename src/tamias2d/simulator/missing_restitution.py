@@ -1,7 +1,4 @@
-"""No pair that can meet is without a restitution (R3).
-
-Serves: adding bodies. Hides: how pairs are sought without looking at all of them.
-"""
+"""No pair that can meet is without a restitution (R3); bodies alike are looked at once."""
 
 from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations_with_replacement, product
@@ -10,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.batch import Batch
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.tables import ABSENT, CATEGORY, DYNAMIC, GROUP, MASK, RESTITUTION, SENSOR
+from tamias2d.engine.tables import DYNAMIC, SENSOR
 from tamias2d.errors import SceneError
 from tamias2d.scene.filters import may_touch
-from tamias2d.simulator.batch import Batch
 
 Whole = NDArray[np.int64]
 
@@ -28,7 +25,7 @@ class _Class(NamedTuple):
     group: int
 
 
-def refuse_unstated(
+def refuse_missing_restitution(
     engine: Engine,
     batch: Batch,
     named: Callable[[int], str],
@@ -44,7 +41,7 @@ def refuse_unstated(
     if not new:
         return
     groups: dict[_Class, list[int]] = {}
-    for row, what in (*_there(engine), *new):
+    for row, what in (*_present(engine), *new):
         groups.setdefault(what, []).append(row)
     for one, other in combinations_with_replacement(groups, 2):
         if not (may_touch(one, other) and (one.dynamic or other.dynamic)):
@@ -66,13 +63,10 @@ def _new(batch: Batch, first: int) -> Iterator[tuple[int, _Class]]:
             yield first + k, _Class(dynamic, *batch.filters[k, :SENSOR].tolist())
 
 
-def _there(engine: Engine) -> Iterator[tuple[int, _Class]]:
-    kind = engine.world.state.kind[engine.world.state.body_of_shape]
-    silent = (engine.world.shapes.material[:, RESTITUTION] < 0.0) & (
-        engine.world.shapes.filters[:, SENSOR] == 0
-    )
-    slots = np.flatnonzero(silent & (kind != ABSENT))
-    rows, which = np.unique(engine.world.state.body_of_shape[slots], return_index=True)
-    columns = engine.world.shapes.filters[slots[which]][:, [CATEGORY, MASK, GROUP]]
-    for row, filters in zip(rows.tolist(), columns.tolist(), strict=True):
-        yield row, _Class(int(engine.world.state.kind[row] == DYNAMIC), *filters)
+def _present(engine: Engine) -> Iterator[tuple[int, _Class]]:
+    owner, surface, filters = engine.surfaces()
+    silent = np.flatnonzero((surface[:, 1] < 0.0) & (filters[:, SENSOR] == 0))
+    rows, which = np.unique(owner[silent], return_index=True)
+    columns = filters[silent[which], :SENSOR]
+    for row, numbers in zip(rows.tolist(), columns.tolist(), strict=True):
+        yield row, _Class(int(engine.kind[row] == DYNAMIC), *numbers)

@@ -1,13 +1,9 @@
-"""What impulses and forces at points do to bodies (IM2, IM3).
-
-Serves: `apply_impulse` and `apply_force`. Hides: how a push becomes a change of a row.
-"""
+"""Impulses and forces that are applied at points, as changes of a body's row (IM2, IM3)."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.tables import INVERSE_INERTIA, INVERSE_MASS
 from tamias2d.generated import definitions, impact
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.columns import vectors
@@ -17,24 +13,24 @@ Whole = NDArray[np.int64]
 _OF = "the bodies"
 
 
-def kicks(engine: Engine, rows: Whole, impulse: object, at: object) -> Array:
+def velocity_changes(engine: Engine, rows: Whole, impulse: object, at: object) -> Array:
     """Return the changes of velocity and angular velocity (k, 3) by impulses, N s, at points."""
     remedy = "Give (x, y) in N s."
     given = vectors(impulse, "impulse", _OF, remedy, count=len(rows), symbol="impulse_vector")
-    push, body = _pair(given), engine.world.state.properties[rows]
+    push = _pair(given)
     changes = np.zeros((len(rows), 3))
     arms = _arms(engine, rows, at)
     with np.errstate(all="ignore"):  # what overflows is refused
         changes[:, 0], changes[:, 1] = impact.velocity_b_after(
-            (0.0, 0.0), 1.0, push, body[:, INVERSE_MASS]
+            (0.0, 0.0), 1.0, push, engine.inverse_mass[rows]
         )
         changes[:, 2] = impact.angular_velocity_b_after(
-            0.0, 1.0, arms, push, body[:, INVERSE_INERTIA]
+            0.0, 1.0, arms, push, engine.inverse_inertia[rows]
         )
     return changes
 
 
-def loads(engine: Engine, rows: Whole, force: object, at: object) -> Array:
+def applied_loads(engine: Engine, rows: Whole, force: object, at: object) -> Array:
     """Return the loads (k, 3), N and N m, by forces at points."""
     push = vectors(force, "force", _OF, "Give (x, y) in N.", count=len(rows), symbol="force")
     arms = _arms(engine, rows, at)
@@ -66,9 +62,9 @@ def _arms(engine: Engine, rows: Whole, at: object) -> tuple[Array, Array]:
     """Return the arms from centres of mass to points, m; 0 where no point is given."""
     if at is None:
         return np.zeros(len(rows)), np.zeros(len(rows))
-    remedy = "Give points of the engine (x, y) in m."
+    remedy = "Give points of the world (x, y) in m."
     points = vectors(at, "at", _OF, remedy, count=len(rows), symbol="position")
-    return _pair(points - engine.world.state.pose[rows, :2])
+    return _pair(points - engine.pose[rows, :2])
 
 
 def _pair(rows: Array) -> tuple[Array, Array]:

@@ -1,0 +1,352 @@
+"""The body pool: which rows hold which bodies and shapes, and their canonical order.
+
+The row of a body is its index, and stays it. Bodies are ordered by when they first take part in a
+step, and those that do so together by where and what they are, number by number: the order of
+adding changes nothing. The order goes along the x axis in strips, and in each of them upwards;
+bodies and shapes lie in it where the engine works. Bodies that are equal in all of it can be
+swapped without a difference.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.batch import UNSTATED, Batch
+from tamias2d.engine.propagators import Propagators
+from tamias2d.engine.shape_rows import ShapeRow, numbers_of, shape_rows
+from tamias2d.engine.store import Store
+from tamias2d.engine.tables import (
+    ABSENT,
+    BOUNDING_RADIUS,
+    BUFFER,
+    CONTACTS,
+    CORE_RADIUS,
+    FIRST_RUN,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    MIN_EXTENT,
+    POINT_COUNT,
+    PROPAGATOR,
+    RANK,
+    SHAPE_OF_RANK,
+    SLEEP_ID,
+    SLOT_A,
+    SLOT_B,
+    SLOW_STEPS,
+    X,
+    Y,
+)
+from tamias2d.state import Array
+
+Whole = NDArray[np.int64]
+STRIP = 4.0  # median bounding radii of bodies: the width of a strip of the canonical order
+
+
+class BodyPool:
+    """The taken and the free rows of an engine."""
+
+    def __init__(self, store: Store, rank: Whole) -> None:
+        """Find what a store holds; bodies have ranks (n,), -1 where absent."""
+        self.store = store
+        self.rank = rank
+        """(n,), place of each body in the canonical order; -1 for one that is absent or new"""
+        state, shapes = store.world.state, store.world.shapes
+        self._shapes = int(np.count_nonzero(shapes.vertex_count))  # rows ever taken
+        self._vertices = int(shapes.vertex_count.sum())
+        absent = np.flatnonzero(state.kind[: store.size] == ABSENT)
+        self._free: list[int] = absent[::-1].tolist()
+        self._free_shapes: dict[int, list[int]] = {}  # by their number of vertices
+        self._free_rows(np.flatnonzero(state.body_of_shape[: self._shapes] == self._idle))
+        self._order = self._ranked_shapes()
+        self._new: dict[int, int] = {}  # bodies without a rank, and the numbers of their forms
+        self._placed: list[int] = []  # shapes of such bodies, of each in their order
+        self._form_number: dict[tuple[float, ...], int] = {}  # as they came, since all had ranks
+        self._leaving = np.zeros(0, dtype=np.int64)  # removed since the pool was settled
+        self._propagators = Propagators(store)
+
+    def add(self, batch: Batch) -> Whole:
+        """Add the bodies of a batch, and return their rows (k,)."""
+        rows = self._take(len(batch))
+        state = self.store.world.state
+        state.pose[rows], state.velocity[rows], state.load[rows] = (
+            batch.pose,
+            batch.motion,
+            batch.load,
+        )
+        state.properties[rows, INVERSE_MASS] = 1 / batch.mass
+        state.properties[rows, INVERSE_INERTIA] = 1 / batch.inertia
+        state.kind[rows] = batch.kind
+        self._propagators.assign(rows, batch.drag_rates)
+        self._add_shapes(batch, rows)
+        self.store.forget_pairs()
+        return rows
+
+    def remove(self, rows: Whole) -> None:
+        """Take bodies out; their rows are free once the pool is settled, all others stay."""
+        self.store.world.state.kind[rows] = ABSENT
+        self._leaving = np.concatenate((self._leaving, rows))
+        for row in rows.tolist():
+            self._new.pop(row, None)
+
+    def override_pairs(
+        self,
+        friction: Mapping[tuple[int, int], float],
+        restitution: Mapping[tuple[int, int], float],
+    ) -> None:
+        """Set the friction and restitution of pairs of bodies, given by rows."""
+        rows = [
+            (*sorted((s, t)), friction.get(pair, UNSTATED), restitution.get(pair, UNSTATED))
+            for pair in sorted({*friction, *restitution})
+            for s in self._shapes_of(pair[0])
+            for t in self._shapes_of(pair[1])
+        ]
+        self.store.set_pair_overrides(_by_shapes(np.array(rows, dtype=np.float64).reshape(-1, 4)))
+        self.store.forget_pairs()
+
+    def settle(self) -> None:
+        """Let go of what was removed, and give all that is new its rank."""
+        if not (len(self._leaving) or self._new):
+            return
+        new, gone = np.array(list(self._new), dtype=np.int64), self._leaving
+        if len(gone):
+            self._let_go(gone)
+            self._leaving = gone[:0]
+            self._propagators.forget_unused()
+        if len(new):
+            self._assign_ranks(new)
+        self._new.clear()
+        self._placed.clear()  # what was removed before it was settled is here, too
+        self._form_number.clear()
+        self.store.copy_to_slots(np.concatenate((gone, new)))
+        self.publish_order()
+        self.store.forget_pairs()
+
+    def publish_order(self) -> None:
+        """Tell the engine the order of its shapes; those without a body come last."""
+        canonical = self.store.world.broad_phase.canonical
+        rest = np.ones(canonical.shape[1], dtype=bool)
+        rest[self._order] = False
+        canonical[SHAPE_OF_RANK] = np.concatenate((self._order, np.flatnonzero(rest)))
+        canonical[RANK, canonical[SHAPE_OF_RANK]] = np.arange(len(rest))
+
+    def wake(self, rows: NDArray[np.integer]) -> None:
+        """Wake bodies that sleep, with their islands."""
+        links = self.store.world.islands.links
+        asleep = links[self.store.world.state.slot_of_body[rows], SLEEP_ID]
+        woken = np.isin(links[:, SLEEP_ID], asleep[asleep > 0])
+        links[woken, SLEEP_ID] = links[woken, SLOW_STEPS] = 0
+
+    # -- rows
+
+    @property
+    def _idle(self) -> int:
+        return self.store.rooms.slots - 1
+
+    def _take(self, count: int) -> Whole:
+        """Return rows for so many bodies, freed ones first."""
+        store = self.store
+        used = [self._free.pop() for _ in range(min(count, len(self._free)))]
+        more = count - len(used)
+        store.make_room(more)
+        rows = np.array([*used, *range(store.size, store.size + more)], dtype=np.int64)
+        store.size += more
+        self.rank = np.concatenate((self.rank, np.full(more, -1)))
+        return rows
+
+    def _take_shape(self, vertices: int) -> int:
+        """Return a row for a shape with so many vertices."""
+        if self._free_shapes.get(vertices):
+            return self._free_shapes[vertices].pop()
+        row, shapes = self._shapes, self.store.world.shapes
+        shapes.first[row], shapes.vertex_count[row] = self._vertices, vertices
+        self._shapes += 1
+        self._vertices += vertices
+        return row
+
+    def _add_shapes(self, batch: Batch, rows: Whole) -> None:
+        made = {shape: shape_rows(shape) for shape in dict.fromkeys(batch.shapes)}
+        known = self._form_number
+        form = {s: known.setdefault(numbers_of(found), len(known)) for s, found in made.items()}
+        self._new.update((row, form[s]) for row, s in zip(rows.tolist(), batch.shapes, strict=True))
+        owner = [k for k, shape in enumerate(batch.shapes) for _ in made[shape]]
+        found = [part for shape in batch.shapes for part in made[shape]]
+        if not found:
+            return
+        vertices = sum(len(part.vertices) for part in found)
+        self.store.make_shape_room(self._shapes + len(found), self._vertices + vertices)
+        places = np.array([self._take_shape(len(part.vertices)) for part in found])
+        self._placed += places.tolist()
+        self.store.world.state.body_of_shape[places] = rows[owner]
+        self._write_shapes(places, found)
+        shapes = self.store.world.shapes
+        radii = [(part.bounding_radius, part.inradius) for part in found]
+        surfaces = np.stack((batch.friction[owner], batch.restitution[owner]), axis=1)
+        shapes.material[places] = np.hstack((surfaces, radii))
+        shapes.filters[places] = batch.filters[owner]
+        self._note_extents(rows, rows[owner], found)
+
+    def _write_shapes(self, places: Whole, found: Sequence[ShapeRow]) -> None:
+        shapes = self.store.world.shapes
+        shapes.kind[places] = [part.kind for part in found]
+        shapes.radius[places] = [part.radius for part in found]
+        vertices = self._vertices_of(places)
+        shapes.local_vertices[vertices] = np.concatenate([part.vertices for part in found])
+        shapes.world_vertices[vertices] = shapes.local_vertices[vertices]
+
+    def _vertices_of(self, places: Whole) -> Whole:
+        """Return the rows of the vertices of shapes, shape by shape."""
+        shapes = self.store.world.shapes
+        count = shapes.vertex_count[places].astype(np.int64)
+        within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+        rows: Whole = np.repeat(shapes.first[places], count) + within
+        return rows
+
+    def _note_extents(self, rows: Whole, owner: Whole, found: Sequence[ShapeRow]) -> None:
+        """Note how large bodies are; `owner` has the row of the body of each shape."""
+        properties = self.store.world.state.properties
+        reach = np.array([part.bounding_radius for part in found])
+        bounded = np.isfinite(reach)
+        np.maximum.at(properties[:, BOUNDING_RADIUS], owner[bounded], reach[bounded])
+        properties[rows, MIN_EXTENT] = np.inf
+        np.minimum.at(properties[:, MIN_EXTENT], owner, [part.min_extent for part in found])
+        np.maximum.at(properties[:, CORE_RADIUS], owner, [part.core_radius for part in found])
+
+    def _shapes_of(self, row: int) -> list[int]:
+        found: list[int] = np.flatnonzero(self.store.world.state.body_of_shape == row).tolist()
+        return found
+
+    # -- removing
+
+    def _let_go(self, rows: Whole) -> None:
+        self._drop_pairs(rows)
+        state = self.store.world.state
+        gone = np.isin(state.body_of_shape, rows)
+        self._free_rows(np.flatnonzero(gone))
+        state.body_of_shape[gone] = self._idle
+        self._order = self._order[~gone[self._order]]
+        self.store.clear(rows)
+        self.rank[rows] = -1
+        self._free = sorted({*self._free, *rows.tolist()}, reverse=True)
+
+    def _free_rows(self, rows: Whole) -> None:
+        """Free rows of shapes: the lowest is taken first, whatever the order of freeing."""
+        count = self.store.world.shapes.vertex_count
+        for row in rows.tolist():
+            self._free_shapes.setdefault(int(count[row]), []).append(row)
+        for free in self._free_shapes.values():
+            free.sort(reverse=True)
+
+    def _drop_pairs(self, rows: Whole) -> None:
+        """Take the pairs of bodies out of the list, and their overrides; wake the other bodies."""
+        world = self.store.world
+        counts, buffers = world.broad_phase.counts, world.buffers
+        side, size = counts[BUFFER], counts[CONTACTS]
+        owner = world.state.body_of_slot[buffers.pairs[side, :size, SLOT_A : SLOT_B + 1]]
+        left = np.isin(owner, rows).any(axis=1)
+        self.wake(owner[left & (buffers.flags[side, :size, POINT_COUNT] > 0)].ravel())
+        kept = np.flatnonzero(~left)
+        for values in (buffers.pairs, buffers.manifolds, buffers.flags):
+            values[side, : len(kept)] = values[side, kept]
+        counts[FIRST_RUN] = np.count_nonzero(kept < counts[FIRST_RUN])
+        counts[CONTACTS] = len(kept)
+        overrides = world.shapes.pair_overrides
+        owner = world.state.body_of_shape[overrides[:, :2].astype(np.int64)]
+        self.store.set_pair_overrides(overrides[~np.isin(owner, rows).any(axis=1)])
+
+    # -- canonical order
+
+    def _ranked_shapes(self) -> Whole:
+        """Return the shapes of bodies that have a rank, in canonical order."""
+        owner = self.store.world.state.body_of_shape
+        rank = np.concatenate((self.rank, np.full(len(self.store.world.state.kind), -1)))[owner]
+        found = np.flatnonzero(rank >= 0)
+        return found[np.argsort(rank[found], kind="stable")]
+
+    def _assign_ranks(self, rows: Whole) -> None:
+        """Order new bodies by what and where they are, and give them and their shapes places."""
+        store, state = self.store, self.store.world.state
+        new = np.zeros(len(state.pose), dtype=bool)
+        new[rows] = True
+        owned = np.array(self._placed, dtype=np.int64)
+        owned = owned[new[state.body_of_shape[owned]]]
+        sequence = rows[np.lexsort(self._keys(rows, owned)[::-1])]
+        first = int(self.rank.max(initial=-1)) + 1
+        self.rank[sequence] = np.arange(first, first + len(rows))
+        store.assign_slots(sequence, np.sort(state.slot_of_body[rows]))
+        self._arrange_shapes(
+            owned[np.argsort(self.rank[state.body_of_shape[owned]], kind="stable")]
+        )
+        self._order = np.concatenate((self._order, np.sort(owned)))
+
+    def _keys(self, rows: Whole, owned: Whole) -> list[Array]:
+        """Return by what bodies are ordered, the first first; `owned` are their shapes."""
+        world = self.store.world
+        state, shapes = world.state, world.shapes
+        first = np.full(len(state.pose), -1)
+        first[state.body_of_shape[owned][::-1]] = owned[::-1]
+        properties = state.properties[rows]
+        tables = (
+            state.pose[rows],
+            state.velocity[rows],
+            state.load[rows],
+            properties[:, :PROPAGATOR],
+            world.bodies.propagators[properties[:, PROPAGATOR].astype(np.int64)],
+            np.concatenate((shapes.material, np.zeros((1, 4))))[first[rows]],
+            np.concatenate((shapes.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]],
+        )
+        columns = [column for table in tables for column in table.T]
+        return [
+            state.kind[rows],
+            self._strips(rows),
+            state.pose[rows, Y],
+            *columns,
+            self._forms(),
+        ]
+
+    def _strips(self, rows: Whole) -> Array:
+        """Return in which strip of the x axis each body is, all some bodies wide.
+
+        Bodies that are near each other are so in the order, too, and thus in memory.
+        """
+        state = self.store.world.state
+        reach = state.properties[rows, BOUNDING_RADIUS]
+        width = STRIP * np.median(reach[reach > 0.0]) if (reach > 0.0).any() else np.inf
+        with np.errstate(all="ignore"):
+            strip: Array = np.floor(state.pose[rows, X] / width)
+        return strip
+
+    def _forms(self) -> Whole:
+        """Return a number for the form of each new body, in the order of the forms themselves."""
+        number = self._form_number
+        place = np.empty(len(number), dtype=np.int64)
+        place[[number[form] for form in sorted(number)]] = np.arange(len(number))
+        return place[list(self._new.values())]
+
+    def _arrange_shapes(self, sequence: Whole) -> None:
+        """Put new shapes, and their vertices if these lie together, in an order."""
+        store, places = self.store, np.sort(sequence)
+        state, shapes = store.world.state, store.world.shapes
+        for values in (
+            *(state.body_of_shape, shapes.kind, shapes.first, shapes.vertex_count),
+            *(shapes.radius, shapes.material, shapes.filters),
+        ):
+            values[places] = values[sequence]
+        moved = np.arange(len(state.body_of_shape))
+        moved[sequence] = places
+        overrides = shapes.pair_overrides
+        overrides[:, :2] = np.sort(moved[overrides[:, :2].astype(np.int64)], axis=1)
+        store.set_pair_overrides(_by_shapes(overrides))
+        old = self._vertices_of(places)
+        if len(old) and old.max() - old.min() + 1 == len(old):
+            start = int(old.min())
+            together = slice(start, start + len(old))
+            shapes.local_vertices[together] = shapes.local_vertices[old]
+            shapes.world_vertices[together] = shapes.local_vertices[together]
+            count = shapes.vertex_count[places].astype(np.int64)
+            shapes.first[places] = start + np.cumsum(count) - count
+
+
+def _by_shapes(overrides: Array) -> Array:
+    """Return what was set for pairs of shapes, in the order of the shapes."""
+    return overrides[np.lexsort((overrides[:, 1], overrides[:, 0]))]

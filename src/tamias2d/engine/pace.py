@@ -1,0 +1,25 @@
+"""How many steps one call of compiled code takes: so few that Python sees signals in between."""
+
+from time import perf_counter
+
+_LONGEST = 0.05  # s
+
+
+class Pace:
+    """The number of steps for a call; a call of one step is never timed."""
+
+    def __init__(self) -> None:
+        self.most = 1
+        self._start = 0.0
+
+    def begin(self) -> None:
+        """Note that a call begins."""
+        self._start = perf_counter()
+
+    def end(self, steps: int) -> None:
+        """Note that a call of so many steps has ended."""
+        spent = perf_counter() - self._start
+        if spent > _LONGEST:
+            self.most = max(steps // 2, 1)
+        elif steps == self.most and spent < _LONGEST / 2:
+            self.most *= 2

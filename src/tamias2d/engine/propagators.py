@@ -1,0 +1,81 @@
+"""Propagators of drag (DD41): one row stands for all bodies that drag slows alike."""
+
+from itertools import count
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.store import Store
+from tamias2d.engine.tables import (
+    ANGULAR,
+    DECAY,
+    GAIN,
+    LIFT,
+    ONE_SUBSTEP,
+    PROPAGATOR,
+    SUBSTEPS,
+    TIME_STEP,
+    WHOLE_STEP,
+    Control,
+)
+from tamias2d.generated import drag
+from tamias2d.state import Array
+
+
+class Propagators:
+    """The rows of propagators of an engine, by their rates of drag."""
+
+    def __init__(self, store: Store) -> None:
+        """Compute the rows for the rates that a store holds: zeros where it is new."""
+        self._store = store
+        self._set(store.world.state.drag_rates.copy())
+        self._note_rows()
+
+    def assign(self, rows: NDArray[np.int64], rates: Array) -> None:
+        """Let bodies slow down at their rates (k, 2), 1/s: of the velocity, and of the spin."""
+        known = self._store.world.state.drag_rates
+        kinds, which = np.unique(rates, axis=0, return_inverse=True)
+        wanted = [tuple(rate) for rate in kinds.tolist()]
+        new = [rate for rate in wanted if rate not in self._row]
+        if new:
+            self._row.update(zip(new, count(len(self._row)), strict=False))
+            self._set(np.concatenate((known, np.array(new))))
+        places = np.array([self._row[rate] for rate in wanted])
+        properties = self._store.world.state.properties
+        properties[rows, PROPAGATOR] = places[which.ravel()] if len(rows) else 0
+
+    def forget_unused(self) -> None:
+        """Give up the rows that no body uses, where these are most."""
+        state, bodies = self._store.world.state, self._store.world.bodies
+        used, which = np.unique(
+            state.properties[:, PROPAGATOR].astype(np.int64), return_inverse=True
+        )
+        if len(self._row) > 2 * len(used):
+            state.properties[:, PROPAGATOR] = which.ravel()
+            bodies.properties[state.slot_of_body, PROPAGATOR] = state.properties[:, PROPAGATOR]
+            self._set(state.drag_rates[used])
+            self._note_rows()
+
+    def _set(self, rates: Array) -> None:
+        """Let row k be the propagator for rates (k, 2), 1/s."""
+        self._store.resize(propagators=len(rates))
+        world = self._store.world
+        world.state.drag_rates[:] = rates
+        world.bodies.propagators[:] = propagators(rates, world.control)
+
+    def _note_rows(self) -> None:
+        rates = self._store.world.state.drag_rates.tolist()
+        self._row = {tuple(pair): k for k, pair in enumerate(rates)}
+
+
+def propagators(rates: Array, control: Control) -> Array:
+    """Return (k, 12), how bodies move in a step and in a substep, for rates (k, 2), 1/s."""
+    found = np.zeros((len(rates), 12))
+    whole = control.settings[TIME_STEP]
+    one, none = (1.0, 0.0), (0.0, 0.0)
+    for start, time in ((WHOLE_STEP, whole), (ONE_SUBSTEP, whole / control.counts[SUBSTEPS])):
+        for at, rate in ((start, rates[:, 0]), (start + ANGULAR, rates[:, 1])):
+            found[:, at + DECAY] = drag.velocity(one, none, rate, time)[0]
+            found[:, at + GAIN] = drag.position(none, one, none, rate, time)[0]
+            found[:, at + LIFT] = drag.position(none, none, one, rate, time)[0]
+    return found

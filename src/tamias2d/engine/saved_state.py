@@ -1,0 +1,97 @@
+"""The saved state of an engine as plain arrays, and an engine that continues from them.
+
+Saved are the arrays that `tables` marks, the contacts in use, and the canonical order; all other
+arrays follow from these, or hold nothing from one step to the next.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.saved_checks import check_saved, leaves_of
+from tamias2d.engine.tables import (
+    ARRANGED,
+    BUFFER,
+    CONTACTS,
+    FIRST_RUN,
+    ISLANDS_KNOWN,
+    LEAF,
+    LEAVES,
+    LIST_HOLDS,
+    RANK,
+    STEPS_TAKEN,
+    TIME_STEP,
+    Contacts,
+    World,
+)
+from tamias2d.engine.world import named_arrays, saved_fields
+
+Arrays = Mapping[str, NDArray[Any]]
+
+
+def saved_arrays(engine: Engine) -> dict[str, NDArray[Any]]:
+    """Return copies of the state of an engine that has settled, by names such as 'state.pose'."""
+    own, counts = named_arrays(engine.world), engine.world.broad_phase.counts
+    side, size = int(counts[BUFFER]), int(counts[CONTACTS])
+    own |= {f"contacts.{name}": own[f"buffers.{name}"][side] for name in Contacts._fields}
+    found = {field.name: own[field.name].copy() for field in saved_fields()}
+    for name in ("contacts.pairs", "contacts.manifolds", "contacts.flags"):
+        found[name][size:] = 0
+    found["broad_phase.candidates"][...] = 0
+    found["touching.counts"][[ARRANGED, ISLANDS_KNOWN]] = 0
+    found["broad_phase.counts"][[BUFFER, CONTACTS]] = 0, size
+    return {**found, "rank": engine.rank.copy()}
+
+
+def restored_engine(
+    arrays: Arrays, *, time_step: float, substeps: int, steps: int, compiled: bool
+) -> Engine:
+    """Return an engine that continues from arrays with the same bits.
+
+    Anybody may have made the arrays; none is used before all are checked.
+
+    Raises:
+        UnfitError: they are not the state of an engine.
+    """
+    rooms = check_saved(arrays)
+    engine = Engine(gravity=(0.0, 0.0), time_step=time_step, substeps=substeps, compiled=compiled)
+    engine.resize(**vars(rooms))
+    own = named_arrays(engine.world)
+    for field in saved_fields():
+        if field.name in own:
+            own[field.name][...] = arrays[field.name]
+    engine.world.control.settings[TIME_STEP] = time_step
+    _derive(engine.world, arrays)
+    engine.world.control.counts[STEPS_TAKEN] = steps
+    engine.size = len(arrays["rank"])
+    engine.begin(arrays["rank"].copy())
+    if engine.world.broad_phase.counts[LIST_HOLDS]:
+        _derive_list(engine.world)
+    return engine
+
+
+def _derive(world: World, arrays: Arrays) -> None:
+    """Fill the arrays that follow from the saved ones."""
+    state, bodies, counts = world.state, world.bodies, world.broad_phase.counts
+    slots = state.slot_of_body
+    state.body_of_slot[slots] = np.arange(len(slots))
+    bodies.properties[slots], bodies.kind[slots] = state.properties, state.kind
+    world.shapes.slot[:] = slots[state.body_of_shape]
+    world.touching.counts[[ARRANGED, ISLANDS_KNOWN]] = counts[BUFFER] = 0
+    for name in Contacts._fields:
+        getattr(world.buffers, name)[0] = arrays[f"contacts.{name}"]
+
+
+def _derive_list(world: World) -> None:
+    """Fill what is known of a list of pairs that holds."""
+    leaf, shapes, state = world.tree.leaf_of_shape, world.shapes, world.state
+    leaves = leaves_of(shapes.kind, state.kind, state.body_of_shape)
+    world.tree.morton[LEAF, leaf[leaves]] = leaves
+    world.tree.counts[LEAVES] = len(leaves)
+    broad_phase = world.broad_phase
+    firsts = world.buffers.pairs[0, : broad_phase.counts[FIRST_RUN], 0]
+    ranks = np.arange(len(broad_phase.first_of_rank))
+    broad_phase.first_of_rank[:] = np.searchsorted(broad_phase.canonical[RANK, firsts], ranks)

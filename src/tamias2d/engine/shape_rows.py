@@ -1,0 +1,76 @@
+"""Convex shapes as rows of the engine's arrays."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.engine.tables import CAPSULE, DISC, HALF_PLANE, POLYGON
+from tamias2d.scene import HalfPlane
+from tamias2d.scene.compound import Shape, pieces_of
+from tamias2d.scene.rules import Vector
+from tamias2d.state import Array
+
+
+class ShapeRow(NamedTuple):
+    """One convex shape of a body, in the axes of the body."""
+
+    kind: int
+    """of `tables`: DISC, CAPSULE, POLYGON or HALF_PLANE"""
+    radius: float
+    """how far the shape reaches around its vertices, m"""
+    vertices: Array
+    """(c, 4), vertex, m, and outward normal of the side that begins there"""
+    core_radius: float
+    """distance of the farthest vertex from the centre of mass, m; 0 for a half-plane"""
+    bounding_radius: float
+    """distance of its farthest point from the centre of mass, m; infinite for a half-plane"""
+    min_extent: float
+    """half of the least width, m; infinite for a half-plane"""
+    inradius: float
+    """least distance of the sides from the centre of mass, m; minus infinity if that is outside"""
+
+
+def shape_rows(shape: Shape | None) -> tuple[ShapeRow, ...]:
+    """Return the convex shapes of a body's shape; a particle has none."""
+    if shape is None:
+        return ()
+    if isinstance(shape, HalfPlane):
+        side = np.array([[shape.offset, 0.0, *shape.normal]])
+        return (ShapeRow(HALF_PLANE, 0.0, side, 0.0, math.inf, math.inf, -math.inf),)
+    return tuple(_bounded(part.core, part.shape.rounding) for part in pieces_of(shape))
+
+
+def numbers_of(rows: Sequence[ShapeRow]) -> tuple[float, ...]:
+    """Return all numbers of a body's shapes, by which bodies are ordered."""
+    parts = [(r.kind, r.radius, len(r.vertices), *r.vertices.ravel().tolist()) for r in rows]
+    return tuple(value for part in parts for value in part)
+
+
+def _bounded(core: Sequence[Vector], radius: float) -> ShapeRow:
+    far = max(math.hypot(x, y) for x, y in core)
+    vertices = _with_normals(core)
+    across = vertices[:, 2:] @ vertices[:, :2].T
+    inradius = float((vertices[:, :2] * vertices[:, 2:]).sum(axis=1).min())
+    return ShapeRow(
+        kind={1: DISC, 2: CAPSULE}.get(len(core), POLYGON),
+        radius=radius,
+        vertices=vertices,
+        core_radius=far,
+        bounding_radius=far + radius,
+        min_extent=radius + float(np.ptp(across, axis=1).min()) / 2,
+        inradius=inradius if inradius >= 0.0 else -math.inf,
+    )
+
+
+def _with_normals(core: Sequence[Vector]) -> Array:
+    """Return vertices with the outward normals of the sides that begin there."""
+    rows = np.zeros((len(core), 4))
+    rows[:, :2] = core
+    if len(core) > 1:
+        for k, (x, y) in enumerate(core):
+            end_x, end_y = core[(k + 1) % len(core)]
+            length = math.hypot(end_x - x, end_y - y)
+            rows[k, 2:] = (end_y - y) / length + 0.0, (x - end_x) / length + 0.0
+    return rows

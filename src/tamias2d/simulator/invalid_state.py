@@ -1,0 +1,38 @@
+"""Why a step could not be taken, as one error."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.state import LARGEST, RESOLVED
+from tamias2d.engine.tables import ABSENT
+from tamias2d.engine.validity import MOVES, NOT_FINITE, OVERFLOWED, TOO_FAR, TOO_LARGE, Invalid
+from tamias2d.scene.rules import RuleError
+
+_RULES = {
+    NOT_FINITE: "must be finite (R4). Set it to a number; the step was not taken.",
+    TOO_LARGE: f"must be at most {LARGEST:.2g}, in all with what is like it, or float64 cannot "
+    "hold what follows (R4). Set a smaller one; the step was not taken.",
+    TOO_FAR: f"must be within {RESOLVED:.2g} times the radius of the body, or float64 does not "
+    "tell its parts apart (R4). Bring it nearer; the step was not taken.",
+    MOVES: "with the angular velocity, of a static body: must be 0 (R2). Add it as a kinematic "
+    "one; the step was not taken.",
+    OVERFLOWED: "float64 cannot hold what a step makes of it (R4): the body stays as it was. Give "
+    "smaller forces or velocities, or masses that are nearer to each other.",
+}
+
+
+def invalid_state(
+    invalid: Invalid, kind: NDArray[np.int8], name_of: Callable[[int], str]
+) -> RuleError:
+    """Return the error of a value that keeps a step from being taken; bodies have kinds (n,)."""
+    quantity, row, found, reason = invalid
+    value = found[0] if len(found) == 1 else found
+    if row < 0:
+        return RuleError(f"gravity: found {value}: {_RULES[reason]}", quantity)
+    what = name_of(row) if kind[row] != ABSENT else f"row {row}, which has no body"
+    separator = "," if reason == MOVES else ":"
+    return RuleError(
+        f"{quantity}[{row}] of {what}: found {value}{separator} {_RULES[reason]}", quantity, row
+    )

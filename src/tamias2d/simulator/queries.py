@@ -1,0 +1,132 @@
+"""Queries about places: what a ray meets first, what lies at a point or in a box."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.engine import Engine
+from tamias2d.engine.state import LARGEST
+from tamias2d.scene.filters import checked_mask
+from tamias2d.scene.rules import RuleError
+from tamias2d.simulator.columns import as_array, vectors
+from tamias2d.state import Array
+
+Whole = NDArray[np.int64]
+_POINT = "Give (x, y) in m."
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hits:
+    """What k rays met first."""
+
+    body: Whole
+    """(k,), index, or -1 where a ray met nothing"""
+    point: Array
+    """(k, 2), where it was met, m; the end of the ray where that met nothing"""
+    normal: Array
+    """(k, 2), unit, out of the body; (0, 0) where the ray met nothing"""
+    fraction: Array
+    """(k,), of the ray up to there; 1 where it met nothing"""
+
+    def __len__(self) -> int:
+        return len(self.body)
+
+
+def cast_rays(engine: Engine, start: object, end: object, mask: object) -> Hits:
+    """Return what rays from points to points, (2,) or (k, 2) each, m, meet first.
+
+    Raises:
+        InputError: a ray has no length, or a value breaks a rule (R4).
+    """
+    of = "the rays"
+    count = max(_rows(start, "start", of), _rows(end, "end", of))
+    ends = [
+        vectors(points, key, of, _POINT, count=count, symbol="position")
+        for key, points in (("start", start), ("end", end))
+    ]
+    for key, points in zip(("start", "end"), ends, strict=True):
+        _refuse_far(points, key, of)
+    still = np.flatnonzero((ends[0] == ends[1]).all(axis=1))
+    if len(still):
+        raise RuleError(
+            f"end[{still[0]}] of the rays: found the start: must be another point (R4). Give "
+            "rays with a length, or ask at_point.",
+            "end",
+        )
+    bits = checked_mask(mask, of)
+    _refuse_endless(engine)
+    body, hits = engine.queries.cast_rays(np.hstack(ends), bits)
+    fraction = np.minimum(hits[:, 0], 1.0)
+    return Hits(
+        body=body,
+        point=ends[0] + fraction[:, None] * (ends[1] - ends[0]),
+        normal=hits[:, 1:].copy(),
+        fraction=fraction,
+    )
+
+
+def bodies_in_box(engine: Engine, low: object, high: object, mask: object) -> Whole:
+    """Return the bodies (k,) that reach into a box between two corners (2,), m, by rank.
+
+    Raises:
+        InputError: `low` is beyond `high`, or a value breaks a rule (R4).
+    """
+    least, most = (_point(corner, key, "the box") for key, corner in (("low", low), ("high", high)))
+    if (least > most).any():
+        raise RuleError(
+            f"low {least.tolist()} of the box: is beyond high {most.tolist()} (R4). Give the "
+            "lower left and the upper right corner.",
+            "low",
+        )
+    return _within(engine, least, most, mask)
+
+
+def bodies_at_point(engine: Engine, point: object, mask: object) -> Whole:
+    """Return the bodies (k,) at a point (2,), m, by rank.
+
+    Raises:
+        InputError: a value breaks a rule (R4).
+    """
+    place = _point(point, "point", "the question")
+    return _within(engine, place, place, mask)
+
+
+def _within(engine: Engine, low: Array, high: Array, mask: object) -> Whole:
+    bits = checked_mask(mask, "the question")
+    _refuse_endless(engine)
+    return engine.queries.bodies_in_box(low, high, bits)
+
+
+def _refuse_endless(engine: Engine) -> None:
+    """Raise `RuleError` if a body is nowhere, or too far away."""
+    good = np.abs(engine.pose[:, :2]).max(axis=1, initial=0.0) <= LARGEST
+    good &= np.isfinite(engine.pose[:, 2])
+    if not good.all():
+        raise RuleError(
+            f"position or orientation[{int(np.argmin(good))}]: must be finite, and within "
+            f"{LARGEST:.2g} m, to be asked for (R4). Set it to a number."
+        )
+
+
+def _refuse_far(points: Array, key: str, of: str) -> None:
+    """Raise `RuleError` if float64 cannot hold the squares of distances to points (k, 2)."""
+    far = np.flatnonzero((np.abs(points) > LARGEST).any(axis=1))
+    if len(far):
+        raise RuleError(
+            f"{key}[{far[0]}] {points[far[0]].tolist()} of {of}: must be within {LARGEST:.2g} m, "
+            "or float64 cannot hold what follows (R4). Give a nearer point.",
+            key,
+        )
+
+
+def _rows(points: object, key: str, of: str) -> int:
+    given = as_array(points, key, of, _POINT)
+    return len(given) if given.ndim == 2 else 1
+
+
+def _point(point: object, key: str, of: str) -> Array:
+    place: Array = vectors(point, key, of, _POINT, count=1, symbol="position")
+    _refuse_far(place, key, of)
+    one: Array = place[0]
+    return one

@@ -1,0 +1,58 @@
+"""Settings of a simulator, checked (R4)."""
+
+from operator import index
+from typing import Any
+
+from tamias2d.engine.state import LARGEST
+from tamias2d.scene.rules import RuleError, number, shown
+
+MOST_SUBSTEPS = 1000
+"""More than solve anything; so few that Ctrl-C does not wait for the end of a step."""
+_MOST = 2**63 - 1
+
+
+def checked_time_step(value: object) -> float:
+    """Return a time step, s, that float64 can divide by and square, or raise `RuleError`."""
+    remedy = "Give it in s, such as 1/60."
+    time_step = number(value, "time_step", "the simulator", remedy, at=("time_step",))
+    if not 1 / LARGEST <= time_step <= LARGEST:
+        raise RuleError(
+            f"time step {time_step!r} s of the simulator: must be from {1 / LARGEST:.2g} to "
+            f"{LARGEST:.2g} s, or float64 cannot hold what follows (R4). {remedy}",
+            "time_step",
+        )
+    return time_step
+
+
+def checked_substeps(value: object) -> int:
+    """Return a number of substeps, or raise `RuleError`."""
+    count = checked_count(value, "substeps", 1)
+    if count > MOST_SUBSTEPS:
+        raise RuleError(
+            f"substeps {count}: must be at most {MOST_SUBSTEPS} (R4). Give a shorter time_step "
+            "instead.",
+            "substeps",
+        )
+    return count
+
+
+def checked_count(value: Any, key: str, least: int) -> int:
+    """Return a whole number that is at least some other one, or raise `RuleError`."""
+    try:
+        count = least - 1 if isinstance(value, bool) else index(value)
+    except TypeError:
+        count = least - 1
+    if count < least:
+        raise RuleError(
+            f"{key} {shown(value)}: must be a whole number of at least {least} (R4). Give one.", key
+        )
+    if count > _MOST:
+        raise RuleError(f"{key} {shown(value)}: must be less than 2**63 (R4). Give fewer.", key)
+    return count
+
+
+def checked_flag(value: Any, key: str) -> bool:
+    """Return a truth value, or raise `RuleError`."""
+    if not isinstance(value, bool):
+        raise RuleError(f"{key}: found {shown(value)}: must be True or False (R4). Give one.", key)
+    return value

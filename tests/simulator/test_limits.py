@@ -1,0 +1,122 @@
+"""Values that float64 cannot carry through a step; threads; Ctrl-C; copies that are read-only."""
+
+import _thread
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tests.simulator.crowd import crowd
+
+
+def ground(*, compiled: bool = True) -> t2.Simulator:
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+    scene.add_static(floor, friction=0.5, restitution=0.3)
+    scene.add_body(
+        t2.Disc(radius=0.5), mass=1.0, position=(0.0, 5.0), restitution=0.3, friction=0.5
+    )
+    return t2.Simulator(scene, compiled=compiled)
+
+
+def assert_finite(sim: t2.Simulator) -> None:
+    for values in (sim.position, sim.orientation, sim.velocity, sim.angular_velocity):
+        assert np.isfinite(values).all()
+
+
+def test_a_spin_beyond_float64_is_told_by_a_batch_of_steps() -> None:
+    sim = ground()
+    sim.add(t2.Disc(radius=0.1), mass=1.0, position=(3, 3), angular_velocity=1e160, restitution=0.0)
+    with pytest.raises(t2.InputError, match=r"angular_velocity\[2\] of body 2: found 1e\+160"):
+        sim.step(65)
+    assert_finite(sim)
+    sim.angular_velocity[2] = 1.0
+    sim.step(65)
+    assert sim.position[1, 1] > 0.45
+
+
+@pytest.mark.parametrize(
+    ("view", "value", "says"),
+    [
+        ("velocity", 1e307, "must be at most 1.2e"),
+        ("torque", 1e154, "must be at most"),
+        ("force", 1e200, "must be at most"),
+        ("position", 1e16, "must be within 1.1e"),
+        ("orientation", np.inf, "must be finite"),
+    ],
+)
+def test_values_are_refused_before_a_step(view: str, value: float, says: str) -> None:
+    sim = ground()
+    getattr(sim, view)[1] = value
+    before = sim.position.copy()
+    with pytest.raises(t2.InputError, match=rf"{view}\[1\] of body 'body1'.*{says}"):
+        sim.step(65)
+    assert (sim.position == before).all()
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("mass", [1e-300, 1e-240])
+def test_what_overflows_within_a_step_leaves_no_state_that_is_not_finite(
+    mass: float, compiled: bool
+) -> None:
+    sim = ground(compiled=compiled)
+    light = sim.add(t2.Disc(radius=0.1), mass=mass, position=(3.0, 0.2), restitution=1.0)
+    sim.force[light] = 1e70, -1e70
+    with pytest.raises(t2.InputError, match=rf"velocity\[{light}\] of body {light}: .*cannot hold"):
+        sim.step(65)
+    assert_finite(sim)
+    sim.force[light] = 0.0
+    sim.step(65)
+    assert_finite(sim)
+    assert sim.position[1, 1] > 0.45
+
+
+def test_one_thread_at_a_time() -> None:
+    sim = t2.Simulator(crowd(60, seed=1))
+    sim.step()
+    with ThreadPoolExecutor(4) as threads:
+        calls = [threads.submit(sim.step, 200) for _ in range(8)]
+        faults = [fault for call in calls if (fault := call.exception()) is not None]
+    assert all(isinstance(fault, t2.SimulationError) for fault in faults)
+    assert all("one thread at a time" in str(fault) for fault in faults)
+    twin = t2.Simulator(crowd(60, seed=1))
+    twin.step(1 + 200 * (len(calls) - len(faults)))
+    assert sim.digest() == twin.digest()
+    with sim._lock:
+        for call in (sim.step, lambda: sim.contacts, lambda: sim.wake(3), sim.digest):
+            with pytest.raises(t2.SimulationError, match="another call has not returned"):
+                call()
+
+
+def test_many_steps_hear_ctrl_c() -> None:
+    sim = t2.Simulator(crowd(30, seed=1))
+    sim.step(3)
+    timer = threading.Timer(0.3, _thread.interrupt_main)
+    timer.start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        sim.step(10**12)
+    assert time.monotonic() - start < 60.0  # of years, else
+    timer.join()
+    steps = round(sim.time * 60)
+    twin = t2.Simulator(crowd(30, seed=1))
+    twin.step(steps)
+    assert twin.digest() == sim.digest()
+
+
+@pytest.mark.parametrize("name", ["mass", "present", "dynamic", "asleep"])
+def test_copies_cannot_be_written(name: str) -> None:
+    sim = ground()
+    with pytest.raises(ValueError, match="read-only"):
+        getattr(sim, name)[0] = 1
+
+
+def test_reports_cannot_be_written() -> None:
+    sim = ground()
+    sim.step(90)
+    for values in (sim.contacts.impulse, sim.began.bodies, sim.ended):
+        with pytest.raises(ValueError, match="read-only"):
+            values[...] = 0

@@ -1,0 +1,169 @@
+"""Saved states that somebody has edited: refused by name, or another state that is sound."""
+
+import json
+import random
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tamias2d.engine.saved_state import saved_arrays
+from tamias2d.engine.world import saved_fields
+from tamias2d.simulator import saving
+from tamias2d.simulator.simulator import _restored
+from tests.simulator.crowd import crowd
+
+Arrays = dict[str, np.ndarray[Any, Any]]
+STEPS = 4
+
+
+@pytest.fixture(scope="module")
+def states() -> list[Arrays]:
+    lively = t2.Simulator(crowd(14, seed=3, size=4.0))
+    lively.step(30)
+    lively.remove([5, 9])
+    lively.apply_force([3], (1.0, 5.0))
+    asleep = t2.Simulator(crowd(10, seed=5, size=4.0), sleeping=True)
+    asleep.step(300)
+    springs = t2.Simulator(t2.catalogue.load("spring-chain"))
+    springs.step(5)
+    return [sim._arrays() for sim in (lively, asleep, springs)]
+
+
+def restored(arrays: Arrays, *, forged: bool = True, compiled: bool = True) -> t2.Simulator:
+    """What is read from arrays; forged ones have the digest that they should have."""
+    if forged:
+        content = {name: values for name, values in arrays.items() if name != "digest"}
+        arrays = {**content, "digest": np.array(saving.digest(content))}
+    return _restored(arrays, "pickle", compiled)
+
+
+def edited(states: list[Arrays], which: int, name: str, change: Callable[[Any], Any]) -> Arrays:
+    arrays = {key: values.copy() for key, values in states[which].items()}
+    arrays[name] = change(arrays[name])
+    return arrays
+
+
+def put(place: Any, value: Any) -> Callable[[Any], Any]:
+    def change(values: Any) -> Any:
+        values[place] = value
+        return values
+
+    return change
+
+
+def told(**changes: Any) -> Callable[[Any], Any]:
+    return lambda about: np.array(json.dumps(json.loads(str(about)) | changes))
+
+
+EDITS = {
+    "slot": ("engine.state.slot_of_body", put(5, 10_000), "below 32"),
+    "slot twice": ("engine.state.slot_of_body", put(5, 6), "gives two bodies one slot"),
+    "owner": ("engine.state.body_of_shape", put(3, 2**32 - 1), "below 32"),
+    "absent owner": ("engine.state.body_of_shape", put(3, 5), "names a body that is absent"),
+    "propagator": ("engine.state.properties", put((4, 5), 7.0), "whole numbers"),
+    "half propagator": ("engine.state.properties", put((4, 5), 0.5), "whole numbers"),
+    "no mass": ("engine.state.properties", put((4, 0), np.nan), "must be numbers"),
+    "vertices": ("engine.shapes.first", put(2, 900), "below"),
+    "many vertices": ("engine.shapes.vertex_count", put(2, 900), "must fit the kinds"),
+    "kind": ("engine.shapes.kind", put(4, 7), "below 4"),
+    "other kind": ("engine.shapes.kind", put(3, 1), "must fit the kinds"),
+    "leaf": ("engine.tree.leaf_of_shape", put(4, 900), "below"),
+    "pair": ("engine.contacts.pairs", put((0, 0), 900), "below"),
+    "pair slots": ("engine.contacts.pairs", put((0, 2), 9), "slots of their bodies"),
+    "points": ("engine.contacts.flags", put((0, 0), 3), "below"),
+    "manifold": ("engine.contacts.manifolds", put((0, 0), np.inf), "must be numbers"),
+    "run": ("engine.broad_phase.counts", put(5, 10**6), "longer than the list"),
+    "rank": ("engine.rank", put(4, 0), "must differ"),
+    "rows": ("engine.state.pose", lambda pose: pose[:-1], "no rows of an engine"),
+    "columns": ("engine.state.pose", lambda pose: pose[:, :2], "must be float64 of shape"),
+    "type": ("engine.state.pose", lambda pose: pose.astype("f4"), "must be float64"),
+    "shape": ("engine.shapes.radius", lambda radius: radius[:-1], "must be float64 of shape"),
+    "report": ("touching.contacts.bodies", put((0, 0), 99), "names a body that is not there"),
+    "pushed": ("pushed", put((0, 0), np.inf), "must be numbers"),
+    "no time step": ("about", told(time_step=0.0), "must be > 0"),
+    "time step": ("about", told(time_step=1e300), "must be from"),
+    "substeps": ("about", told(substeps=0), "at least 1"),
+    "steps": ("about", told(steps=2**70), "less than"),
+    "staying": ("about", told(staying=[999]), "names a body not there"),
+    "names": ("about", told(names={"a": 99}), "names a body not there"),
+    "scene": ("about", told(scene="}"), "about"),
+    "nothing": ("about", lambda _: np.array("[" * 100_000), "about"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_an_edit_is_refused_by_name(states: list[Arrays], edit: str) -> None:
+    name, change, says = EDITS[edit]
+    with pytest.raises(t2.RecordingError, match=says):
+        restored(edited(states, 0, name, change))
+
+
+def test_an_accident_is_found_by_the_digest(states: list[Arrays]) -> None:
+    arrays = edited(states, 0, "engine.state.pose", put((4, 0), 1.25))
+    with pytest.raises(t2.RecordingError, match="its digest is not that of what it holds"):
+        restored(arrays, forged=False)
+    assert restored(arrays).position[4, 0] == 1.25
+
+
+def test_all_that_decides_is_saved(states: list[Arrays]) -> None:
+    """An engine that goes on from the saved arrays after each step has the same bits."""
+    for arrays in states:
+        one, other = restored(arrays), restored(arrays)
+        for _ in range(20):
+            one.step()
+            other = restored(other._arrays())
+            other.step()
+            assert one.digest() == other.digest()
+            assert repr(one.contacts) == repr(other.contacts)
+        for field in saved_fields():
+            if field.name == "contacts.manifolds":
+                continue  # where a pair does not touch, there is what another one left
+            mine, theirs = (saved_arrays(sim._engine)[field.name] for sim in (one, other))
+            assert mine.tobytes() == theirs.tobytes(), field.name
+
+
+NUMBERS = (0, 1, 2, 3, 7, -1, 10_000, 2**31 - 1, 2**32 - 1, -(2**31), 2**62, -(2**63))
+REALS = (0.0, 1.0, -1.0, 0.5, 3.0, 1e300, -1e300, 1e-300, np.nan, np.inf, -np.inf)
+
+
+def damaged(arrays: Arrays, chance: random.Random) -> Arrays:
+    """A saved state in which somebody has changed a few bits, numbers or rows."""
+    found = {key: values.copy() for key, values in arrays.items()}
+    names = sorted(found.keys() - {"mark", "version", "digest", "about"})
+    for _ in range(chance.choice((1, 1, 2))):
+        name = chance.choice(names)
+        values = np.ascontiguousarray(found[name])
+        flat = values.reshape(-1)
+        if not flat.size:
+            continue
+        match chance.randrange(4):
+            case 0:
+                flat.view(np.uint8)[chance.randrange(values.nbytes)] ^= 1 << chance.randrange(8)
+            case 1:
+                numbers: Any = REALS if values.dtype.kind == "f" else NUMBERS
+                flat[chance.randrange(flat.size)] = np.array(chance.choice(numbers)).astype(
+                    values.dtype
+                )
+            case 2:
+                one, other = chance.randrange(len(values)), chance.randrange(len(values))
+                values[[one, other]] = values[[other, one]]
+            case _:
+                values = values[: chance.randrange(len(values))]
+        found[name] = values
+    return found
+
+
+@pytest.mark.parametrize("seed", range(300))
+def test_no_edit_breaks_it(states: list[Arrays], seed: int) -> None:
+    chance = random.Random(seed)
+    arrays = damaged(states[seed % len(states)], chance)
+    try:
+        sim = restored(arrays)
+        sim.step(STEPS)
+    except t2.TamiasError:
+        return
+    assert np.isfinite(sim.position).all()
+    assert np.isfinite(sim.velocity).all()

@@ -1,0 +1,17 @@
+"""Sequences of calls at random, odd values among them: each call is done, or refused by name."""
+
+import pytest
+
+from tests.simulator.fuzzed import sequence
+
+FOUND = (2408, 3033, 3913, 4159)
+"""Seeds of sequences that broke something once."""
+
+
+@pytest.mark.parametrize("seed", [*FOUND, *range(150)])
+def test_a_sequence_of_calls_breaks_nothing(seed: int) -> None:
+    sequence(seed)
+
+
+def test_sequences_are_refused_now_and_then() -> None:
+    assert 0 < sum(sequence(seed, calls=10) for seed in range(30)) < 200
