@@ -2,24 +2,18 @@
 
 import math
 import random
-from functools import partial
 from typing import Any
-from unittest.mock import patch
 
 import numpy as np
 
 import tamias2d as t2
-from tamias2d.engine.engine import Engine
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
 
 
 def plain(scene: t2.Scene, **settings: Any) -> Simulator:
     """A simulator whose engine runs as plain Python."""
-    with patch("tamias2d.simulator.simulator.Engine", partial(Engine, compiled=False)):
-        sim = Simulator(scene, **settings)
-    assert not sim._engine._compiled
-    return sim
+    return Simulator(scene, compiled=False, **settings)
 
 
 def ground(scene: t2.Scene, friction: float) -> None:

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tamias2d.engine.world import named_arrays
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import mixed, plain
 
@@ -16,7 +17,7 @@ def test_plain_and_compiled_runs_have_the_same_bits(seed: int) -> None:
         for step in range(50):
             compiled.step()
             slow.step()
-            first, second = (sim._engine.arrays() for sim in (compiled, slow))
+            first, second = (named_arrays(sim._engine.world) for sim in (compiled, slow))
             assert list(first) == list(second)
             for name in first:
                 assert first[name].tobytes() == second[name].tobytes(), (step, name)

@@ -4,6 +4,7 @@ import pickle
 
 from tamias2d import Simulator
 from tamias2d.engine.memory import LINE
+from tamias2d.engine.world import named_arrays
 from tamias2d.scene import catalogue
 
 
@@ -11,5 +12,5 @@ def test_rows_touch_no_line_twice_when_made_grown_or_restored() -> None:
     sim = Simulator(catalogue.load("pyramid-30"))
     sim.step(2)
     for one in (sim, pickle.loads(pickle.dumps(sim))):
-        for name, array in one._engine.arrays().items():
+        for name, array in named_arrays(one._engine.world).items():
             assert name == "size" or array.ctypes.data % LINE == 0, name

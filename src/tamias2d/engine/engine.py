@@ -10,7 +10,7 @@ from tamias2d.engine.body_pool import BodyPool
 from tamias2d.engine.contact_report import Touching, contact_report
 from tamias2d.engine.menu import CONTACT, functions
 from tamias2d.engine.pace import Pace
-from tamias2d.engine.query.query_tree import QueryTree
+from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ABSENT,

@@ -98,7 +98,7 @@ def _check_field(field: SavedField, arrays: Arrays, lengths: Mapping[str, int]) 
         bad = {"any": False, "finite": ~np.isfinite(found), "infinite": np.isnan(found)}
         require(~np.asarray(bad[field.saved.numbers]), field.name, "must be numbers")
     for values, below in _bounded(found, field.saved):
-        most = lengths[below] if isinstance(below, str) else below
+        most = max(lengths[below] if isinstance(below, str) else below, 1)  # rows not in use are 0
         fits = (values >= 0) & (values < most) & (values == np.floor(values))
         require(fits, field.name, f"must be whole numbers from 0 on, below {most}")
 
@@ -187,6 +187,7 @@ def _check_contacts(arrays: Arrays, order: Whole) -> None:
     pairs, flags = (arrays[f"contacts.{name}"][: counts[CONTACTS]] for name in ("pairs", "flags"))
     fits = 1 <= counts[HORIZON] <= 2**20 and counts[LIST_HOLDS] <= 1
     require(fits, "broad_phase.counts", "must be those of a list of pairs")
+    require(len(order) > 0 or len(pairs) == 0, "contacts.pairs", "there are no shapes")
     name, shapes = "contacts.pairs", pairs[:, :2].astype(np.int64)
     body = arrays["state.body_of_shape"][shapes]
     slots = arrays["state.slot_of_body"][body]

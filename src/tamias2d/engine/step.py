@@ -59,7 +59,7 @@ from tamias2d.engine.tables import (
 
 
 def step(world: World) -> int:
-    """Take the steps that are left of a call, or return why not all can be taken.
+    """Take the steps that are left of a call, or return why not all of them can be taken.
 
     Called again, it continues. It ends early, with CLEAR, where no contact is on the list: bodies
     may go ballistically then.

@@ -89,7 +89,7 @@ FLOWN = _progress()  # fraction of the step that continuous collision has done
 UPDATES_LEFT = _progress()  # updates of the contact list that continuous collision may still make
 
 # status of a step: done, an array that is too short, a value that is not valid, done with no
-# contact on the list, or done with a body whose numbers are not finite
+# contact on the list, or done though a body has numbers that are not finite
 DONE, MORE_CANDIDATES, MORE_CONTACTS, MORE_BLOCKS, INVALID, MORE_SPARSE, CLEAR, OVERFLOWED = range(
     8
 )
@@ -162,9 +162,10 @@ class BodyState(NamedTuple):
     pose: Annotated[FloatRows, Sized("slots", _pose.width), Saved(numbers="any")]
     velocity: Annotated[FloatRows, Sized("slots", 3), Saved(numbers="any")]  # m/s, m/s, rad/s
     load: Annotated[FloatRows, Sized("slots", 3), Saved(numbers="any")]  # N, N, N m
+    # a cache line
     properties: Annotated[
         FloatRows, Sized("slots", 8), Saved({PROPAGATOR: "propagators"}, "infinite")
-    ]  # a cache line
+    ]
     kind: Annotated[Bytes, Sized("slots"), Saved(4)]
     slot_of_body: Annotated[Places, Sized("slots"), Saved("slots")]
     body_of_slot: Annotated[Places, Sized("slots")]
@@ -209,13 +210,11 @@ class Shapes(NamedTuple):
     radius: Annotated[Floats, Sized("shapes"), Saved()]  # m
     material: Annotated[FloatRows, Sized("shapes", _material.width), Saved(numbers="infinite")]
     filters: Annotated[RankRows, Sized("shapes", 4), Saved({SENSOR: 2})]
-    local_vertices: Annotated[
-        FloatRows, Sized("vertices", 4), Saved()
-    ]  # vertex, m; normal of its side
+    # vertex, m; normal of its side
+    local_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]
     world_vertices: Annotated[FloatRows, Sized("vertices", 4), Saved()]  # the same, turned
-    pair_overrides: Annotated[
-        FloatRows, Sized("overrides", 4), Saved({0: "shapes", 1: "shapes"})
-    ]  # shapes, friction, restitution
+    # shapes, friction, restitution
+    pair_overrides: Annotated[FloatRows, Sized("overrides", 4), Saved({0: "shapes", 1: "shapes"})]
 
 
 # -- bounding volume hierarchy
@@ -243,9 +242,8 @@ class Tree(NamedTuple):
 
     counts: Annotated[Ranks, Sized(_tree.width)]
     boxes: Annotated[FloatRows, Sized("shapes", _boxes.width), Saved(numbers="infinite")]
-    nodes: Annotated[
-        FloatRows, Sized("nodes", 4), Saved(numbers="infinite")
-    ]  # boxes, m; node k holds 2k and 2k + 1
+    # boxes, m; node k holds 2k and 2k + 1
+    nodes: Annotated[FloatRows, Sized("nodes", 4), Saved(numbers="infinite")]
     centres: Annotated[FloatRows, Sized("shapes", 8), Saved(numbers="infinite")]
     morton: Annotated[PlaceRows, Sized(2, "shapes")]  # in Morton order
     leaf_of_shape: Annotated[Places, Sized("shapes"), Saved("shapes")]
@@ -294,9 +292,8 @@ class BroadPhase(NamedTuple):
     left: Annotated[Bytes, Sized("slots")]  # 1 if the body has left its bounds
     canonical: Annotated[PlaceRows, Sized(2, "shapes")]  # shapes in canonical order; their ranks
     leaf_pairs: Annotated[PlaceRows, Sized("candidates", 2)]  # leaves whose boxes overlap
-    candidates: Annotated[
-        PlaceRows, Sized("candidates", 2), Saved(2**32)
-    ]  # pairs of ranks, the lower one first
+    # pairs of ranks, the lower one first; saved for its length, which decides when all are sought
+    candidates: Annotated[PlaceRows, Sized("candidates", 2), Saved(2**32)]
     sorting: Annotated[PlaceRows, Sized("candidates", 2)]  # candidates between passes of the sort
     rank_counts: Annotated[Places, Sized("ranks")]  # bins of that sort
     first_of_rank: Annotated[Places, Sized("ranks")]  # contact of the first run

@@ -1,0 +1,70 @@
+"""Queries of an engine: what rays meet first, and which bodies reach into a box.
+
+The tree that is asked is not that of the step, because users move bodies between steps. Cost:
+n log n for a tree after a body was moved, added or removed, then log n for each query.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.menu import QUERY, functions
+from tamias2d.engine.store import Store
+from tamias2d.engine.tables import RANK
+from tamias2d.kernels.groups import addresses
+from tamias2d.state import Array
+
+Whole = NDArray[np.int64]
+
+
+class QueryTree:
+    """A tree over the shapes of a store, for the poses at which its bodies were last found."""
+
+    def __init__(self, store: Store) -> None:
+        self._store = store
+        self._revision = -1
+        self._pose = np.zeros((0, 3))
+        self._argument: Any = None
+        self._library: Any = None  # compiled when the first query comes
+
+    def cast_rays(self, rays: Array, mask: int) -> tuple[Whole, Array]:
+        """Return the body (k,) that each ray (k, 4) meets first, -1 for none, and where.
+
+        A ray goes from a point to a point, m. Where it enters a body is told by (k, 3): the
+        fraction of the ray, 2 for none, and the outward normal. Bodies that share no bit with the
+        mask, sensors, and those in which a ray starts are not met.
+        """
+        self._update()
+        owner = self._store.world.state.body_of_shape
+        met, hits = np.empty(len(rays), dtype=np.int64), np.empty((len(rays), 3))
+        room = np.empty(len(owner), dtype=np.uint32)
+        self._library.cast_rays(self._argument, rays, mask, met, hits, room)
+        met[met >= 0] = owner[met[met >= 0]]
+        return met, hits
+
+    def bodies_in_box(self, low: Array, high: Array, mask: int) -> Whole:
+        """Return the bodies (k,) that reach into a box between two corners (2,), m, by rank."""
+        self._update()
+        world = self._store.world
+        found = np.empty(len(world.state.body_of_shape), dtype=np.uint32)
+        total = self._library.shapes_in_box(
+            self._argument, *low.tolist(), *high.tolist(), mask, found
+        )
+        shapes = found[:total][np.argsort(world.broad_phase.canonical[RANK, found[:total]])]
+        rows = world.state.body_of_shape[shapes].tolist()
+        return np.array(list(dict.fromkeys(rows)), dtype=np.int64)
+
+    def _update(self) -> None:
+        """Build the tree anew if a body was moved, added or removed."""
+        store, world = self._store, self._store.world
+        if self._revision == store.revision and np.array_equal(self._pose, world.state.pose):
+            return
+        self._revision, self._pose = store.revision, world.state.pose.copy()
+        tree = world.tree._replace(
+            **{name: np.zeros_like(values) for name, values in world.tree._asdict().items()}
+        )
+        self._world = world._replace(tree=tree)  # keeps the arrays whose addresses are known
+        self._argument = addresses(self._world) if store.compiled else self._world
+        self._library = functions(QUERY, compiled=store.compiled)
+        self._library.build_query_tree(self._argument)
