@@ -110,7 +110,7 @@ def shape_arrays(outlines: Sequence[Outline]) -> Shapes:
         slot=np.arange(len(rows), dtype=np.uint32),
         kind=np.array([outline.kind for outline in outlines], np.int32),
         first=(np.cumsum(counts) - counts).astype(np.int32),
-        count=counts,
+        vertex_count=counts,
         radius=np.array([outline.radius for outline in outlines]),
         material=material,
         filters=np.zeros((len(rows), 4), np.int64),

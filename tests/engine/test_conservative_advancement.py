@@ -10,7 +10,7 @@ from tamias2d.engine.continuous.conservative_advancement import MISSED, NEAR, ti
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.clip import PARALLEL
 from tamias2d.engine.tables import MANIFOLD, Events, Shapes
-from tamias2d.kernels import Engine
+from tamias2d.kernels import Library
 from tamias2d.kernels.arrays import FloatRows, Floats, IndexRows
 from tamias2d.kernels.groups import addresses
 from tests.engine.cores import Contact, Outline, box, capsule, disc, half_plane, shape_arrays
@@ -159,14 +159,14 @@ sweep_each.__module__ = "tamias2d.engine.test"  # as in a module of the package
 
 
 def test_compiled_and_plain_sweeps_have_the_same_bits() -> None:
-    engine = Engine("sweeps of the tests", (sweep_each,))
+    library = Library("sweeps of the tests", (sweep_each,))
     rng = np.random.default_rng(4)
     shapes = shape_arrays([*SHAPES, half_plane(-2.0)])
     pairs = rng.integers(len(shapes.kind), size=(300, 2)).astype(np.int32)
     paths = rng.normal(size=(300, 6)) * [2, 2, 5, 5, 9, 9]
     results = []
     for is_compiled in (False, True):
-        made = engine.compiled() if is_compiled else engine.plain()
+        made = library.compiled() if is_compiled else library.plain()
         sweeps = Sweeps(shapes, event_arrays(), pairs, paths, np.zeros(300))
         made.sweep_each(addresses(sweeps) if is_compiled else sweeps)
         results.append(sweeps.found.tolist())

@@ -9,7 +9,7 @@ import pytest
 
 from tamias2d.engine.solver.lanes import apply_restitution, relax, solve_soft, warm_start
 from tamias2d.engine.tables import World
-from tamias2d.kernels import Engine
+from tamias2d.kernels import Library
 
 _ARITHMETIC = r"\bv?(?:add|sub|mul|div){}\b"
 
@@ -44,7 +44,7 @@ def test_blocks_are_worked_on_by_packed_arithmetic(
 ) -> None:
     """Compiled twice, for lanes in one go and one by one where arrays might overlap: not once."""
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))  # cached code cannot be looked at
-    compiled = getattr(Engine(part.__name__, (part,)).compiled(), part.__name__)
+    compiled = getattr(Library(part.__name__, (part,)).compiled(), part.__name__)
     (assembly,) = compiled.inspect_asm().values()
     packed, single = (len(re.findall(_ARITHMETIC.format(kind), assembly)) for kind in ("pd", "sd"))
     assert packed >= single > 0, f"{packed} instructions are packed, {single} are not"

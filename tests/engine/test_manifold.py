@@ -10,7 +10,7 @@ from tamias2d.engine.narrow_phase import polygon
 from tamias2d.engine.narrow_phase.clip import PARALLEL
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import Contacts, Shapes
-from tamias2d.kernels import Engine
+from tamias2d.kernels import Library
 from tamias2d.kernels.arrays import FloatRows
 from tamias2d.kernels.groups import addresses
 from tests.engine.cores import (
@@ -356,15 +356,15 @@ collide_each.__module__ = "tamias2d.engine.test"  # as in a module of the packag
 
 
 def test_compiled_and_plain_manifolds_have_the_same_bits() -> None:
-    engine = Engine("narrow phase of the tests", (collide_each,))
-    assert "forceinline=True)\ndef collide(" in engine.source()
+    library = Library("narrow phase of the tests", (collide_each,))
+    assert "forceinline=True)\ndef collide(" in library.source()
     rng = np.random.default_rng(3)
     outlines = [shape.turned(rng.uniform(0, 6)) for shape in (*SHAPES, half_plane(0.1))]
     listed = np.indices((len(outlines), len(outlines))).reshape(2, -1).T
     start = rng.uniform(-1.5, 1.5, (len(listed), 2))
     results: list[list[Any]] = []
     for is_compiled in (False, True):
-        made = engine.compiled() if is_compiled else engine.plain()
+        made = library.compiled() if is_compiled else library.plain()
         contacts, result = contact_arrays(listed), []
         for step in range(6):
             shapes = shape_arrays([outline.turned(0.01 * step) for outline in outlines])

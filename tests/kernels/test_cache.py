@@ -15,13 +15,13 @@ import pytest
 import rich.console
 
 from tamias2d.errors import InputError
-from tamias2d.kernels import Engine, cache, compiled, progress, source
+from tamias2d.kernels import Library, cache, compiled, progress, source
 from tamias2d.kernels.compiled import loaded
 from tamias2d.kernels.demand import Demand
 from tests.kernels import plain_parts
-from tests.kernels.test_engine import ENGINE, forget
+from tests.kernels.test_library import LIBRARY, forget
 
-SMALL = Engine("small engine", (plain_parts.pushed,))
+SMALL = Library("small library", (plain_parts.pushed,))
 
 
 @pytest.fixture
@@ -32,10 +32,10 @@ def kernels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "kernels"
 
 
-def answer(engine: Engine = SMALL) -> tuple[float, bool]:
+def answer(library: Library = SMALL) -> tuple[float, bool]:
     """What a new process would find: the value, and whether the code was found on disk."""
     forget()
-    made = engine.compiled()
+    made = library.compiled()
     found = made.pushed(np.ones((1, 48)), 1), bool(made.pushed.stats.cache_hits)
     forget()
     return found
@@ -91,12 +91,12 @@ def test_damaged_code_is_compiled_again_and_replaced(
 
 def test_the_code_of_another_function_is_not_run(kernels: Path) -> None:
     forget()
-    ENGINE.compiled()
+    LIBRARY.compiled()
     first, second = sorted(kernels.iterdir())
     kept = first.read_bytes(), second.read_bytes()
     first.write_bytes(kept[1])
     second.write_bytes(kept[0])
-    assert answer(ENGINE) == (RIGHT, False)
+    assert answer(LIBRARY) == (RIGHT, False)
     forget()
 
 
@@ -166,7 +166,7 @@ def test_a_full_disk_costs_no_answer_and_is_said_once(
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(cache.storage, "write_aside", full)
-    assert answer() == answer(ENGINE) == (RIGHT, False)
+    assert answer() == answer(LIBRARY) == (RIGHT, False)
     (said,) = caplog.messages
     assert said.startswith(f"Compiled code cannot be kept in {kernels}: No space left on device.")
 
@@ -189,7 +189,7 @@ def test_a_home_that_cannot_be_written_is_said_once_and_leaves_nothing(
 
 
 def test_nothing_else_is_kept_than_what_is_checked(kernels: Path) -> None:
-    """Not by numba itself: neither for engines nor for kernels that are compiled when called."""
+    """Not by numba itself: neither for libraries nor for kernels that are compiled when called."""
     answer()
     loaded.cache_clear()
     kernel = compiled.__wrapped__(Demand("explicit_euler"))
@@ -204,11 +204,11 @@ def test_a_terminal_has_a_bar_that_vanishes(kernels: Path, monkeypatch: pytest.M
     screen = rich.console.Console(file=shown, force_terminal=True, width=200)
     monkeypatch.setattr(rich.console, "Console", lambda **_: screen)
     text = SMALL.source()
-    with progress.progress("small engine", text):
+    with progress.progress("small library", text):
         loaded.cache_clear()
         loaded(text)
     count = text.count("\ndef ")
-    assert f"Compiling the small engine: {count} functions" in shown.getvalue()
+    assert f"Compiling the small library: {count} functions" in shown.getvalue()
     assert f"{count}/{count}" in shown.getvalue()
     assert "\x1b[2K" in shown.getvalue()  # erased
     assert re.search(r"Compiled in [\d.]+ s\.$", shown.getvalue())

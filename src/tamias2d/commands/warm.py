@@ -8,9 +8,9 @@ from tamias2d.kernels.cache import folder
 
 
 def warm_up() -> None:
-    """Compile every engine on the menu, or find it compiled, and say how long that took."""
-    for engine in MENU:
+    """Compile every library on the menu, or find it compiled, and say how long that took."""
+    for library in MENU:
         start = time.perf_counter()
-        engine.compiled()
-        say(f"{engine.name}: ready after {time.perf_counter() - start:.1f} s")
+        library.compiled()
+        say(f"{library.name}: ready after {time.perf_counter() - start:.1f} s")
     say(f"Compiled code is kept in {folder()}.")

@@ -15,7 +15,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from tamias2d.commands import warm
-from tamias2d.kernels import Engine, engine as engine_module
+from tamias2d.kernels import Library, library
 from tamias2d.kernels.arrays import Floats
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
@@ -34,19 +34,19 @@ def as_engine(function: Callable[..., Any]) -> Callable[..., Any]:
 def forget() -> None:
     """What is compiled is on disk only, as for a process that has just started."""
     loaded.cache_clear()
-    engine_module._compiled.cache_clear()
+    library._compiled.cache_clear()
 
 
 for part in (plain_parts.halved, plain_parts.clamped, plain_parts.pushed, plain_parts.fallen):
     as_engine(part)
-ENGINE = Engine("engine of the tests", (plain_parts.pushed, plain_parts.fallen))
+LIBRARY = Library("library of the tests", (plain_parts.pushed, plain_parts.fallen))
 
 
-def test_compiled_and_plain_engines_have_the_same_bits() -> None:
+def test_compiled_and_plain_libraries_have_the_same_bits() -> None:
     rows = np.random.default_rng(1).normal(size=(7, 48))
     with np.errstate(all="ignore"):
         results = []
-        for made in (ENGINE.plain(), ENGINE.compiled()):
+        for made in (LIBRARY.plain(), LIBRARY.compiled()):
             work = rows.copy()
             value = made.pushed(work, 7)
             made.fallen(work, 0.3)
@@ -62,7 +62,7 @@ def greater(first: float, second: float) -> float:
     return largest(first, second)
 
 
-EXTREMES = Engine("extremes", (as_engine(lesser), as_engine(greater)))
+EXTREMES = Library("extremes", (as_engine(lesser), as_engine(greater)))
 
 
 @given(NUMBER, NUMBER)
@@ -79,7 +79,7 @@ def test_least_and_largest_agree_on_zeros_and_on_what_is_no_number(
 
 
 def test_a_source_stands_alone_and_reads_in_order() -> None:
-    text = ENGINE.source()
+    text = LIBRARY.source()
     tree = ast.parse(text)
     heads = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
     assert [head.name for head in heads] == [
@@ -123,7 +123,7 @@ def test_a_changed_helper_in_another_module_is_compiled_anew(
     for number in ("2.0", "4.0"):
         module("helper", HELPER.format(number))
         made = module("caller", CALLER)
-        answers.append(Engine("caller", (made.twice,)).compiled().twice(1.0))
+        answers.append(Library("caller", (made.twice,)).compiled().twice(1.0))
     assert answers == [2.0, 4.0]
     assert len(list((tmp_path / "kernels").iterdir())) == 2
 
@@ -159,7 +159,7 @@ def two_halves(x: float) -> float:
 @pytest.mark.parametrize(
     ("function", "says"),
     [
-        (unknown, r"stepped\.test\.unknown: 'missing' is not known"),
+        (unknown, r"engine\.test\.unknown: 'missing' is not known"),
         (
             array_function,
             r"array_function: 'np.sum' is .*: must be a function of this package",
@@ -183,14 +183,14 @@ def test_who_waits_is_told_and_only_then(
 ) -> None:
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
     forget()
-    ENGINE.compiled()
+    LIBRARY.compiled()
     told = capsys.readouterr()
     assert told.out == ""
     assert re.search(
-        r"Compiling the engine of the tests: 6 functions, about 1 s of processor time", told.err
+        r"Compiling the library of the tests: 6 functions, about 1 s of processor time", told.err
     )
     forget()
-    ENGINE.compiled()
+    LIBRARY.compiled()
     assert capsys.readouterr().err == ""
     forget()
 
@@ -199,13 +199,13 @@ def test_warming_up_compiles_what_is_on_the_menu(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
-    monkeypatch.setattr(warm, "MENU", (ENGINE, EXTREMES))
+    monkeypatch.setattr(warm, "MENU", (LIBRARY, EXTREMES))
     forget()
     warm.warm_up()
     told = capsys.readouterr()
     assert told.err.count("Compiling") == 2
     assert re.fullmatch(
-        r"engine of the tests: ready after [\d.]+ s\nextremes: ready after [\d.]+ s\n"
+        r"library of the tests: ready after [\d.]+ s\nextremes: ready after [\d.]+ s\n"
         rf"Compiled code is kept in {re.escape(str(tmp_path))}.kernels\.\n",
         told.out,
     )
@@ -214,8 +214,8 @@ def test_warming_up_compiles_what_is_on_the_menu(
 
 TWICE = """
 import numpy as np
-from tests.kernels.test_engine import ENGINE
-made = ENGINE.compiled()
+from tests.kernels.test_library import LIBRARY
+made = LIBRARY.compiled()
 print(made.pushed(np.ones((1, 48)), 1), len(made.pushed.stats.cache_hits))
 """
 
@@ -248,14 +248,14 @@ def test_kernels_that_cannot_be_written_are_compiled_all_the_same(
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
     (tmp_path / "kernels").write_text("in the way")  # a directory without leave stops no superuser
     forget()
-    made = ENGINE.compiled()
-    assert made.pushed(np.ones((1, 48)), 1) == ENGINE.plain().pushed(np.ones((1, 48)), 1)
+    made = LIBRARY.compiled()
+    assert made.pushed(np.ones((1, 48)), 1) == LIBRARY.plain().pushed(np.ones((1, 48)), 1)
     forget()
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes that fork")
 def test_a_forked_process_goes_on_with_what_was_compiled() -> None:
-    made = ENGINE.compiled()
+    made = LIBRARY.compiled()
     child = os.fork()
     if child == 0:
         os._exit(0 if made.pushed(np.ones((1, 48)), 1) >= 0 else 1)

@@ -1,6 +1,6 @@
-"""Engines: plain functions that are compiled together as one kernel.
+"""Libraries: plain functions that are compiled together.
 
-Serves: the stepped way, and `tamias2d warm`. Hides: assembling and compiling.
+Serves: the engine, and `tamias2d warm`. Hides: assembling and compiling.
 """
 
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from tamias2d.kernels.progress import progress
 
 
 @dataclass(frozen=True)
-class Engine:
+class Library:
     """Functions, by a name, that are compiled together."""
 
     name: str
@@ -40,10 +40,10 @@ class Engine:
 
 
 @cache
-def _compiled(engine: Engine) -> SimpleNamespace:
-    text = engine.source()
-    with progress(engine.name, text):
+def _compiled(library: Library) -> SimpleNamespace:
+    text = library.source()
+    with progress(library.name, text):
         module = loaded(text)
     return SimpleNamespace(
-        **{entry.__name__: getattr(module, entry.__name__) for entry in engine.entries}
+        **{entry.__name__: getattr(module, entry.__name__) for entry in library.entries}
     )
