@@ -25,11 +25,11 @@ class State(NamedTuple):
     """rad/s"""
 
 
-class Hold(Protocol):
+class Constraint(Protocol):
     """What lasting contacts make of the acceleration that the loads alone would give a body."""
 
     @property
-    def bends(self) -> bool:
+    def state_dependent(self) -> bool:
         """Whether it depends on the state, so that constant loads give no constant acceleration."""
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:

@@ -5,7 +5,7 @@ Secret: how a contact is found (conservative advancement along separating axes) 
 what happens at one instant is decided.
 """
 
-from tamias2d.contact.instant import Hit
+from tamias2d.contact.instant import ContactImpulse
 from tamias2d.contact.located import Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
@@ -18,12 +18,12 @@ from tamias2d.contact.refusal import (
     UndecidedContactError,
     UnlocatedContactError,
 )
-from tamias2d.contact.way import MEANT_TO_TOUCH, steps_because
+from tamias2d.contact.stepping_choice import MEANT_TO_TOUCH, steps_because
 
 __all__ = [
     "MEANT_TO_TOUCH",
+    "ContactImpulse",
     "FrictionError",
-    "Hit",
     "LastingContactError",
     "Located",
     "OverlapError",

@@ -1,7 +1,4 @@
-"""Forces and impulses that push and never pull: the linear complementarity problem.
-
-Serves: impacts and contacts that last. Hides: the method of solution.
-"""
+"""Normal forces and impulses, never negative: the linear complementarity problem."""
 
 import numpy as np
 

@@ -1,7 +1,4 @@
-"""Bodies as whoever looks for contacts sees them: corners, sides and a radius around them.
-
-Serves: gaps and manifolds. Hides: that all shapes are one: corners with a radius around them.
-"""
+"""The geometry of a body in contact: corners, sides and a radius around them."""
 
 import math
 from copy import copy

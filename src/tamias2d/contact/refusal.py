@@ -1,6 +1,4 @@
-"""What the located way cannot decide, each case under a name of its own.
-
-Serves: whoever asks why a run was refused. Hides: how bodies are named in a message.
+"""The errors of located impacts, each case under a name of its own.
 
 A refusal says when, which bodies and why; its `run` is the history up to there.
 """

@@ -1,7 +1,4 @@
-"""What of a scene only the stepped way knows: the located way refuses it by name.
-
-Serves: the located way, and the choice of a way. Hides: which shapes and bodies these are.
-"""
+"""Bodies whose impacts cannot be located."""
 
 from tamias2d.contact.refusal import StepwiseError
 from tamias2d.scene import Body, Compound, Scene

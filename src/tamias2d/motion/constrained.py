@@ -11,7 +11,7 @@ from tamias2d.motion.motion import Tally
 from tamias2d.motion.reference import ScipyDop853
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
-from tamias2d.state import Hold, State
+from tamias2d.state import Constraint, State
 
 _TOLERANCE = 1e-13
 """Relative; as far as float64 goes."""
@@ -26,11 +26,15 @@ class ConstrainedMotion:
         self._loads = Loads(scene)
         self._integrators: dict[int, ScipyDop853] = {}
 
-    def restart(self, body: int, start: float, state: State, end: float, hold: Hold) -> Piece:
+    def restart(
+        self, body: int, start: float, state: State, end: float, constraint: Constraint
+    ) -> Piece:
         """Return one step of the path of a body from `start` towards `end`, s."""
         if body not in self._integrators:
             self._integrators[body] = ScipyDop853(_TOLERANCE, self._scale(body, start, state))
-        field = MemoisedField(self._loads.field([body], [hold]), [body], [hold], self._tally)
+        field = MemoisedField(
+            self._loads.field([body], [constraint]), [body], [constraint], self._tally
+        )
         q, rate = coordinates([state])
         return self._integrators[body].step(field, start, end, q, rate).piece(0)
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tamias2d.contact import Hit, Located, Refusal
+from tamias2d.contact import ContactImpulse, Located, Refusal
 from tamias2d.kernels import flight
 from tamias2d.motion import Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
@@ -56,17 +56,19 @@ def _reached(plan: Plan, motion: Motion, located: Located) -> Run:
         return run_of(plan, start_of(plan), NO_IMPACTS, motion.notes, motion.tally)
     times = plan.times[plan.times <= located.time]
     plan = plan._replace(times=times if len(times) else plan.times[:1])
-    history, impacts = sample(located.tracks, plan.times), _impacts(located.hits)
+    history, impacts = sample(located.tracks, plan.times), _impacts(located.contact_impulses)
     return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally)
 
 
-def _impacts(hits: Sequence[tuple[float, Hit]]) -> Impacts:
-    contacts = [hit.contact for _, hit in hits]
+def _impacts(contact_impulses: Sequence[tuple[float, ContactImpulse]]) -> Impacts:
+    contacts = [hit.contact for _, hit in contact_impulses]
     return Impacts(
-        time=np.array([time for time, _ in hits], dtype=np.float64),
+        time=np.array([time for time, _ in contact_impulses], dtype=np.float64),
         bodies=np.array([(c.a, c.b) for c in contacts], dtype=np.int64).reshape(-1, 2),
         point=np.array([c.point for c in contacts], dtype=np.float64).reshape(-1, 2),
         normal=np.array([c.normal for c in contacts], dtype=np.float64).reshape(-1, 2),
-        impulse=np.array([hit.impulse for _, hit in hits], dtype=np.float64),
-        normal_velocity=np.array([hit.normal_velocity for _, hit in hits], dtype=np.float64),
+        impulse=np.array([hit.impulse for _, hit in contact_impulses], dtype=np.float64),
+        normal_velocity=np.array(
+            [hit.normal_velocity for _, hit in contact_impulses], dtype=np.float64
+        ),
     )

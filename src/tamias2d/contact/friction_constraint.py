@@ -1,27 +1,29 @@
-"""What rough contacts make of a body's acceleration, as functions that motion can call (GD8).
-
-Serves: motion along a rough contact that lasts. Hides: how the forces of a mode follow the loads.
-"""
+"""The acceleration of a body on frictional lasting contacts, as functions for `motion` (GD8)."""
 
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
+from tamias2d.contact.constrained_acceleration import after_force, opening_acceleration
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.hold import accelerated, opening
-from tamias2d.contact.manifold import Contact, followed, scrape, sliding
-from tamias2d.contact.modes import Mode, closed, directed, effects, ways
+from tamias2d.contact.manifold import (
+    Contact,
+    refreshed,
+    tangential_acceleration,
+    tangential_velocity,
+)
+from tamias2d.contact.modes import Mode, closed, closed_directions, effects, force_directions
 from tamias2d.contact.refusal import LastingContactError, named
 from tamias2d.generated import definitions, friction
 from tamias2d.state import Acceleration, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
-_SEEN = 4e-10
+_FORCE_TOLERANCE = 4e-10
 """Of the forces: by how much one may be beyond its bound; more than what modes leave of loads."""
-_AXES: tuple[Acceleration, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+_UNIT_VECTORS: tuple[Acceleration, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-class Gripped:
+class FrictionConstraint:
     """Sticking, sliding or rolling along surfaces that stay as they are.
 
     The forces are linear in the loads, and so is what they leave of the acceleration. Where nothing
@@ -39,17 +41,17 @@ class Gripped:
         core = cores[body]
         self._body = body
         self.sliding = [
-            (part.pressed[0], part.sense) for part in mode if part.pressed and part.sense
+            (mode.pressed[0], mode.sense) for mode in mode if mode.pressed and mode.sense
         ]
         """A contact of each pair that slides, with the sense of the sliding."""
-        self.bends = not core.steady and len(core.group) <= 1
-        rows, columns = closed(mode), ways(mode)
-        feels = np.array([_felt(body, contact) for contact in directed(rows)])
-        gives = np.array([_given(core, body, contact) for contact in columns]).T
+        self.state_dependent = not core.steady and len(core.group) <= 1
+        rows, columns = closed(mode), force_directions(mode)
+        jacobian = np.array([_jacobian_row(body, contact) for contact in closed_directions(rows)])
+        responses = np.array([_unit_response(core, body, contact) for contact in columns]).T
         self._mode = mode
-        self._forces = -np.linalg.pinv(effects(cores, rows, columns)) @ feels
-        left = np.eye(3) + gives @ self._forces
-        x, y, turn = (left @ axis for axis in np.array(_AXES))
+        self._forces = -np.linalg.pinv(effects(cores, rows, columns)) @ jacobian
+        left = np.eye(3) + responses @ self._forces
+        x, y, turn = (left @ axis for axis in np.array(_UNIT_VECTORS))
         self._left = tuple(
             zip(
                 *(allowed((float(c[0]), float(c[1]), float(c[2]))) for c in (x, y, turn)),
@@ -60,42 +62,44 @@ class Gripped:
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:  # noqa: ARG002
         """Return what the contacts leave of an acceleration."""
         x, y, turn = acceleration
-        ahead, up, round_ = (p * x + q * y + r * turn + 0.0 for p, q, r in self._left)
-        return ahead, up, round_
+        separating_direction, up, round_ = (
+            p * x + q * y + r * turn + 0.0 for p, q, r in self._left
+        )
+        return separating_direction, up, round_
 
-    def fits(self, acceleration: Acceleration) -> bool:
+    def within_cone(self, acceleration: Acceleration) -> bool:
         """Return whether forces of the mode can be seen to be within Coulomb's bounds.
 
         Where several sets of forces do the same, one of them is looked at.
         """
         forces = (self._forces @ acceleration).tolist()
-        unseen = _SEEN * max(map(abs, forces))
-        along = iter(forces[sum(len(part.pressed) for part in self._mode) :])
+        unseen = _FORCE_TOLERANCE * max(map(abs, forces))
+        along = iter(forces[sum(len(mode.pressed) for mode in self._mode) :])
         across = iter(forces)
-        for part in self._mode:
-            normal = [next(across) for _ in part.pressed]
+        for mode in self._mode:
+            normal = [next(across) for _ in mode.pressed]
             if min(normal, default=0.0) < -unseen:
                 return False
-            most = abs(friction.friction_force(1, part.patch.roughness, sum(normal)))
-            if part.sticks and abs(next(along)) > most + unseen:
+            most = abs(friction.friction_force(1, mode.patch.coefficient, sum(normal)))
+            if mode.sticks and abs(next(along)) > most + unseen:
                 return False
         return True
 
-    def slides(self, state: State) -> bool:
+    def keeps_sliding(self, state: State) -> bool:
         """Return whether all that slides still does so in its sense, in a state of the body."""
         still = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
         for contact, sense in self.sliding:
             a, b = (state if i == self._body else still for i in (contact.a, contact.b))
-            if sense * sliding(contact, a, b) <= 0:
+            if sense * tangential_velocity(contact, a, b) <= 0:
                 return False
         return True
 
 
-class Scraping:
+class TurningFrictionConstraint:
     """Contacts kept closed while their normals or arms turn: for a body that tips or rolls off."""
 
-    bends = True
-    sliding: Sequence[tuple[Contact, int]] = ()
+    state_dependent = True
+    tangential_velocity: Sequence[tuple[Contact, int]] = ()
 
     def __init__(
         self,
@@ -122,20 +126,20 @@ class Scraping:
         """Return the acceleration that leaves closed what is closed."""
         placed = {**self._placed, self._body: place(self._cores[self._body], state)}
         mode = tuple(
-            part._replace(
-                pressed=tuple(followed(c, placed[c.a], placed[c.b]) for c in part.pressed)
+            mode._replace(
+                pressed=tuple(refreshed(c, placed[c.a], placed[c.b]) for c in mode.pressed)
             )
-            for part in self._mode
+            for mode in self._mode
         )
-        rows, columns = closed(mode), ways(mode)
+        rows, columns = closed(mode), force_directions(mode)
         by = {self._body: acceleration}
-        loads = [_load(contact, along, placed, by) for contact, along in rows]
+        loads = [_contact_acceleration(contact, along, placed, by) for contact, along in rows]
         found = np.linalg.lstsq(effects(self._cores, rows, columns), -np.array(loads))[0]
         core = self._cores[self._body]
         for contact, force in zip(columns, found.tolist(), strict=True):
-            x, y, turn = _given(core, self._body, contact)
-            ahead, up, spin = acceleration
-            acceleration = ahead + force * x, up + force * y, spin + force * turn
+            x, y, turn = _unit_response(core, self._body, contact)
+            separating_direction, up, spin = acceleration
+            acceleration = separating_direction + force * x, up + force * y, spin + force * turn
         return acceleration
 
     def _refuse_rocking(self, contact: Contact, time: float) -> None:
@@ -152,26 +156,28 @@ class Scraping:
             )
 
 
-def _load(
+def _contact_acceleration(
     contact: Contact, along: bool, placed: Mapping[int, Placed], by: Mapping[int, Acceleration]
 ) -> float:
     if not along:
-        return opening(contact, placed, by)
+        return opening_acceleration(contact, placed, by)
     a, b = contact.a, contact.b
-    return scrape(contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL))
+    return tangential_acceleration(
+        contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL)
+    )
 
 
-def _felt(body: int, contact: Contact) -> Acceleration:
+def _jacobian_row(body: int, contact: Contact) -> Acceleration:
     """Return what of a body's acceleration is that of the contact along its normal."""
     sign, arm = _side(body, contact)
     x, y = contact.normal
     return sign * x, sign * y, sign * float(definitions.torque(arm, contact.normal))
 
 
-def _given(core: Core, body: int, contact: Contact) -> Acceleration:
+def _unit_response(core: Core, body: int, contact: Contact) -> Acceleration:
     """Return what a unit of force along a contact's normal does to the body."""
     sign, arm = _side(body, contact)
-    return accelerated(core, _STILL, arm, (sign * contact.normal[0], sign * contact.normal[1]))
+    return after_force(core, _STILL, arm, (sign * contact.normal[0], sign * contact.normal[1]))
 
 
 def _side(body: int, contact: Contact) -> tuple[int, tuple[float, float]]:

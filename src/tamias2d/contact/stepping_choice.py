@@ -1,7 +1,4 @@
-"""Which way leads through the contacts of a scene: impacts located, or steps.
-
-Serves: `simulate`, the study of tolerances, `explain`. Hides: when contacts are too many.
-"""
+"""Whether the contacts of a scene are located or stepped through."""
 
 from tamias2d.contact.stepwise import beyond_location
 from tamias2d.scene import Scene
