@@ -58,7 +58,7 @@ class Paths(Protocol):
     ) -> Mapping[int, Piece]:
         """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
 
-        A path may end before, where a hold bends it.
+        A path may end before, where a constraint depends on the state.
         """
 
     def approach(
@@ -74,4 +74,4 @@ class Paths(Protocol):
         """
 
     def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
-        """Return the acceleration of a body that nothing holds, at a time in s."""
+        """Return the acceleration of an unconstrained body, at a time in s."""

@@ -26,14 +26,14 @@ class State(NamedTuple):
 
 
 class Constraint(Protocol):
-    """What lasting contacts make of the acceleration that the loads alone would give a body."""
+    """The acceleration of a body on lasting contacts, as a function of that by the loads."""
 
     @property
     def state_dependent(self) -> bool:
         """Whether it depends on the state, so that constant loads give no constant acceleration."""
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
-        """Return the acceleration that is left of one by the loads, in a state."""
+        """Return the constrained acceleration for one by the loads alone, in a state."""
 
 
 class History(NamedTuple):

@@ -1,8 +1,7 @@
-"""Contacts: who touches, and what follows.
+"""Located contacts: impacts to rounding, and the contacts that last after them.
 
-Service: the bodies of a scene followed through all that they meet, impacts located to rounding.
-Secret: how a contact is found (conservative advancement along separating axes) and in which order
-what happens at one instant is decided.
+Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impact is found
+(conservative advancement along separating axes), and in which order one instant is resolved.
 """
 
 from tamias2d.contact.instant import ContactImpulse

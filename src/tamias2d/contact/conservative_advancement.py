@@ -44,13 +44,13 @@ class Pair:
         lasting: Sequence[Contact] = (),
         separating_direction: Vector | None = None,
     ) -> None:
-        """Take two bodies, and the lasting contacts that do not count as a meeting.
+        """Take two bodies, and the lasting contacts that do not count as an impact.
 
-        `ahead` is the direction from A to B in which they were last apart, if they touch.
+        `separating_direction` is the direction from A to B in which they were last apart.
         """
         self.cores = (a, b)
         self.separating_direction = separating_direction
-        """The direction in which they were apart when last looked at."""
+        """The direction in which they were apart at the last time that was examined."""
         self._lasting = lasting
         self._touching = False
         self._paths = (path_a, path_b)
@@ -61,7 +61,7 @@ class Pair:
         return place(a, path_a.at(time)), place(b, path_b.at(time))
 
     def time_of_impact(self, start: float, end: float) -> float | None:
-        """Return the first time in s from `start` to `end` at which they touch and do not part.
+        """Return the first time in s from `start` to `end` at which they touch and do not separate.
 
         Raises:
             UndecidedContactError: float64 cannot tell it in a bounded number of steps.
@@ -156,7 +156,7 @@ class Pair:
         return self._step_along(axis, near, a, b, time, end, relative=same) if near else math.inf
 
     def _gap_from_lasting(self, gap: Gap, axis: Axis, a: Placed, b: Placed) -> Gap:
-        """Return the gap to a corner from that which is kept at none: only turning changes it."""
+        """Return the gap to a corner relative to the lasting contact: only turning changes it."""
         p, q = (b, a) if axis.swapped else (a, b)
         ux, uy = axis.direction
         kx, ky = q.corners[self._lasting[0].gap.which[1]]
@@ -202,7 +202,7 @@ class Pair:
     def _spinning_step(self, a: Placed, b: Placed, time: float, end: float) -> float:
         """Return how long the circles around bodies that turn often stay apart, or 0.
 
-        Without it, every turn on the way would be looked at.
+        Without it, every turn before the impact would be examined.
         """
         often = [abs(body.state.angular_velocity) * (end - time) > math.tau for body in (a, b)]
         if not any(often):

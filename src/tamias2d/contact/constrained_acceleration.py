@@ -18,7 +18,7 @@ _PARALLEL = 1e-10
 
 @dataclass(frozen=True)
 class Constant:
-    """One acceleration, whatever the loads: for bodies that push each other under constant ones."""
+    """One acceleration, whatever the loads: for bodies in contact under constant ones."""
 
     acceleration: Acceleration
     state_dependent = False
@@ -30,7 +30,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class Projection:
-    """Only along the supports, exactly: for a body that slides or rests and does not tip."""
+    """The part along the supports, exactly: for a body that slides or rests and does not tip."""
 
     normals: Sequence[Vector]
     turning: bool
@@ -38,13 +38,13 @@ class Projection:
     state_dependent = False
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:  # noqa: ARG002
-        """Return what is left along the supports."""
+        """Return the part along the supports."""
         x, y, turn = acceleration
         return (*tangential_part((x, y), self.normals), turn if self.turning else 0.0)
 
 
 class TurningConstraint:
-    """Contacts kept closed while their normals or arms turn: for a body that tips or rolls off."""
+    """Closed contacts whose normals or arms turn: for a body that tips or rolls off."""
 
     state_dependent = True
 
@@ -61,18 +61,18 @@ class TurningConstraint:
         self._placed = placed
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
-        """Return the acceleration that leaves all gaps as they are."""
+        """Return the acceleration under which all gaps stay as they are."""
         contacts, normal_forces = self.normal_forces(acceleration, state)
-        for contact, push in zip(contacts, normal_forces, strict=True):
+        for contact, force in zip(contacts, normal_forces, strict=True):
             sign, arm = (-1, contact.arm_a) if contact.a == self._body else (1, contact.arm_b)
-            force = (sign * push * contact.normal[0], sign * push * contact.normal[1])
-            acceleration = after_force(self._cores[self._body], acceleration, arm, force)
+            vector = (sign * force * contact.normal[0], sign * force * contact.normal[1])
+            acceleration = after_force(self._cores[self._body], acceleration, arm, vector)
         return acceleration
 
     def normal_forces(
         self, acceleration: Acceleration, state: State
     ) -> tuple[list[Contact], list[float]]:
-        """Return the contacts in a state, and the pushes that keep them, N; negative is pulling."""
+        """Return the contacts in a state, and their normal forces, N; a negative one pulls."""
         placed = {**self._placed, self._body: place(self._cores[self._body], state)}
         contacts = [refreshed(c, placed[c.a], placed[c.b]) for c in self._contacts]
         loads = [opening_acceleration(c, placed, {self._body: acceleration}) for c in contacts]
@@ -82,7 +82,7 @@ class TurningConstraint:
 def opening_acceleration(
     contact: Contact, placed: Mapping[int, Placed], by: Mapping[int, Acceleration]
 ) -> float:
-    """Return the second derivative of a gap, m/s^2; who has no acceleration in `by` has none."""
+    """Return the second derivative of a gap, m/s^2; a body that `by` lacks has no acceleration."""
     a, b = contact.a, contact.b
     return gap_acceleration(contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL))
 
@@ -95,7 +95,7 @@ def constrained_accelerations(
 ) -> dict[int, Acceleration]:
     """Return the accelerations nearest to the free ones that leave all contacts closed.
 
-    Nearest in the measure of the masses, as pushes along the normals make them (Gauss). Found among
+    Nearest in the measure of the masses: Gauss's principle of least constraint. Found among
     the motions that the contacts allow, so that where they allow none, nothing moves, to the bit,
     however light and heavy the bodies are.
     """
@@ -134,7 +134,7 @@ def without_normal_velocity(
 
 
 def tangential_part(vector: Vector, normals: Sequence[Vector]) -> Vector:
-    """Return what of a vector is left along all of some surfaces, given by their normals."""
+    """Return the part of a vector along all of some surfaces, given by their normals."""
     (nx, ny), *others = normals
     if any(abs(nx * y - ny * x) > _PARALLEL for x, y in others):
         return 0.0, 0.0
@@ -151,7 +151,7 @@ def after_force(core: Core, by: Acceleration, arm: Vector, force: Vector) -> Acc
 
 
 def _weights(core: Core) -> tuple[float, float, float]:
-    """Return what each acceleration of a body weighs, the angular one times the body's size, kg."""
+    """Return the weight of each acceleration of a body, kg; the angular one is times its size."""
     mass = 1 / core.inverse_mass
     turning = 1 / core.inverse_inertia / core.size**2 if core.inverse_inertia else 1e300
     return mass, mass, turning
@@ -160,7 +160,7 @@ def _weights(core: Core) -> tuple[float, float, float]:
 def _constraint_forces(
     cores: Sequence[Core], contacts: Sequence[Contact], loads: Sequence[float]
 ) -> list[float]:
-    """Return what at each contact, of either sign, takes all loads away."""
+    """Return the forces, of either sign, that cancel the loads at all contacts."""
     if len(contacts) == 1:
         return [-loads[0] / coupling(cores, contacts[0], contacts[0])]
     matrix = np.array([[coupling(cores, k, m) for m in contacts] for k in contacts])

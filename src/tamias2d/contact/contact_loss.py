@@ -30,7 +30,7 @@ class ContactLossWatch:
         slight: float,
         friction_and_senses: tuple[Callable[[int, int], float], Mapping[tuple[int, int], int]],
     ) -> None:
-        """Take, among others, the friction of pairs, and how those slide that touch now."""
+        """Take, among others, the friction of pairs, and the senses in which they slide."""
         self._cores = cores
         self._body = body
         self._contacts = contacts
@@ -40,7 +40,7 @@ class ContactLossWatch:
         self._friction, self._senses = friction_and_senses
 
     def first_loss(self, path: Piece, constraint: Constraint) -> float | None:
-        """Return the first time in s at which the contacts do not go on as they are, or None."""
+        """Return the first time in s at which the contacts change, or None."""
         core = self._cores[self._body]
         endless = all(self._cores[i].endless for i in self._supports)
         if not constraint.state_dependent and core.steady and endless:
@@ -123,7 +123,7 @@ class ContactLossWatch:
         return speed * (LASTING_NOISE if sticks else 64 * EPSILON)
 
     def _refreshed(self, placed: Mapping[int, Placed]) -> list[Contact]:
-        """Return the contacts whose axis still is the one of its pair."""
+        """Return the contacts whose axis still is the best one of its pair."""
         now = []
         for contact in self._contacts:
             a, b = placed[contact.a], placed[contact.b]
@@ -135,7 +135,7 @@ class ContactLossWatch:
         return now
 
     def _rebuilt(self, placed: Mapping[int, Placed], time: float) -> list[Contact]:
-        """Return the contacts of all pairs anew."""
+        """Return the manifolds of all pairs, found anew."""
         now: list[Contact] = []
         for i, j in dict.fromkeys((contact.a, contact.b) for contact in self._contacts):
             lasting = [contact for contact in self._contacts if (contact.a, contact.b) == (i, j)]

@@ -19,15 +19,15 @@ from tamias2d.state import Acceleration, State
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 _FORCE_TOLERANCE = 4e-10
-"""Of the forces: by how much one may be beyond its bound; more than what modes leave of loads."""
+"""Of the largest force: how far one may be outside its cone; more than the residual of a mode."""
 _UNIT_VECTORS: tuple[Acceleration, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 class FrictionConstraint:
-    """Sticking, sliding or rolling along surfaces that stay as they are.
+    """Sticking, sliding or rolling along surfaces whose normals do not turn.
 
-    The forces are linear in the loads, and so is what they leave of the acceleration. Where nothing
-    can move nothing is left, to the bit.
+    Contact forces are linear in the loads, and so is the remaining acceleration. It is exactly 0
+    where nothing can move.
     """
 
     def __init__(
@@ -37,13 +37,13 @@ class FrictionConstraint:
         mode: Mode,
         allowed: Callable[[Acceleration], Acceleration],
     ) -> None:
-        """Take a mode, and what leaves of an acceleration that to which the contacts are open."""
+        """Take a mode, and the projection of an acceleration on what the contacts allow."""
         core = cores[body]
         self._body = body
         self.sliding = [
             (mode.pressed[0], mode.sense) for mode in mode if mode.pressed and mode.sense
         ]
-        """A contact of each pair that slides, with the sense of the sliding."""
+        """One contact of each sliding pair, with the sense in which it slides."""
         self.state_dependent = not core.steady and len(core.group) <= 1
         rows, columns = closed(mode), force_directions(mode)
         jacobian = np.array([_jacobian_row(body, contact) for contact in closed_directions(rows)])
@@ -60,7 +60,7 @@ class FrictionConstraint:
         )
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:  # noqa: ARG002
-        """Return what the contacts leave of an acceleration."""
+        """Return the acceleration that remains under the contact forces."""
         x, y, turn = acceleration
         separating_direction, up, round_ = (
             p * x + q * y + r * turn + 0.0 for p, q, r in self._left
@@ -68,9 +68,9 @@ class FrictionConstraint:
         return separating_direction, up, round_
 
     def within_cone(self, acceleration: Acceleration) -> bool:
-        """Return whether forces of the mode can be seen to be within Coulomb's bounds.
+        """Return whether the forces of the mode lie within the friction cones.
 
-        Where several sets of forces do the same, one of them is looked at.
+        Where several sets of forces do the same, one of them is examined.
         """
         forces = (self._forces @ acceleration).tolist()
         unseen = _FORCE_TOLERANCE * max(map(abs, forces))
@@ -86,7 +86,7 @@ class FrictionConstraint:
         return True
 
     def keeps_sliding(self, state: State) -> bool:
-        """Return whether all that slides still does so in its sense, in a state of the body."""
+        """Return whether all sliding pairs still slide in their senses, in a state of the body."""
         still = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
         for contact, sense in self.sliding:
             a, b = (state if i == self._body else still for i in (contact.a, contact.b))
@@ -96,7 +96,7 @@ class FrictionConstraint:
 
 
 class TurningFrictionConstraint:
-    """Contacts kept closed while their normals or arms turn: for a body that tips or rolls off."""
+    """Closed contacts whose normals or arms turn: for a body that tips or rolls off."""
 
     state_dependent = True
     tangential_velocity: Sequence[tuple[Contact, int]] = ()
@@ -123,7 +123,7 @@ class TurningFrictionConstraint:
                 self._refuse_rocking(contact, time)
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
-        """Return the acceleration that leaves closed what is closed."""
+        """Return the acceleration under which the closed contacts stay closed."""
         placed = {**self._placed, self._body: place(self._cores[self._body], state)}
         mode = tuple(
             mode._replace(
@@ -168,14 +168,14 @@ def _contact_acceleration(
 
 
 def _jacobian_row(body: int, contact: Contact) -> Acceleration:
-    """Return what of a body's acceleration is that of the contact along its normal."""
+    """Return the row of the Jacobian: the contact's normal acceleration by the body's."""
     sign, arm = _side(body, contact)
     x, y = contact.normal
     return sign * x, sign * y, sign * float(definitions.torque(arm, contact.normal))
 
 
 def _unit_response(core: Core, body: int, contact: Contact) -> Acceleration:
-    """Return what a unit of force along a contact's normal does to the body."""
+    """Return the body's acceleration under a unit of force along the contact's normal."""
     sign, arm = _side(body, contact)
     return after_force(core, _STILL, arm, (sign * contact.normal[0], sign * contact.normal[1]))
 

@@ -21,7 +21,7 @@ def frictional_impulses(
 ) -> list[tuple[float, float]]:
     """Return the impulses along normal and tangent at each contact of one pair, N s.
 
-    `roughness` is the pair's coefficient of friction.
+    `coefficient` is the pair's coefficient of friction.
     """
     normal_impulses = impulses(cores, contacts, a, b, restitution)
     pressed = [k for k, normal_impulse in enumerate(normal_impulses) if normal_impulse > 0]
@@ -104,9 +104,9 @@ def _at_two_contacts(
     closest: float,
     coefficient: float,
 ) -> list[tuple[float, float]]:
-    """Return the impulses at two contacts; `closest` is the part of the pushes until then.
+    """Return the impulses at two contacts; `closest` is the share of the normal impulses by then.
 
-    Both lie on one line along the tangent, which is therefore pushed as a whole.
+    Both contacts lie on one line along the tangent, and share one tangential impulse.
     """
     along = tangent_of(contacts[0])
     directions = [*contacts, along]
@@ -118,7 +118,7 @@ def _at_two_contacts(
     *changes, sticking = np.linalg.lstsq(np.array(matrix), wanted)[0].tolist()
     share = float(friction.share(coefficient, sum(normal_impulses), sticking, sum(changes)))
     for normal_impulse, change in zip(normal_impulses, changes, strict=True):
-        if normal_impulse + share * change < 0:  # it is no longer pushed from here on
+        if normal_impulse + share * change < 0:  # its normal impulse ends here
             share = -normal_impulse / change
     found = [
         max(float(friction.normal_impulse(normal_impulse, share, change)), 0.0)

@@ -30,14 +30,14 @@ from tamias2d.contact.refusal import FrictionError, LastingContactError, named
 from tamias2d.state import Acceleration, Constraint, State
 
 LASTING_NOISE = 1e-9
-"""Of the speeds: what velocity a lasting contact may have gathered that it excludes."""
+"""Of the speeds: the excluded velocity that a lasting contact may have gathered by rounding."""
 _SAME = 1e-8
-"""Of the loads: by how much two answers may differ that are one."""
+"""Of the loads: by how much two equal answers may differ."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
 class PairFriction(NamedTuple):
-    """What is known of the surfaces of all pairs at one instant."""
+    """The friction of all pairs at one instant."""
 
     time: float
     of: Callable[[int, int], float]
@@ -54,14 +54,14 @@ def island_of(
     slight: float,
     pair_friction: PairFriction,
 ) -> Island:
-    """Return what contacts make of the bodies that they connect, with friction or without."""
+    """Return the island of bodies that contacts connect, with friction or without."""
     if any(pair_friction.of(contact.a, contact.b) for contact in contacts):
         return FrictionalIsland(cores, placed, contacts, free, slight, pair_friction)
     return Island(cores, placed, contacts, free, slight)
 
 
 class FrictionalIsland(Island):
-    """Moving bodies that contacts connect, some of them rough."""
+    """An island in which some contacts have friction."""
 
     def __init__(
         self,
@@ -76,7 +76,7 @@ class FrictionalIsland(Island):
 
         Raises:
             FrictionError: Coulomb's law has no answer, or several.
-            LastingContactError: several bodies move on while they rub.
+            LastingContactError: several bodies move on with friction between them.
         """
         super().__init__(cores, placed, contacts, free, slight)
         self._states = {i: body.state for i, body in placed.items()}
@@ -90,7 +90,7 @@ class FrictionalIsland(Island):
         self.senses.update(_senses(self._mode))
 
     def projected(self, states: Mapping[int, State]) -> dict[int, State]:
-        """Return the states without what is left of the velocities that the contacts exclude."""
+        """Return the states projected on the velocities that the contacts allow."""
         if not self._pressing:
             return super().projected(states)
         if len(self.bodies) > 1:
@@ -105,7 +105,7 @@ class FrictionalIsland(Island):
         return {body: states[body]._replace(velocity=(x, y), angular_velocity=spin)}
 
     def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
-        """Return what the lasting contacts make of each body's own acceleration.
+        """Return the constraint of each body by its lasting contacts.
 
         Raises:
             LastingContactError: the located way does not follow it.
@@ -125,7 +125,7 @@ class FrictionalIsland(Island):
 
     @property
     def _pressing(self) -> bool:
-        """Whether some contact presses, so that there is friction."""
+        """Whether some contact presses, so that friction acts."""
         return any(part.pressed for part in self._mode)
 
     @property
@@ -133,7 +133,7 @@ class FrictionalIsland(Island):
         return closed_directions(closed(self._mode))
 
     def _projected(self, motion: Acceleration) -> Acceleration:
-        """Return what the closed contacts leave of a body's velocity or acceleration."""
+        """Return a body's velocity or acceleration, projected on what the closed contacts allow."""
         (body,) = self.bodies
         return constrained_accelerations(self._cores, [body], self._closed, {body: motion})[body]
 
@@ -163,7 +163,7 @@ class FrictionalIsland(Island):
         free: Mapping[int, Acceleration],
         time: float,
     ) -> None:
-        """Find the one mode, and what it makes of the body."""
+        """Find the one mode, and the acceleration of the body in it."""
         (body,) = self.bodies
         answers: list[tuple[Mode, Acceleration]] = []
         for mode in modes(patches):
@@ -197,7 +197,7 @@ class FrictionalIsland(Island):
         return apart <= _SAME * self._scale + self._unseen
 
     def _acceleration_in(self, mode: Mode, free: Mapping[int, Acceleration]) -> Acceleration | None:
-        """Return the acceleration of the body in a mode, or None if it is none of the law's."""
+        """Return the acceleration of the body in a mode, or None if it breaks Coulomb's law."""
         (body,) = self.bodies
         rows, columns = closed(mode), cone_edges(mode)
         by = dict(free)
@@ -228,7 +228,7 @@ class FrictionalIsland(Island):
     def _contact_acceleration(
         self, contact: Contact, along: bool, by: Mapping[int, Acceleration]
     ) -> float:
-        """Return the acceleration of a contact across or along its surface, m/s^2."""
+        """Return the normal or tangential acceleration of a contact, m/s^2."""
         if not along:
             return opening_acceleration(contact, self._placed, by)
         a, b = contact.a, contact.b
@@ -242,7 +242,7 @@ class FrictionalIsland(Island):
         free: Mapping[int, Acceleration],
         pair_friction: PairFriction,
     ) -> None:
-        """Keep several bodies at rest, if frictions within their bounds can.
+        """Keep several bodies at rest, if forces within the friction cones can.
 
         Raises:
             LastingContactError: they move, or cannot be kept.
@@ -263,16 +263,16 @@ class FrictionalIsland(Island):
         if rubbing:
             names = named(*dict.fromkeys(self._cores[i].name for i in (rubbing[0].a, rubbing[0].b)))
             raise LastingContactError(
-                f"{names} at {pair_friction.time!r} s: several moving bodies rub on each other while "
-                "they touch, which the located way does not follow (GD8). End the run before, or "
-                "change the scene.",
+                f"{names} at {pair_friction.time!r} s: several moving bodies rub on each "
+                "other while they touch, which the located way does not follow (GD8). End the run "
+                "before, or change the scene.",
                 time=pair_friction.time,
             )
 
     def _equilibrium(
         self, mode: Mode, free: Mapping[int, Acceleration]
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return what each push gives to each body's three accelerations, and what loads give."""
+        """Return the bodies' accelerations under a unit of each force, and under the loads."""
         columns = [
             self._with_forces([edge], [1.0], dict.fromkeys(free, _STILL))
             for edge in cone_edges(mode)

@@ -23,7 +23,7 @@ from tamias2d.state import Vector
 EPSILON = 2.0**-52
 _LEAST = 5e-324
 _BEHIND = -0.5  # cosine between directions that separate a pair from either side
-_IN_LINE = 1e-12  # of the sizes: by how much rounding may make cores in one line seem to cross
+_IN_LINE = 1e-12  # of the sizes: by how much rounding may make collinear cores seem to cross
 
 
 class Axis(NamedTuple):
@@ -85,7 +85,7 @@ def axes(a: Placed, b: Placed) -> list[Axis]:
 def from_side(
     a: Placed, b: Placed, found: list[Axis], separating_direction: Vector | None
 ) -> list[Axis]:
-    """Return the axes that do not point against `ahead`, in which the pair was last apart.
+    """Return the axes that do not point against the direction in which the pair was last apart.
 
     Where thin bodies touch, the axes of both their sides have no gap: to go on along the other one
     would be to pass through. Corners that rounding has let past each other overlap.
@@ -142,7 +142,7 @@ def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:
 
 
 def resolution(a: Placed, b: Placed, time: float) -> float:
-    """Return the gap in m that float64 cannot tell from none, for places and time such as these."""
+    """Return the gap in m that float64 cannot tell from 0, at such positions and times."""
     (ax, ay), (bx, by) = a.state.position, b.state.position
     (au, av), (bu, bv) = a.state.velocity, b.state.velocity
     length = abs(ax) + abs(ay) + abs(bx) + abs(by) + a.core.size + b.core.size

@@ -1,7 +1,7 @@
 """All impacts and lasting contacts at one instant.
 
-In this order: find all that touches; let what approaches part (IM3), unless impacts act on each
-other; let what neither approaches nor parts stay (GD3), if a contact can last.
+In this order: find all touching pairs; resolve the impacts of those that approach (IM3), unless
+impacts act on each other; keep the contacts that neither approach nor separate (GD3).
 """
 
 import math
@@ -42,19 +42,19 @@ _MAX_IMPULSES = (
 
 
 class InstantInputs(NamedTuple):
-    """What an instant may ask of the world."""
+    """The state of the simulation that an instant reads."""
 
     cores: Sequence[Core]
     state: Callable[[int], State]
     """Of a body, now."""
     overlapping: Callable[[int], Iterable[int]]
-    """The bodies that may touch a body now."""
+    """The bodies whose bounding boxes overlap with that of a body."""
     free: Callable[[int, Callable[[int], State]], Acceleration]
-    """The acceleration of a body that nothing holds, now, for given states."""
+    """The acceleration of an unconstrained body, now, for given states."""
     lasting: Mapping[PairOf, Sequence[Contact]]
     """The contacts that have lasted until now."""
     sticking: Collection[PairOf]
-    """The pairs of these that have not slid."""
+    """The pairs of these that stick."""
     separating_direction: Mapping[PairOf, Vector]
     """The directions in which pairs were last apart."""
     restitution: Callable[[int, int], float]
@@ -64,7 +64,7 @@ class InstantInputs(NamedTuple):
 
 
 class ContactImpulse(NamedTuple):
-    """One impulse."""
+    """One impulse at a contact."""
 
     contact: Contact
     impulse: float
@@ -78,35 +78,35 @@ class TouchingPair:
     pair: PairOf
     contacts: list[Contact]
     tolerance: float
-    """What counts as no gap, m."""
+    """The largest gap that counts as 0, m."""
     speed: float
     """The size of the terms that make up its velocities, m/s."""
     noise: float
-    """What counts as no normal velocity, m/s."""
+    """The largest normal velocity that counts as 0, m/s."""
     staying: list[Contact] = field(default_factory=list)
     rest_at: float = 0.0
     """When its bounces end if they go on as a geometric series of times, s; 0 if they do not."""
     rest_noise: float = 0.0
-    """What rounding makes of that, s."""
+    """The error of `rest_at` by rounding, s."""
 
 
 class Instant:
-    """One instant, and what it has made of the bodies."""
+    """One instant: its impulses, and the states and constraints of the bodies after it."""
 
     def __init__(self, time: float, world: InstantInputs, bodies: Sequence[int]) -> None:
         self.time = time
         self._world = world
         self._placed: dict[int, Placed] = {}
         self.states: dict[int, State] = {}
-        """Of the bodies that were looked at, as they are after it."""
+        """Of the bodies that were examined, after the instant."""
         self.touching_pairs: dict[PairOf, TouchingPair] = {}
         self.contact_impulses: list[ContactImpulse] = []
         self.changed: set[int] = set()
         self.constraints: dict[int, Constraint] = {}
         self.senses: dict[PairOf, int] = {}
-        """Of rough pairs that stay: 0 if they stick, else the sense in which they slide."""
-        self.opening_acceleration: dict[PairOf, float] = {}
-        """Pairs that part without normal velocity, with the second derivative of the gap."""
+        """Of lasting pairs with friction: 0 if they stick, else the sense in which they slide."""
+        self.separating: dict[PairOf, float] = {}
+        """Pairs that separate without normal velocity, with the second derivative of the gap."""
         self._find_touching(bodies)
         self._resolve_impacts()
         self._keep_lasting()
@@ -154,7 +154,7 @@ class Instant:
         return TouchingPair(pair, contacts, tolerance, speed, noise)
 
     def _refuse_far(self, a: Placed, b: Placed, tolerance: float) -> None:
-        """Refuse a touch where float64 can hardly tell one size of a body from the next place."""
+        """Refuse a contact where positions in float64 are coarse beside the size of a body."""
         size = min(a.core.bounding_radius, b.core.bounding_radius)
         if tolerance > _MAX_RESOLUTION * size:
             raise RangeError(
@@ -167,22 +167,22 @@ class Instant:
     def _pressed_direction(self, a: Placed, b: Placed, tolerance: float) -> Vector | None:
         """Return the direction from A to B in which a thin pair lies of which no gap tells it.
 
-        It is the one against which they move or, if they do not, are pushed: bodies are solid.
+        It is the one against which they move or, if they do not, accelerate: bodies are solid.
         """
         if (thin := either_side(axes(a, b), tolerance)) is None:
             return None
-        (ux, uy), rate, push = thin, 0.0, 0.0
+        (ux, uy), rate, acceleration = thin, 0.0, 0.0
         for sign, body in ((-1, a), (1, b)):
             rate += sign * (ux * body.state.velocity[0] + uy * body.state.velocity[1])
             if body.core.dynamic:
                 x, y, _ = self._world.free(body.core.index, self._world.state)
-                push += sign * (ux * x + uy * y)
-        return (-ux, -uy) if (rate or push) > 0 else (ux, uy)
+                acceleration += sign * (ux * x + uy * y)
+        return (-ux, -uy) if (rate or acceleration) > 0 else (ux, uy)
 
     def _slide_noise(self, contact: Contact) -> float:
         pair = contact.a, contact.b
-        lasting = LASTING_NOISE if pair in self._world.sticking else 64 * EPSILON
-        return self.touching_pairs[pair].speed * lasting
+        share = LASTING_NOISE if pair in self._world.sticking else 64 * EPSILON
+        return self.touching_pairs[pair].speed * share
 
     def _approaches(self, touch: TouchingPair) -> bool:
         return any(self._rate(contact) < -touch.noise for contact in touch.contacts)
@@ -191,9 +191,9 @@ class Instant:
         return normal_velocity(contact, self.states[contact.a], self.states[contact.b])
 
     def _resolve_impacts(self) -> None:
-        meeting = [touch for touch in self.touching_pairs.values() if self._approaches(touch)]
-        self._refuse_coupled(meeting)
-        for touch in meeting:
+        approaching = [touch for touch in self.touching_pairs.values() if self._approaches(touch)]
+        self._refuse_coupled(approaching)
+        for touch in approaching:
             count = 0
             while self._approaches(touch):
                 self._resolve_pair(touch)
@@ -204,23 +204,23 @@ class Instant:
                         time=self.time,
                     )
             self.changed.update(i for i in touch.pair if self._world.cores[i].dynamic)
-        self._refuse_driven_together(meeting)
+        self._refuse_driven_together(approaching)
 
     def _resolve_pair(self, touch: TouchingPair) -> None:
-        """Let the contacts that do not part yet answer together.
+        """Resolve together the contacts that do not separate yet.
 
-        One that parts stays out of it: at most it is driven together, and then answers in turn.
+        A separating one is left out: if the others drive it together, it is resolved in turn.
         """
         cores, states, (a, b) = self._world.cores, self.states, touch.pair
-        meeting = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
+        approaching = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
         restitution = self._world.restitution(a, b)
         if coefficient := self._world.friction(a, b):
-            self._resolve_frictional_pair(touch.pair, meeting, restitution, coefficient)
+            self._resolve_frictional_pair(touch.pair, approaching, restitution, coefficient)
             return
-        found = impulses(cores, meeting, states[a], states[b], restitution)
+        found = impulses(cores, approaching, states[a], states[b], restitution)
         contact_impulses = [
             ContactImpulse(contact, impulse, self._rate(contact))
-            for contact, impulse in zip(meeting, found, strict=True)
+            for contact, impulse in zip(approaching, found, strict=True)
             if impulse > 0
         ]
         for impulse in contact_impulses:
@@ -230,25 +230,27 @@ class Instant:
         self.contact_impulses += contact_impulses
 
     def _resolve_frictional_pair(
-        self, pair: PairOf, meeting: Sequence[Contact], restitution: float, coefficient: float
+        self, pair: PairOf, approaching: Sequence[Contact], restitution: float, coefficient: float
     ) -> None:
-        """Do the same with friction (IM9)."""
+        """Resolve the contacts of a pair with friction (IM9)."""
         cores, states, (a, b) = self._world.cores, self.states, pair
-        found = frictional_impulses(cores, meeting, states[a], states[b], restitution, coefficient)
-        contact_impulses = [
-            (ContactImpulse(contact, pair_of_impulses[0], self._rate(contact)), pair_of_impulses)
-            for contact, pair_of_impulses in zip(meeting, found, strict=True)
-            if pair_of_impulses[0] > 0
+        found = frictional_impulses(
+            cores, approaching, states[a], states[b], restitution, coefficient
+        )
+        found_pairs = [
+            (ContactImpulse(contact, both[0], self._rate(contact)), both)
+            for contact, both in zip(approaching, found, strict=True)
+            if both[0] > 0
         ]
-        for impulse, pair_of_impulses in contact_impulses:
+        for impulse, both in found_pairs:
             states[a], states[b] = after_frictional_impulse(
-                cores, impulse.contact, pair_of_impulses, states[a], states[b]
+                cores, impulse.contact, both, states[a], states[b]
             )
-        self.contact_impulses += [impulse for impulse, _ in contact_impulses]
+        self.contact_impulses += [impulse for impulse, _ in found_pairs]
 
-    def _refuse_coupled(self, meeting: Sequence[TouchingPair]) -> None:
-        for k, first in enumerate(meeting):
-            for second in meeting[k + 1 :]:
+    def _refuse_coupled(self, approaching: Sequence[TouchingPair]) -> None:
+        for k, first in enumerate(approaching):
+            for second in approaching[k + 1 :]:
                 directions = self._impulse_directions(first), self._impulse_directions(second)
                 if any(
                     self._coupled(one, other) for one in directions[0] for other in directions[1]
@@ -256,9 +258,9 @@ class Instant:
                     self._refuse(first, second, "meet")
 
     def _impulse_directions(self, touch: TouchingPair) -> list[Contact]:
-        """Return the contacts of a pair, once for each direction in which they can push."""
-        pair_friction = self._world.friction(*touch.pair) > 0
-        return touch.contacts + [tangent_of(contact) for contact in touch.contacts if pair_friction]
+        """Return the contacts of a pair, once for each direction of their impulses."""
+        frictional = self._world.friction(*touch.pair) > 0
+        return touch.contacts + [tangent_of(contact) for contact in touch.contacts if frictional]
 
     def _coupled(self, first: Contact, second: Contact) -> bool:
         cores = self._world.cores
@@ -266,11 +268,11 @@ class Instant:
         own = coupling(cores, first, first) * coupling(cores, second, second)
         return both * both > 1e-24 * own
 
-    def _refuse_driven_together(self, meeting: Sequence[TouchingPair]) -> None:
+    def _refuse_driven_together(self, approaching: Sequence[TouchingPair]) -> None:
         """Refuse impacts that drive a touching pair into another impact."""
         for touch in self.touching_pairs.values():
-            if meeting and self._approaches(touch):
-                by = next(m for m in meeting if set(m.pair) & set(touch.pair))
+            if approaching and self._approaches(touch):
+                by = next(m for m in approaching if set(m.pair) & set(touch.pair))
                 self._refuse(by, touch, "drive together")
 
     def _refuse(self, first: TouchingPair, second: TouchingPair, what: str) -> None:
@@ -285,7 +287,7 @@ class Instant:
         return named(*(self._world.cores[i].name for i in touch.pair))
 
     def _keep_lasting(self) -> None:
-        """Let what neither approaches nor parts stay, and what bounces too low to be seen."""
+        """Keep contacts that neither approach nor separate, or bounce below resolution."""
         staying = [
             contact
             for touch in self.touching_pairs.values()
@@ -304,8 +306,10 @@ class Instant:
         for island in islands:
             if island.lasting:
                 self._constrain(island)
-        was_held = {i for pair in self.touching_pairs if pair in self._world.lasting for i in pair}
-        self.changed |= {i for i in was_held if self._world.cores[i].dynamic}
+        constrained = {
+            i for pair in self.touching_pairs if pair in self._world.lasting for i in pair
+        }
+        self.changed |= {i for i in constrained if self._world.cores[i].dynamic}
 
     def _refuse_corners(self, staying: Sequence[Contact]) -> None:
         for contact in staying:
@@ -356,7 +360,7 @@ class Instant:
     def _unresolved_bounces(
         self, islands: Sequence[Island], staying: Sequence[Contact]
     ) -> list[Contact]:
-        """Return the contacts whose next flight is lower than what counts as no gap."""
+        """Return the contacts whose next bounce is lower than the largest gap that counts as 0."""
         by = self._accelerations(islands)
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
         found = []
@@ -384,9 +388,7 @@ class Instant:
         by = self._accelerations(islands)
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
         for contact in contacts:
-            self.opening_acceleration[contact.a, contact.b] = opening_acceleration(
-                contact, placed, by
-            )
+            self.separating[contact.a, contact.b] = opening_acceleration(contact, placed, by)
 
     def _constrain(self, island: Island) -> None:
         self.states.update(island.projected(self.states))

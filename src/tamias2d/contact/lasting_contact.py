@@ -1,8 +1,8 @@
 """Frictionless lasting contacts: the accelerations that their normal forces leave (GD3).
 
-The pushes are never negative, and vanish where a contact opens. What they make of the
-accelerations is unique. A contact can last only while its normal stays as it is, for otherwise the
-path is not one that the models give.
+Normal forces are never negative, and vanish where a contact opens. The accelerations under them
+are unique. A contact between two moving bodies can last only while its normal does not turn, for
+the models give no path otherwise.
 """
 
 import math
@@ -26,14 +26,14 @@ from tamias2d.contact.response import coupling
 from tamias2d.state import Acceleration, Constraint, State
 
 _FIXED = 1e-10
-"""Of the accelerations: what may turn or slide a contact that counts as fixed."""
+"""Of the accelerations: by which a contact that counts as fixed may turn or slide."""
 _ROUNDING = 1e-13
-"""Of the accelerations: what opens a contact only by rounding."""
+"""Of the accelerations: by which rounding alone may open a contact."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
 class Island:
-    """Moving bodies that contacts connect, at one instant. Static bodies connect nothing."""
+    """Moving bodies that contacts connect, at one instant. Static bodies do not connect."""
 
     def __init__(
         self,
@@ -47,7 +47,7 @@ class Island:
         self._cores = cores
         self._placed = placed
         self.senses: dict[tuple[int, int], int] = {}
-        """Of rough pairs: 0 if they stick, else the sense in which they slide."""
+        """Of pairs with friction: 0 if they stick, else the sense in which they slide."""
         self.bodies = sorted({i for c in contacts for i in (c.a, c.b) if cores[i].dynamic})
         loads = [opening_acceleration(contact, placed, free) for contact in contacts]
         matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
@@ -72,7 +72,7 @@ class Island:
         ]
 
     def projected(self, states: Mapping[int, State]) -> dict[int, State]:
-        """Return the states of a body on its supports without what parts or closes still."""
+        """Return the states without the remaining normal velocities."""
         if len(self.bodies) > 1:
             return {i: states[i] for i in self.bodies}
         (body,) = self.bodies
@@ -85,7 +85,7 @@ class Island:
         return {body: state._replace(velocity=velocity)}
 
     def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
-        """Return what the lasting contacts make of each body's own acceleration.
+        """Return the constraint of each body by its lasting contacts.
 
         Raises:
             LastingContactError: several bodies move on while their contacts last.
@@ -120,7 +120,7 @@ class Island:
             )
 
     def _refuse_unsteady(self, states: Mapping[int, State], time: float) -> None:
-        """Refuse bodies that push each other while their loads vary or their support may end."""
+        """Refuse moving bodies in contact while their loads vary or their support may end."""
         cores = [self._cores[i] for c in self.lasting for i in (c.a, c.b)]
         ending = any(not core.dynamic and not core.endless for core in cores)
         moving = any(
@@ -142,7 +142,7 @@ class Island:
             )
 
     def _moves_on(self, states: Mapping[int, State]) -> str:
-        """Return the names of a pair whose normal does not stay, or nothing."""
+        """Return the names of a pair whose normal turns, or nothing."""
         for contact in self.lasting:
             slides = contact in self._pressed and self._slides(contact, states)
             if self._turns(contact, states) or slides:

@@ -24,7 +24,7 @@ _MAX_REPEATS = 32  # new paths for a body within a few units of the last place o
 
 
 class Located:
-    """The bodies of a scene under way: `go` to a time, then read `tracks` and `impacts`."""
+    """A scene in simulation: `go` to a time, then read `tracks` and `contact_impulses`."""
 
     def __init__(self, scene: Scene, motion: Paths) -> None:
         refuse_stepwise(scene)
@@ -36,7 +36,7 @@ class Located:
         self.time = 0.0
         self._until = 0.0
         self.tracks: list[list[Piece]] = [[] for _ in self._cores]
-        """The pieces that each body has gone through, in order."""
+        """The paths of each body so far, in order."""
         self.notes: tuple[str, ...] = ()
         self._contact_impulses: list[tuple[float, ContactImpulse]] = []
         self._constraints: list[Constraint | None] = [None for _ in self._cores]
@@ -80,7 +80,7 @@ class Located:
         return self._contact_impulses
 
     def _segment(self, states: list[State]) -> float:
-        """Lay the paths of all bodies from now on, and look for what meets on them."""
+        """Set the next paths of all bodies, and schedule the impacts on them."""
         self._events.clear()
         self._resume.clear()
         end, paths = self._motion.segment(self.time, states, self._constraints)
@@ -94,13 +94,13 @@ class Located:
         return end
 
     def _set_path(self, body: int, path: Piece) -> None:
-        """Send a body along a path."""
+        """Set the path of a body from now on."""
         self.tracks[body].append(path)
         self._version[body] += 1
         self._aabbs.update(body, path)
 
     def _refuse_stalled(self, body: int, path: Piece) -> None:
-        """Refuse a body whose new paths have stopped it from getting on."""
+        """Refuse a body whose new paths no longer advance in time."""
         stalled = self.tracks[body] and self.tracks[body][-1].start >= path.start * (
             1 - 4 * EPSILON
         )
@@ -116,7 +116,7 @@ class Located:
         return self.tracks[body][-1].at(self.time)
 
     def _schedule_impacts(self, bodies: Iterable[int]) -> None:
-        """Put the next meeting of each pair with one of the bodies on the list."""
+        """Schedule the next impact of each pair with one of the bodies."""
         seen = set()
         for body in bodies:
             for other in self._aabbs.overlapping(body):
@@ -163,7 +163,7 @@ class Located:
             self._resolve_instant(time, [i] if i == j else [i, j], end)
 
     def _refuse_repeated(self, time: float, i: int, j: int) -> None:
-        """Refuse a pair that meets again and again at one instant, changed or not."""
+        """Refuse a pair that comes into contact again and again at one instant."""
         if time > self._repeats[0]:
             self._repeats = (time, Counter())
         self._repeats[1][i, j] += 1
@@ -176,7 +176,7 @@ class Located:
             )
 
     def _refine(self, time: float, i: int, j: int, end: float) -> bool:
-        """Lay better paths for a meeting, if there are any; it is then found again on them."""
+        """Set more accurate paths for an impact, if any; it is then found again on them."""
         paths = self._motion.approach((i, j), time, self._path, self._constraints)
         for body, path in paths.items():
             self.tracks[body].pop()
@@ -191,7 +191,7 @@ class Located:
         return self.tracks[body][-1]
 
     def _resolve_instant(self, time: float, bodies: list[int], end: float) -> None:
-        """Let an instant happen around some bodies, and lay the paths from it on."""
+        """Resolve an instant around some bodies, and set the paths after it."""
         world = InstantInputs(
             self._cores,
             self._state,
@@ -223,7 +223,7 @@ class Located:
         self._schedule_impacts(paths or bodies)
 
     def _update_lasting(self, instant: Instant) -> None:
-        """Take over which contacts last, and note those that are new."""
+        """Replace the lasting contacts by those of an instant, and note the new ones."""
         for pair, touch in instant.touching_pairs.items():
             self._separating_direction[pair] = touch.contacts[0].normal
             if touch.staying and pair not in self._lasting:
@@ -237,7 +237,7 @@ class Located:
         self._senses.update(instant.senses)
 
     def _schedule_contact_loss(self, body: int, end: float) -> None:
-        """Put on the list when a path ends before its time, and when what holds a body does."""
+        """Schedule the end of a path before its time, and the loss of the contacts of a body."""
         path, constraint = self.tracks[body][-1], self._constraints[body]
         if path.end < end:
             self._schedule(path.end, body, body)
@@ -263,8 +263,8 @@ class Located:
                 self._schedule(time, body, body)
 
     def _schedule_resumption(self, instant: Instant) -> None:
-        """Find out from when on pairs that part without normal velocity are seen to be apart."""
-        for pair, acceleration in instant.opening_acceleration.items():
+        """Find from when on pairs that separate without normal velocity are resolved as apart."""
+        for pair, acceleration in instant.separating.items():
             pair_search = self._pair(pair, instant.touching_pairs[pair].staying)
             longest = 2.0**-20 * (self._until - instant.time)
             step = min(

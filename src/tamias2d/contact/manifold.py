@@ -1,6 +1,6 @@
 """The contact manifold of a touching pair: one point, or the two ends of a flat contact.
 
-Contacts answer in velocities (IM3) and accelerations (GD3), through the generated functions.
+Velocities (IM3) and accelerations (GD3) of a contact come from the generated functions.
 """
 
 import math
@@ -43,8 +43,8 @@ def manifold(
 ) -> list[Contact]:
     """Return the contacts of a pair that touches within a tolerance in m.
 
-    What rounding has done to the `kept` ones of a lasting contact does not count. `ahead` is the
-    direction from A to B in which they were last apart.
+    The `lasting` contacts stay in it, whatever rounding does to their gaps.
+    `separating_direction` is the direction from A to B in which they were last apart.
     """
     found = from_side(a, b, axes(a, b), lasting[0].normal if lasting else separating_direction)
     axis = max(found, key=lambda each: each.gap)
@@ -52,35 +52,46 @@ def manifold(
         return [_corner_on_corner(a, b, axis, directions, time)]
     if axis.side is None:
         return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
-    same = [contact.found for contact in lasting] + [
+    touching = _touching_corners(a, b, axis, tolerance, lasting)
+    if len(touching) == 1:
+        return [_contact(a, b, axis, touching[0])]
+    return _flat_manifold(a, b, axis, axis.side.ends, touching, tolerance)
+
+
+def _touching_corners(
+    a: Placed, b: Placed, axis: Axis, tolerance: float, lasting: Sequence[Contact]
+) -> list[Gap]:
+    """Return the gaps of the corners that touch a side: of the nearest one at least."""
+    known = [contact.found for contact in lasting] + [
         (contact.axis.swapped, contact.gap.which[1]) for contact in lasting
     ]
     limit = (0.0 if lasting else axis.gap) + tolerance
-    near = [
-        gap
-        for gap in gaps(a, b, axis)
-        if gap.value <= limit or (axis.swapped, gap.which[1]) in same
-    ]
-    near = near or [min(gaps(a, b, axis), key=lambda gap: gap.value)]
-    if len(near) == 1:
-        return [_contact(a, b, axis, near[0])]
-    along = [_along(a, b, axis, gap) for gap in near]
+    found = gaps(a, b, axis)
+    touching = [gap for gap in found if gap.value <= limit or (axis.swapped, gap.which[1]) in known]
+    return touching or [min(found, key=lambda gap: gap.value)]
+
+
+def _flat_manifold(
+    a: Placed, b: Placed, axis: Axis, ends: Vector, touching: list[Gap], tolerance: float
+) -> list[Contact]:
+    """Return the two ends of what a side and several corners have in common."""
+    along = [_along(a, b, axis, gap) for gap in touching]
     first, last = along.index(min(along)), along.index(max(along))
-    low, high = axis.side.ends
+    low, high = ends
     if min(along[last], high) - max(along[first], low) <= tolerance:  # only ends meet: one point
-        return [_contact(a, b, axis, near[first])]
+        return [_contact(a, b, axis, touching[first])]
     return [
-        _at_end(a, b, axis, near[first], 0)
+        _at_end(a, b, axis, touching[first], 0)
         if along[first] < low
-        else _contact(a, b, axis, near[first]),
-        _at_end(a, b, axis, near[last], 1)
+        else _contact(a, b, axis, touching[first]),
+        _at_end(a, b, axis, touching[last], 1)
         if along[last] > high
-        else _contact(a, b, axis, near[last]),
+        else _contact(a, b, axis, touching[last]),
     ]
 
 
 def refreshed(contact: Contact, a: Placed, b: Placed) -> Contact:
-    """Return a contact of the same corners and sides, where the bodies are now."""
+    """Return a contact of the same corners and sides at the present places of the bodies."""
     axis = contact.axis
     p, q = (b, a) if axis.swapped else (a, b)
     i, j = contact.gap.which
@@ -129,7 +140,7 @@ def tangential_velocity(contact: Contact, a: State, b: State) -> float:
 
 
 def tangent_of(contact: Contact) -> Contact:
-    """Return the contact with its tangent in place of its normal, to be coupled with others."""
+    """Return the contact with its tangent in place of its normal."""
     return contact._replace(normal=definitions.tangent(contact.normal))
 
 
@@ -256,7 +267,7 @@ def _equal_directions(found: list[Axis], best: Axis, tolerance: float) -> list[V
 def _corner_on_corner(
     a: Placed, b: Placed, axis: Axis, directions: list[Vector], time: float
 ) -> Contact:
-    """Return the contact of two corners: along their approach, or as near to it as can be (GD11).
+    """Return the contact of two corners: its normal is their approach, or nearest to it (GD11).
 
     Raises:
         UndecidedContactError: they do not approach.
@@ -283,7 +294,7 @@ def _corner_on_corner(
 
 
 def corner_on_corner_error(a: Core, b: Core, time: float) -> UndecidedContactError:
-    """Return the refusal of a sharp corner that stays on another."""
+    """Return the error of a sharp corner that stays on another."""
     return UndecidedContactError(
         f"{named(a.name, b.name)} at {time!r} s: corner meets corner without approach, so that "
         "the normal is not unique (GD11). Move one of them a little.",

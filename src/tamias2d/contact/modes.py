@@ -1,9 +1,9 @@
 """The modes of Coulomb friction at an instant: which contacts press, stick and slide.
 
-A force at a contact lies between n - mu t and n + mu t, for a normal n and a tangent t: where the
-contact sticks it is any sum of these and of n that pushes, where it slides the one against the
-sliding.
-So each mode is a problem of sums that push, which non-negative least squares decides.
+A force at a contact lies in the friction cone between n - mu t and n + mu t, for a normal n and a
+tangent t: where the contact sticks it is any non-negative sum of the cone's edges and n, where it
+slides it is along the edge against the sliding. Non-negative least squares therefore decides
+whether a mode has forces (GD8).
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,9 +19,9 @@ from tamias2d.generated import friction
 from tamias2d.state import Array
 
 _RESIDUAL = 1e-10
-"""Of the loads: what forces may leave of them."""
-_NEGLIGIBLE = 1e-200  # 1/kg; a push that does no more than this does nothing
-_MAX_MODES = 4096  # modes that are looked at
+"""Of the loads: the residual that forces may leave."""
+_NEGLIGIBLE = 1e-200  # 1/kg; a force with a smaller effect has none
+_MAX_MODES = 4096  # that are tried
 
 
 class Patch(NamedTuple):
@@ -35,13 +35,13 @@ class Patch(NamedTuple):
 
 
 class Part(NamedTuple):
-    """What a mode makes of a patch."""
+    """The contacts of a patch that press in a mode, and how they slide."""
 
     patch: Patch
     pressed: tuple[Contact, ...]
-    """Those of its contacts that may push; the others open."""
+    """Those of its contacts that may press; the others open."""
     sense: int
-    """Of the sliding that is there or begins; 0 where nothing slides or nothing rubs."""
+    """Of the sliding that is there or begins; 0 without sliding or friction."""
 
     @property
     def sticks(self) -> bool:
@@ -75,7 +75,7 @@ def closed(mode: Mode) -> list[tuple[Contact, bool]]:
 
 
 def cone_edges(mode: Mode) -> list[Contact]:
-    """Return the directions in which a mode can push, as contacts with these for normals."""
+    """Return the edges of the friction cones of a mode, as contacts with these for normals."""
     found = []
     for part in mode:
         senses = (0, -1, 1) if part.sticks else (part.sense,)
@@ -88,7 +88,7 @@ def cone_edges(mode: Mode) -> list[Contact]:
 
 
 def force_directions(mode: Mode) -> list[Contact]:
-    """Return as many directions as `closed` has, of which the pushes are sums."""
+    """Return as many directions as `closed` has, of which the cone edges are sums."""
     found = [
         contact if part.sticks else _cone_edge(contact, part.patch.coefficient, part.sense)
         for part in mode
@@ -100,18 +100,18 @@ def force_directions(mode: Mode) -> list[Contact]:
 def effects(
     cores: Sequence[Core], rows: Sequence[tuple[Contact, bool]], columns: Sequence[Contact]
 ) -> Array:
-    """Return what a unit of each push does to each closed direction, 1/kg."""
+    """Return the acceleration in each closed direction by a unit of each force, 1/kg."""
     directions = closed_directions(rows)
     return np.array([[coupling(cores, row, column) for column in columns] for row in directions])
 
 
 def closed_directions(rows: Sequence[tuple[Contact, bool]]) -> list[Contact]:
-    """Return closed contacts with the directions in which they are closed for normals."""
+    """Return closed contacts, with the directions in which they are closed for normals."""
     return [tangent_of(contact) if along else contact for contact, along in rows]
 
 
 def forces(matrix: Array, loads: Array) -> list[float] | None:
-    """Return forces that push and take all loads away, N, or None if there are none."""
+    """Return non-negative forces that cancel all loads, N, or None if there are none."""
     from scipy.optimize import nnls
 
     scale = np.abs(loads).max()
@@ -129,10 +129,10 @@ def forces(matrix: Array, loads: Array) -> list[float] | None:
 
 
 def _cone_edge(contact: Contact, coefficient: float, sense: int) -> Contact:
-    """Return a contact whose push leans against the sense of a sliding, as friction makes it."""
+    """Return a contact whose normal is the edge of its friction cone against the sliding."""
     slope = friction.friction_force(sense, coefficient, 1.0)
     if not slope:
         return contact
     (x, y), (u, v) = contact.normal, tangent_of(contact).normal
-    size = 1 + abs(slope)  # however rough it is
+    size = 1 + abs(slope)  # bounded for any coefficient
     return contact._replace(normal=((x + slope * u) / size, (y + slope * v) / size))

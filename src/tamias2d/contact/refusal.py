@@ -1,6 +1,6 @@
 """The errors of located impacts, each case under a name of its own.
 
-A refusal says when, which bodies and why; its `run` is the history up to there.
+A refusal says when, which bodies and why; its `run` is the history up to that time.
 """
 
 from typing import ClassVar
@@ -9,7 +9,7 @@ from tamias2d.errors import SceneError, SimulationError
 
 
 class Refusal(SimulationError):  # noqa: N818
-    """The base of all refusals of the located way."""
+    """The base of all refusals of located impacts."""
 
     code: ClassVar[str] = "refused"
 
@@ -56,7 +56,7 @@ class RangeError(Refusal):
 
 
 class StepwiseError(SceneError):
-    """A scene holds what only the stepped way knows."""
+    """A body of the scene is one whose impacts cannot be located."""
 
     code = "stepwise"
 

@@ -14,7 +14,7 @@ def impulses(
 ) -> list[float]:
     """Return the impulse at each contact of one pair, N s.
 
-    Two contacts answer together: each one parts as its own approach demands, or is not pushed.
+    Two contacts act together: each one separates as its own approach demands, or has no impulse.
     """
     speed_scale = [normal_velocity(contact, a, b) for contact in contacts]
     if len(contacts) == 1:
@@ -26,7 +26,7 @@ def impulses(
 
 
 def coupling(cores: Sequence[Core], first: Contact, second: Contact) -> float:
-    """Return how a push at the second contact moves the first one apart, 1/kg."""
+    """Return the normal acceleration of the first contact by a unit force at the second, 1/kg."""
     if first is second:
         a, b = cores[first.a], cores[first.b]
         return float(
@@ -73,7 +73,7 @@ def after_impulse(
 
 
 def _unit_forces(contact: Contact) -> tuple[tuple[int, Vector, Vector], ...]:
-    """Return for both bodies the arm, and the direction in which the contact pushes."""
+    """Return for both bodies the arm, and the unit force along the normal."""
     x, y = contact.normal
     return (
         (contact.a, contact.arm_a, (-x, -y)),

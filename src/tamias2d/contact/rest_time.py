@@ -1,8 +1,8 @@
 """The time at which ever shorter bounces end (the Zeno time).
 
-Every bounce forecasts the end, as that of a geometric series. Early forecasts suffer from what is
-not constant, late ones from rounding, since low bounces are short. The best one is where the change
-from one to the next and the rounding are least.
+Every bounce gives an estimate of the end, as that of a geometric series. Early estimates suffer
+from loads that vary, late ones from rounding, since low bounces are short. The best one has the
+least sum of rounding and change from the estimate before.
 """
 
 from dataclasses import dataclass
@@ -18,13 +18,13 @@ class _RestTime:
 
 
 class RestTimes:
-    """The forecasts of all pairs that bounce."""
+    """The estimates of all pairs that bounce."""
 
     def __init__(self) -> None:
         self._of: dict[PairOf, _RestTime] = {}
 
     def update(self, instant: Instant) -> None:
-        """Take the forecasts of an instant, and forget those that it has spoilt."""
+        """Take the estimates of an instant, and forget the pairs that it has disturbed."""
         for pair in [pair for pair in self._of if set(pair) & instant.changed]:
             if pair not in instant.touching_pairs:
                 del self._of[pair]

@@ -13,7 +13,7 @@ from tamias2d.state import Array
 
 
 class SweptAabbs:
-    """The boxes, along the axes of the world, that n bodies sweep on their paths."""
+    """The axis-aligned bounding boxes (AABBs) that n bodies sweep on their paths."""
 
     def __init__(self, cores: Sequence[Core]) -> None:
         self._cores = cores
@@ -24,13 +24,13 @@ class SweptAabbs:
         self._aabbs = np.tile([[0.0], [0.0], [math.inf], [math.inf]], len(cores))
 
     def update(self, body: int, path: Piece) -> None:
-        """Take the box of a body on a path; a half-plane keeps the whole plane."""
+        """Set the box of a body on a path; that of a half-plane is the whole plane."""
         core = self._cores[body]
         if core.corners:
             self._aabbs[:, body] = _aabb(path, 2 * core.bounding_radius)
 
     def overlapping(self, body: int) -> list[int]:
-        """Return the bodies whose boxes overlap with that of a body, one of the two moving."""
+        """Return the bodies whose boxes overlap with that of a body, where one of the two moves."""
         x, y, width, height = self._aabbs
         own = self._aabbs[:, body].tolist()
         overlaps = detection.overlap((own[0], own[1]), own[2], own[3], (x, y), width, height)
@@ -44,9 +44,9 @@ class SweptAabbs:
 
 
 def _aabb(path: Piece, size: float) -> Array:
-    """Return centre, width and height of the box around all places of a body on a path.
+    """Return centre, width and height of the AABB of a body on a path.
 
-    From the middle of its time, by Taylor's theorem, and a little wider than rounding needs.
+    By Taylor's theorem about the middle of its time; 1e-9 wider, for rounding.
     """
     half = (path.end - path.start) / 2
     middle = path.at(path.start + half)

@@ -51,7 +51,7 @@ class ClosedFormMotion:
     ) -> dict[int, Piece]:
         """Return the paths of some bodies from `start` to `end`, s; they act on no others.
 
-        Where a hold bends a path, it is one step.
+        Where a constraint depends on the state, the path is one step.
         """
         return {
             body: self._path(body, start, state(body), end, constraints[body]) for body in bodies
@@ -62,7 +62,7 @@ class ClosedFormMotion:
         return {}
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
-        """Return the acceleration of a body that nothing holds, at a time in s."""
+        """Return the acceleration of an unconstrained body, at a time in s."""
         return self._loads.acceleration(body, time, state)
 
     def history(self, times: Array) -> History:

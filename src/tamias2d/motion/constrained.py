@@ -18,7 +18,7 @@ _TOLERANCE = 1e-13
 
 
 class ConstrainedMotion:
-    """Paths of single bodies that a hold bends, step by step."""
+    """Paths of single bodies under state-dependent constraints, step by step."""
 
     def __init__(self, scene: Scene, tally: Tally) -> None:
         self._scene = scene

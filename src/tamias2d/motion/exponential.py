@@ -20,7 +20,7 @@ from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, State
 
 _ANY = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
-"""Holds that do not bend a path do not ask for the state."""
+"""Constraints that do not depend on the state do not read it."""
 
 
 class _Exact(NamedTuple):

@@ -91,8 +91,9 @@ class IntegratedMotion:
     ) -> dict[int, Piece]:
         """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
 
-        Where a hold bends a path, it is one step; the body is one that no other acts on. A path
-        ends before its time where a force has no value further on: it may be beyond a wall.
+        Where a constraint depends on the state, the path is one step, of a body on which no other
+        acts. A path ends before its time where a force has no value further on: it may be beyond a
+        wall.
         """
         groups = {min(group): group for group in map(self._loads.group_of.__getitem__, bodies)}
         pieces: dict[int, Piece] = {}
@@ -158,7 +159,7 @@ class IntegratedMotion:
         return pieces
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
-        """Return the acceleration of a body that nothing holds, at a time in s."""
+        """Return the acceleration of an unconstrained body, at a time in s."""
         return self._loads.acceleration(body, time, state)
 
     def history(self, times: Array) -> History:
@@ -178,7 +179,7 @@ class IntegratedMotion:
     def _field(
         self, bodies: Sequence[int], constraints: Sequence[Constraint | None]
     ) -> MemoisedField:
-        """Return the accelerations of some bodies; the same object while the same holds last."""
+        """Return the accelerations of some bodies; the same object while the constraints last."""
         held = tuple(constraints[i] for i in bodies)
         known = self._fields.get(tuple(bodies))
         if known is None or known.constraints != held:

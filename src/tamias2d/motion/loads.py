@@ -37,7 +37,7 @@ class Loads:
         return self._steady[body]
 
     def acceleration(self, body: int, time: float, state: StateOf) -> Acceleration:
-        """Return the acceleration of a body that nothing holds, at a time in s."""
+        """Return the acceleration of an unconstrained body, at a time in s."""
         if body not in self.varying:
             return self._steady[body]
         group = self.group_of[body]
