@@ -19,6 +19,7 @@ from tamias2d.contact.swept_aabb import SweptAabbs
 from tamias2d.path import Paths, Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Constraint, State, Vector
+from tamias2d.work_limit import Work
 
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
 
@@ -26,10 +27,12 @@ _MAX_REPEATS = 32  # new paths for a body within a few units of the last place o
 class Located:
     """A scene in simulation: `go` to a time, then read `tracks` and `contact_impulses`."""
 
-    def __init__(self, scene: Scene, motion: Paths) -> None:
+    def __init__(self, scene: Scene, motion: Paths, work: Work) -> None:
+        """Take a scene, what makes the paths of its bodies, and what counts its impacts."""
         refuse_stepwise(scene)
         self._scene = scene
         self._motion = motion
+        self._work = work
         self._cores = cores_of(scene)
         solid = [core for core in self._cores if core.solid]
         self.can_meet = len(solid) > 1 and any(core.dynamic for core in solid)
@@ -58,6 +61,7 @@ class Located:
         Raises:
             OverlapError: bodies overlap at the start.
             Refusal: what follows is not unique, or not within the models.
+            WorkLimitError: the run takes too many steps and impacts.
         """
         states = [
             State(b.position, b.orientation, b.velocity, b.angular_velocity)
@@ -205,7 +209,9 @@ class Located:
             self._until,
         )
         instant = Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
-        self._contact_impulses += [(time, hit) for hit in instant.contact_impulses]
+        self._contact_impulses += [(time, impulse) for impulse in instant.contact_impulses]
+        if instant.contact_impulses:
+            self._work.impacts(len(instant.contact_impulses), time)
         self._rest_times.update(instant)
         self._update_lasting(instant)
         ended = {i for i in bodies if self.tracks[i][-1].end == time and time < end}

@@ -16,6 +16,7 @@ from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms, spring_of
 from tamias2d.state import Acceleration, Array, Constraint, History, State
+from tamias2d.work_limit import Work
 
 
 class ClosedFormMotion:
@@ -23,6 +24,8 @@ class ClosedFormMotion:
 
     def __init__(self, scene: Scene, duration: float) -> None:
         self.tally = Tally()
+        self.work = Work(duration)
+        self.sampled: History | None = None
         self.notes: tuple[str, ...] = ()
         self._scene = scene
         self._duration = duration
@@ -76,7 +79,7 @@ class ClosedFormMotion:
         self, body: int, start: float, state: State, end: float, constraint: Constraint | None
     ) -> Piece:
         if constraint and constraint.state_dependent:
-            return self._constrained.restart(body, start, state, end, constraint)
+            return self._constrained.restart(body, start, state, end, constraint, self.work)
         steady = self._loads.steady(body)
         match self._forms.get(body):
             case "linear drag" | "angular drag":

@@ -12,6 +12,7 @@ from tamias2d.motion.reference import ScipyDop853
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Constraint, State
+from tamias2d.work_limit import Work
 
 _TOLERANCE = 1e-13
 """Relative; as far as float64 goes."""
@@ -27,7 +28,7 @@ class ConstrainedMotion:
         self._integrators: dict[int, ScipyDop853] = {}
 
     def restart(
-        self, body: int, start: float, state: State, end: float, constraint: Constraint
+        self, body: int, start: float, state: State, end: float, constraint: Constraint, work: Work
     ) -> Piece:
         """Return one step of the path of a body from `start` towards `end`, s."""
         if body not in self._integrators:
@@ -36,7 +37,9 @@ class ConstrainedMotion:
             self._loads.field([body], [constraint]), [body], [constraint], self._tally
         )
         q, rate = coordinates([state])
-        return self._integrators[body].step(field, start, end, q, rate).piece(0)
+        piece = self._integrators[body].step(field, start, end, q, rate).piece(0)
+        work.step(piece.end)
+        return piece
 
     def _scale(self, body: int, time: float, state: State) -> tuple[float, float]:
         """Return the body's size, m, and the time in which it moves by as much, s."""

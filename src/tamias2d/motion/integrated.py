@@ -18,6 +18,7 @@ from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity
 from tamias2d.state import Acceleration, Array, Constraint, History, State
+from tamias2d.work_limit import Work, WorkLimitError
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 _NEAR = 1e-3  # of a step: so close to its ends a path is as good as there
@@ -52,6 +53,8 @@ class IntegratedMotion:
         )
         self._steps_since_impact = 0  # steps without an impact
         self.tally = Tally()
+        self.work = Work(duration)
+        self.sampled: History | None = None
         self._loads = Loads(scene)
         self._constrained = ConstrainedMotion(scene, self.tally)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
@@ -101,7 +104,9 @@ class IntegratedMotion:
         for group in groups.values():
             body = group[0]
             if (constraint := constraints[body]) and constraint.state_dependent:
-                pieces[body] = self._constrained.restart(body, start, state(body), end, constraint)
+                pieces[body] = self._constrained.restart(
+                    body, start, state(body), end, constraint, self.work
+                )
                 continue
             field = self._field(group, constraints)
             now = coordinates([state(i) for i in group])
@@ -169,12 +174,15 @@ class IntegratedMotion:
         field = self._field(self._moving, [None] * len(self._scene))
         moving = (states[0][self._moving], states[1][self._moving])
         done = int(np.searchsorted(times, 0.0, side="right"))
-        for step in self._dense_steps(field, 0.0, self._duration, *moving):
-            until = int(np.searchsorted(times, step.end, side="right"))
-            for k in range(done, until):
-                rows[k, :, self._moving] = np.stack(step.at(float(times[k])), axis=1)
-            done = until
-        return history_of(rows)
+        try:
+            for step in self._dense_steps(field, 0.0, self._duration, *moving):
+                until = int(np.searchsorted(times, step.end, side="right"))
+                for k in range(done, until):
+                    rows[k, :, self._moving] = np.stack(step.at(float(times[k])), axis=1)
+                done = until
+        finally:
+            self.sampled = history_of(rows[:done])
+        return self.sampled
 
     def _field(
         self, bodies: Sequence[int], constraints: Sequence[Constraint | None]
@@ -196,6 +204,8 @@ class IntegratedMotion:
         while start < end:
             step = self._integrator.step(field, start, end, position, velocity)
             self.tally.steps += 1
+            if not isinstance(self._integrator, FixedSteps):
+                self.work.step(step.end)
             yield step
             start, (position, velocity) = step.end, step.last
 
@@ -224,6 +234,8 @@ def _begun(steps: Iterator[DenseStep | StepBatch]) -> Iterator[DenseStep | StepB
         for step in steps:
             yield step
             begun = True
+    except WorkLimitError:
+        raise
     except TamiasError:
         if not begun:
             raise

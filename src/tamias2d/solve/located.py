@@ -15,6 +15,7 @@ from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
 from tamias2d.solve.following import Interrupted, follow
 from tamias2d.solve.plan import Plan
 from tamias2d.state import History
+from tamias2d.work_limit import Work, WorkLimitError
 
 
 def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
@@ -23,13 +24,14 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
     Raises as `solve` does; the error's `run` is the history up to there.
     """
     motion = method.motion(plan.scene, plan.duration, plan.time_step or plan.duration)
-    located = Located(plan.scene, motion)
+    motion.work = Work(plan.duration, plan.work_limit)
+    located = Located(plan.scene, motion, motion.work)
     try:
         if not located.can_meet:
             history = _without_contact(plan, method, motion)
             return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
         follow(located, plan.duration, progress=progress)
-    except (Refusal, NoStepError) as refusal:
+    except (Refusal, NoStepError, WorkLimitError) as refusal:
         refusal.run = _reached(plan, motion, located)
         raise
     except KeyboardInterrupt:
@@ -52,8 +54,10 @@ def _without_contact(plan: Plan, method: PathMethod, motion: Motion) -> History:
 def _reached(plan: Plan, motion: Motion, located: Located) -> Run:
     """Return the run up to the time that was reached."""
     if not all(located.tracks):  # it did not get as far as a first path
-        plan = plan._replace(times=np.zeros(1))
-        return run_of(plan, start_of(plan), NO_IMPACTS, motion.notes, motion.tally)
+        history = motion.sampled or start_of(plan)
+        times = plan.times[: len(history.position)] if motion.sampled else np.zeros(1)
+        plan = plan._replace(times=times)
+        return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
     times = plan.times[plan.times <= located.time]
     plan = plan._replace(times=times if len(times) else plan.times[:1])
     history, impacts = sample(located.tracks, plan.times), _impacts(located.contact_impulses)
