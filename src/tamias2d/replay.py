@@ -97,10 +97,9 @@ def _again(recorded: Run, *, where: str) -> Run:
     except InputError as fault:
         raise RecordingError(f"{where}: its inputs are refused: {fault}") from fault
     except SimulationError as refusal:
-        reached: Run | None = getattr(refusal, "run", None)
-        if reached is None:
+        if not isinstance(refusal.run, Run):
             raise
-        return reached
+        return refusal.run
 
 
 def _why(header: Header, *, intact: bool) -> str:

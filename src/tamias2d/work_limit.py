@@ -22,7 +22,6 @@ class WorkLimitError(SimulationError):
     def __init__(self, message: str, *, time: float) -> None:
         super().__init__(message)
         self.time = time
-        self.run: object = None
 
 
 class Work:

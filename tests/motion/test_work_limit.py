@@ -74,7 +74,7 @@ def test_steps_of_a_given_length_do_not_count() -> None:
 
 @pytest.mark.parametrize("bad", [0, -1, 1.5, True, None, "many"])
 def test_a_limit_is_a_whole_number(bad: object) -> None:
-    with pytest.raises(t2.InputError, match="work_limit .*whole number"):
+    with pytest.raises(t2.InputError, match=r"work_limit .*whole number"):
         t2.simulate(between_walls(1.0), duration=1.0, work_limit=bad)
 
 

@@ -16,7 +16,6 @@ class Refusal(SimulationError):  # noqa: N818
     def __init__(self, message: str, *, time: float) -> None:
         super().__init__(message)
         self.time = time
-        self.run: object = None
 
 
 class SimultaneousImpactsError(Refusal):

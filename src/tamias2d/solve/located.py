@@ -4,18 +4,18 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tamias2d.contact import ContactImpulse, Located, Refusal
+from tamias2d.contact import ContactImpulse, Located
+from tamias2d.errors import SimulationError
 from tamias2d.kernels import flight
 from tamias2d.motion import Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
-from tamias2d.motion.reference import NoStepError
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
 from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
 from tamias2d.solve.following import Interrupted, follow
 from tamias2d.solve.plan import Plan
 from tamias2d.state import History
-from tamias2d.work_limit import Work, WorkLimitError
+from tamias2d.work_limit import Work
 
 
 def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
@@ -31,7 +31,7 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
             history = _without_contact(plan, method, motion)
             return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
         follow(located, plan.duration, progress=progress)
-    except (Refusal, NoStepError, WorkLimitError) as refusal:
+    except SimulationError as refusal:
         refusal.run = _reached(plan, motion, located)
         raise
     except KeyboardInterrupt:
