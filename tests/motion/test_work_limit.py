@@ -44,6 +44,20 @@ def test_endless_work_is_refused_early_with_the_run_up_to_there(name: str) -> No
     assert np.isfinite(run.energy).all()
 
 
+def test_a_run_refused_before_its_first_sample_is_its_start() -> None:
+    with pytest.raises(WorkLimitError) as refused:
+        t2.simulate(driven("1[N]*sin(1e6[rad/s]*time)"), duration=1.0, times=[0.5, 1.0])
+    assert refused.value.run.times.tolist() == [0.0]
+
+
+def test_a_run_refused_beyond_float64_keeps_what_is_finite() -> None:
+    with pytest.raises(t2.SimulationError, match="beyond what float64 holds") as refused:
+        t2.simulate(driven("1[N]*exp(1000[1/s]*time)"), duration=10.0)
+    run = refused.value.run
+    assert 1 < len(run.times) < 60
+    assert np.isfinite(run.energy).all()
+
+
 def test_a_stiff_spring_is_followed_to_its_end() -> None:
     scene = t2.Scene(gravity=(0, 0))
     scene.add_body(t2.Disc(radius=0.1), mass=1, position=(1.5, 0))

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tamias2d.contact import ContactImpulse, Located
+from tamias2d.contact import ContactImpulse, Located, RangeError
 from tamias2d.errors import SimulationError
 from tamias2d.kernels import flight
 from tamias2d.motion import Motion, PathMethod
@@ -14,7 +14,7 @@ from tamias2d.run import Impacts, Run
 from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
 from tamias2d.solve.following import Interrupted, follow
 from tamias2d.solve.plan import Plan
-from tamias2d.state import History
+from tamias2d.state import Array, History
 from tamias2d.work_limit import Work
 
 
@@ -32,10 +32,10 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
             return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
         follow(located, plan.duration, progress=progress)
     except SimulationError as refusal:
-        refusal.run = _reached(plan, motion, located)
+        refusal.run = _finite(plan, motion, located)
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_reached(plan, motion, located)) from None
+        raise Interrupted(_finite(plan, motion, located)) from None
     return _reached(plan, motion, located)
 
 
@@ -51,28 +51,44 @@ def _without_contact(plan: Plan, method: PathMethod, motion: Motion) -> History:
     return motion.history(plan.times)
 
 
+def _finite(plan: Plan, motion: Motion, located: Located) -> Run:
+    """Return the run up to the time that was reached, or to the last finite energy before."""
+    try:
+        return _reached(plan, motion, located)
+    except RangeError as beyond:
+        return _reached(plan._replace(times=plan.times[plan.times < beyond.time]), motion, located)
+
+
 def _reached(plan: Plan, motion: Motion, located: Located) -> Run:
     """Return the run up to the time that was reached."""
     if not all(located.tracks):  # it did not get as far as a first path
-        history = motion.sampled or start_of(plan)
-        times = plan.times[: len(history.position)] if motion.sampled else np.zeros(1)
+        history, times = _sampled(plan, motion)
         plan = plan._replace(times=times)
         return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
     times = plan.times[plan.times <= located.time]
-    plan = plan._replace(times=times if len(times) else plan.times[:1])
+    plan = plan._replace(times=times if len(times) else np.zeros(1))
     history, impacts = sample(located.tracks, plan.times), _impacts(located.contact_impulses)
     return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally)
 
 
+def _sampled(plan: Plan, motion: Motion) -> tuple[History, Array]:
+    """Return the samples that a motion without contacts has reached, or else the start."""
+    count = 0 if motion.sampled is None else len(motion.sampled.position)
+    times = plan.times[:count]
+    if motion.sampled is None or not len(times):
+        return start_of(plan), np.zeros(1)
+    return History(*(part[: len(times)] for part in motion.sampled)), times
+
+
 def _impacts(contact_impulses: Sequence[tuple[float, ContactImpulse]]) -> Impacts:
-    contacts = [hit.contact for _, hit in contact_impulses]
+    contacts = [each.contact for _, each in contact_impulses]
     return Impacts(
         time=np.array([time for time, _ in contact_impulses], dtype=np.float64),
         bodies=np.array([(c.a, c.b) for c in contacts], dtype=np.int64).reshape(-1, 2),
         point=np.array([c.point for c in contacts], dtype=np.float64).reshape(-1, 2),
         normal=np.array([c.normal for c in contacts], dtype=np.float64).reshape(-1, 2),
-        impulse=np.array([hit.impulse for _, hit in contact_impulses], dtype=np.float64),
+        impulse=np.array([each.impulse for _, each in contact_impulses], dtype=np.float64),
         normal_velocity=np.array(
-            [hit.normal_velocity for _, hit in contact_impulses], dtype=np.float64
+            [each.normal_velocity for _, each in contact_impulses], dtype=np.float64
         ),
     )
