@@ -61,6 +61,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.study.recommend import ToleranceError as ToleranceError, recommend as recommend
     from tamias2d.trace import trace as trace
     from tamias2d.verify import verify as verify
+    from tamias2d.work_limit import WorkLimitError as WorkLimitError
 
 _HOMES = {
     "certificate": "Certificate",
@@ -80,6 +81,7 @@ _HOMES = {
     "study.recommend": "ToleranceError recommend",
     "trace": "trace",
     "verify": "verify",
+    "work_limit": "WorkLimitError",
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names.split()}
 

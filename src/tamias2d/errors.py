@@ -30,3 +30,6 @@ class RecordingError(TamiasError):
 
 class SimulationError(TamiasError):
     """A run is refused, because the model has no unique or no computable answer."""
+
+    run: object = None
+    """The run up to there, if it had begun."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
-from tamias2d.state import Acceleration, Array, Hold, State, Vector
+from tamias2d.state import Acceleration, Array, Constraint, State, Vector
 
 
 class Bounds(NamedTuple):
@@ -44,7 +44,7 @@ class Paths(Protocol):
     """Whoever makes paths for the bodies of one scene, up to the end of one run."""
 
     def segment(
-        self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
+        self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
     ) -> tuple[float, Sequence[Piece]]:
         """Return a time and the path of every body from `start` (s) to that time."""
 
@@ -54,11 +54,11 @@ class Paths(Protocol):
         start: float,
         state: Callable[[int], State],
         end: float,
-        holds: Sequence[Hold | None],
+        constraints: Sequence[Constraint | None],
     ) -> Mapping[int, Piece]:
         """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
 
-        A path may end before, where a hold bends it.
+        A path may end before, where a constraint depends on the state.
         """
 
     def approach(
@@ -66,7 +66,7 @@ class Paths(Protocol):
         bodies: Iterable[int],
         time: float,
         path: Callable[[int], Piece],
-        holds: Sequence[Hold | None],
+        constraints: Sequence[Constraint | None],
     ) -> Mapping[int, Piece]:
         """Return better paths of some bodies, and of all they act on, for a meeting at `time`, s.
 
@@ -74,4 +74,4 @@ class Paths(Protocol):
         """
 
     def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
-        """Return the acceleration of a body that nothing holds, at a time in s."""
+        """Return the acceleration of an unconstrained body, at a time in s."""

@@ -10,7 +10,7 @@ from tamias2d.record import files, header as headers, history
 from tamias2d.record.difference import Difference, first_difference
 from tamias2d.record.header import Header
 from tamias2d.run import Run
-from tamias2d.solve import solve
+from tamias2d.solve import solve, work_limit_of
 from tamias2d.study.certify import certify
 
 
@@ -92,14 +92,14 @@ def _again(recorded: Run, *, where: str) -> Run:
             method=recorded.method,
             time_step=recorded.time_step,
             times=recorded.times,
+            work_limit=work_limit_of(recorded),
         )
     except InputError as fault:
         raise RecordingError(f"{where}: its inputs are refused: {fault}") from fault
     except SimulationError as refusal:
-        reached: Run | None = getattr(refusal, "run", None)
-        if reached is None:
+        if not isinstance(refusal.run, Run):
             raise
-        return reached
+        return refusal.run
 
 
 def _why(header: Header, *, intact: bool) -> str:

@@ -9,6 +9,7 @@ from tamias2d.scene import Scene
 from tamias2d.solve import planned, solve
 from tamias2d.study.tolerance import within
 from tamias2d.suggestions import suggests
+from tamias2d.work_limit import WORK_LIMIT
 
 
 @suggests
@@ -21,6 +22,7 @@ def simulate(
     times: Iterable[float] | None = None,
     tolerance: float | None = None,
     progress: bool = False,
+    work_limit: int = WORK_LIMIT,
 ) -> Run:
     """Simulate a scene for a duration in s, and return its history.
 
@@ -33,7 +35,8 @@ def simulate(
 
     `times` are those of the samples, s, sorted and within the run; without them it is 60 a second,
     or every step (`time_step`, s) of a stepped method. Between steps through contacts states are
-    interpolated. `progress` shows a bar on standard error.
+    interpolated. `progress` shows a bar on standard error. A run takes at most `work_limit` steps
+    of a method that chooses them itself, and impacts; it ends early if it can be seen to take more.
 
     With a `tolerance` method and step are those that meet it at the least cost, found by pilot
     runs, and the run has a certificate (`recommend` says what is bounded).
@@ -46,6 +49,7 @@ def simulate(
         ToleranceError: no method meets the tolerance; it says what can be met.
         RangeError: a number of the run, or its energy or momentum, is beyond float64.
         StabilityError: the method is unstable at the time step; told before it runs.
+        WorkLimitError: the run takes more steps and impacts than `work_limit`; likewise.
         StepSizeError: no step that float64 can take meets an adaptive method's tolerance.
         Interrupted: the user stopped it; likewise with its `run`.
     """
@@ -57,8 +61,9 @@ def simulate(
             time_step=time_step,
             times=times,
             progress=progress,
+            work_limit=work_limit,
         )
-    plan = planned(scene, duration, method, time_step, times)
+    plan = planned(scene, duration, method, time_step, times, work_limit)
     if method is not None:
         raise InputError(
             f"tolerance {tolerance!r}: found method {method} beside it: the method follows from "

@@ -25,15 +25,15 @@ class State(NamedTuple):
     """rad/s"""
 
 
-class Hold(Protocol):
-    """What lasting contacts make of the acceleration that the loads alone would give a body."""
+class Constraint(Protocol):
+    """The acceleration of a body on lasting contacts, as a function of that by the loads."""
 
     @property
-    def bends(self) -> bool:
+    def state_dependent(self) -> bool:
         """Whether it depends on the state, so that constant loads give no constant acceleration."""
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
-        """Return the acceleration that is left of one by the loads, in a state."""
+        """Return the constrained acceleration for one by the loads alone, in a state."""
 
 
 class History(NamedTuple):

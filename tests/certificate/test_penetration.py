@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.contact import advance, instant, manifold
+from tamias2d.contact import conservative_advancement, instant, manifold
 from tamias2d.contact.refusal import Refusal
 from tamias2d.motion import ClosedForm, Stepped
 from tamias2d.study import penetration
@@ -26,7 +26,7 @@ def rod(orientation: float = 0.0) -> t2.Scene:
 @pytest.fixture
 def blind(monkeypatch):
     """The search for impacts as it was: it forgets the side on which thin bodies were."""
-    for module in (advance, manifold):
+    for module in (conservative_advancement, manifold):
         monkeypatch.setattr(module, "from_side", lambda _a, _b, found, _ahead: found)
     monkeypatch.setattr(instant, "either_side", lambda *_: None)
 

@@ -8,7 +8,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.contact.manifold import Contact
-from tamias2d.contact.response import impulses, pushed
+from tamias2d.contact.response import after_impulse, impulses
 from tamias2d.state import State
 
 
@@ -29,7 +29,7 @@ def test_oblique_pair_with_lever_arms():
     )
     (impulse,) = impulses(cores, [contact], a, b, 0.7)
     assert impulse == pytest.approx(0.7771299854246722, rel=1e-15)
-    a, b = pushed(cores, contact, impulse, a, b)
+    a, b = after_impulse(cores, contact, impulse, a, b)
     assert a.velocity == pytest.approx((0.7668610043725983, 0.18914800583013114), rel=1e-14)
     assert b.velocity == pytest.approx((-0.5337220087451967, 0.3717039883397377), rel=1e-14)
     assert a.angular_velocity == pytest.approx(1.253955213992315, rel=1e-14)

@@ -73,9 +73,9 @@ def spinning(spin: float) -> t2.Scene:
 def test_turns_out_of_reach_are_not_looked_at(spin, monkeypatch):
     """The circle around the box meets the plane at 2 - sqrt(1/2) s; the box within a turn of it."""
     looked = []
-    placed = t2.contact.advance.Pair.placed
+    placed = t2.contact.conservative_advancement.Pair.placed
     monkeypatch.setattr(
-        t2.contact.advance.Pair,
+        t2.contact.conservative_advancement.Pair,
         "placed",
         lambda self, time: (looked.append(time), placed(self, time))[1],
     )
@@ -88,7 +88,9 @@ def test_turns_out_of_reach_are_not_looked_at(spin, monkeypatch):
 
 def test_a_pair_that_meets_without_end_is_refused(monkeypatch):
     """As when an impact leaves everything as it was."""
-    monkeypatch.setattr(located.Located, "_happens", lambda self, *_: self._predict([0, 1]))
+    monkeypatch.setattr(
+        located.Located, "_resolve_instant", lambda self, *_: self._schedule_impacts([0, 1])
+    )
     with pytest.raises(UndecidedContactError, match="again and again"):
         t2.simulate(spinning(1.0), duration=2.0, method=t2.ClosedForm())
 

@@ -1,11 +1,10 @@
-"""Contacts: who touches, and what follows.
+"""Located contacts: impacts to rounding, and the contacts that last after them.
 
-Service: the bodies of a scene followed through all that they meet, impacts located to rounding.
-Secret: how a contact is found (conservative advancement along separating axes) and in which order
-what happens at one instant is decided.
+Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impact is found
+(conservative advancement along separating axes), and in which order one instant is resolved.
 """
 
-from tamias2d.contact.instant import Hit
+from tamias2d.contact.instant import ContactImpulse
 from tamias2d.contact.located import Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
@@ -18,12 +17,12 @@ from tamias2d.contact.refusal import (
     UndecidedContactError,
     UnlocatedContactError,
 )
-from tamias2d.contact.way import MEANT_TO_TOUCH, steps_because
+from tamias2d.contact.stepping_choice import MEANT_TO_TOUCH, steps_because
 
 __all__ = [
     "MEANT_TO_TOUCH",
+    "ContactImpulse",
     "FrictionError",
-    "Hit",
     "LastingContactError",
     "Located",
     "OverlapError",

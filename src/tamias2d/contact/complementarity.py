@@ -1,7 +1,4 @@
-"""Forces and impulses that push and never pull: the linear complementarity problem.
-
-Serves: impacts and contacts that last. Hides: the method of solution.
-"""
+"""Normal forces and impulses, never negative: the linear complementarity problem."""
 
 import numpy as np
 
@@ -49,10 +46,10 @@ def _active_set(a: Array, b: Array) -> Array:
     active = np.zeros(len(b), dtype=bool)
     small = 1e-13 * np.abs(b).max(initial=0.0)
     for _ in range(8 * len(b)):
-        push = np.where(active, -np.inf, -(a @ x + b))
-        if push.max() <= small:
+        force = np.where(active, -np.inf, -(a @ x + b))
+        if force.max() <= small:
             break
-        active[int(push.argmax())] = True
+        active[int(force.argmax())] = True
         while active.any():
             trial = np.zeros_like(b)
             trial[active] = np.linalg.lstsq(a[np.ix_(active, active)], -b[active])[0]

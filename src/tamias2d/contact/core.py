@@ -1,7 +1,4 @@
-"""Bodies as whoever looks for contacts sees them: corners, sides and a radius around them.
-
-Serves: gaps and manifolds. Hides: that all shapes are one: corners with a radius around them.
-"""
+"""The geometry of a body in contact: corners, sides and a radius around them."""
 
 import math
 from copy import copy
@@ -29,7 +26,7 @@ class Side(NamedTuple):
 
 
 class Core:
-    """What of a body can touch: its corners thickened by a radius (a disc is one corner).
+    """The solid part of a body: its corners, thickened by a radius (a disc is one corner).
 
     A side lies as far out as the radius says.
     """
@@ -45,7 +42,7 @@ class Core:
     ) -> None:
         """Take a body, whether its loads are constant, whether they change at rest, and its group.
 
-        The group are the bodies whose state its loads depend on, itself included.
+        The group holds the bodies on whose states its loads depend, itself included.
         """
         shape = body.shape
         self.index = index

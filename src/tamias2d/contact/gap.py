@@ -1,6 +1,4 @@
-"""How far two bodies are apart, along an axis that separates them.
-
-Serves: the search for the next impact. Hides: which axes there are, and how a gap is bounded.
+"""The gap between two bodies along an axis that separates them.
 
 An axis belongs to a side of one of the bodies, and turns with it, or to the world. Along it, the
 gap between one body and each corner of the other is a smooth function of time, and the smallest
@@ -25,7 +23,7 @@ from tamias2d.state import Vector
 EPSILON = 2.0**-52
 _LEAST = 5e-324
 _BEHIND = -0.5  # cosine between directions that separate a pair from either side
-_IN_LINE = 1e-12  # of the sizes: by how much rounding may make cores in one line seem to cross
+_IN_LINE = 1e-12  # of the sizes: by how much rounding may make collinear cores seem to cross
 
 
 class Axis(NamedTuple):
@@ -40,7 +38,7 @@ class Axis(NamedTuple):
     """The smallest gap at this instant, m."""
 
     @property
-    def ahead(self) -> Vector:
+    def separating_direction(self) -> Vector:
         """The direction from the first body of the pair to the second."""
         x, y = self.direction
         return (-x, -y) if self.swapped else (x, y)
@@ -84,16 +82,22 @@ def axes(a: Placed, b: Placed) -> list[Axis]:
     return found
 
 
-def from_side(a: Placed, b: Placed, found: list[Axis], ahead: Vector | None) -> list[Axis]:
-    """Return the axes that do not point against `ahead`, in which the pair was last apart.
+def from_side(
+    a: Placed, b: Placed, found: list[Axis], separating_direction: Vector | None
+) -> list[Axis]:
+    """Return the axes that do not point against the direction in which the pair was last apart.
 
     Where thin bodies touch, the axes of both their sides have no gap: to go on along the other one
     would be to pass through. Corners that rounding has let past each other overlap.
     """
-    if ahead is None:
+    if separating_direction is None:
         return found
-    ux, uy = ahead
-    same = [axis for axis in found if ux * axis.ahead[0] + uy * axis.ahead[1] > _BEHIND]
+    ux, uy = separating_direction
+    same = [
+        axis
+        for axis in found
+        if ux * axis.separating_direction[0] + uy * axis.separating_direction[1] > _BEHIND
+    ]
     if same or found[0].side is not None:
         return same or found
     (x, y), base = found[0].direction, a.core.radius + b.core.radius
@@ -102,7 +106,7 @@ def from_side(a: Placed, b: Placed, found: list[Axis], ahead: Vector | None) -> 
 
 def either_side(found: list[Axis], tolerance: float) -> Vector | None:
     """Return the direction of an axis of which the opposite one has no gap either, or None."""
-    touching = [axis.ahead for axis in found if abs(axis.gap) <= tolerance]
+    touching = [axis.separating_direction for axis in found if abs(axis.gap) <= tolerance]
     for ux, uy in touching:
         if any(ux * x + uy * y < _BEHIND for x, y in touching):
             return ux, uy
@@ -138,7 +142,7 @@ def gaps(a: Placed, b: Placed, axis: Axis) -> list[Gap]:
 
 
 def resolution(a: Placed, b: Placed, time: float) -> float:
-    """Return the gap in m that float64 cannot tell from none, for places and time such as these."""
+    """Return the gap in m that float64 cannot tell from 0, at such positions and times."""
     (ax, ay), (bx, by) = a.state.position, b.state.position
     (au, av), (bu, bv) = a.state.velocity, b.state.velocity
     length = abs(ax) + abs(ay) + abs(bx) + abs(by) + a.core.size + b.core.size
@@ -205,14 +209,14 @@ def _with_nearest(found: list[Axis], a: Placed, b: Placed) -> list[Axis]:
     corners_b = [(dx + x, dy + y) for x, y in b.corners]
     steps = [(qx - px, qy - py) for px, py in a.corners for qx, qy in corners_b]
     nearest = min(steps, key=lambda step: math.hypot(*step))
-    beside = [_beside(corner, corners_b) for corner in a.corners]
-    beside += [_beside(corner, a.corners) for corner in corners_b]
-    if math.hypot(*nearest) > min(beside) or nearest == (0, 0):
+    to_sides = [_distance_to_sides(corner, corners_b) for corner in a.corners]
+    to_sides += [_distance_to_sides(corner, a.corners) for corner in corners_b]
+    if math.hypot(*nearest) > min(to_sides) or nearest == (0, 0):
         return found
     return [_between(nearest, base, swapped=False)]
 
 
-def _beside(point: Vector, corners: Sequence[Vector]) -> float:
+def _distance_to_sides(point: Vector, corners: Sequence[Vector]) -> float:
     """Return the distance of a point from the nearest side that it stands beside, or infinity."""
     best = math.inf
     for (px, py), (qx, qy) in pairwise((*corners, corners[0])):

@@ -1,9 +1,7 @@
-"""What happens at one instant to bodies that touch: they part, or stay.
+"""All impacts and lasting contacts at one instant.
 
-Serves: the located way. Hides: the order in which contacts are answered.
-
-In this order: find all that touches; let what approaches part (IM3), unless impacts act on each
-other; let what neither approaches nor parts stay (GD3), if a contact can last.
+In this order: find all touching pairs; resolve the impacts of those that approach (IM3), unless
+impacts act on each other; keep the contacts that neither approach nor separate (GD3).
 """
 
 import math
@@ -11,44 +9,53 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
+from tamias2d.contact.frictional_rest import LASTING_NOISE, PairFriction, island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
-from tamias2d.contact.hold import opening
-from tamias2d.contact.manifold import Contact, approach, cornered, manifold, speeds, tangent_of
+from tamias2d.contact.lasting_contact import Island
+from tamias2d.contact.manifold import (
+    Contact,
+    corner_on_corner_error,
+    manifold,
+    normal_velocity,
+    speed_scale,
+    tangent_of,
+)
 from tamias2d.contact.refusal import (
     RangeError,
     SimultaneousImpactsError,
     UndecidedContactError,
     named,
 )
-from tamias2d.contact.response import coupling, impulses, pushed
-from tamias2d.contact.rest import Island
-from tamias2d.contact.rough import HELD_NOISE, Roughness, island_of
-from tamias2d.contact.rub import rubs, struck
+from tamias2d.contact.response import after_impulse, coupling, impulses
 from tamias2d.generated import rest
-from tamias2d.state import Acceleration, Hold, State, Vector
+from tamias2d.state import Acceleration, Constraint, State, Vector
 
 PairOf = tuple[int, int]
 
-_BLURRED = 0.01  # of the smaller size: the largest gap that may count as none
-_TRIES = 10_000  # impulses of one pair at one instant; their speeds fall as a geometric series
+_MAX_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
+_MAX_IMPULSES = (
+    10_000  # impulses of one pair at one instant; their speeds fall as a geometric series
+)
 
 
-class Surroundings(NamedTuple):
-    """What an instant may ask of the world."""
+class InstantInputs(NamedTuple):
+    """The state of the simulation that an instant reads."""
 
     cores: Sequence[Core]
     state: Callable[[int], State]
     """Of a body, now."""
-    near: Callable[[int], Iterable[int]]
-    """The bodies that may touch a body now."""
+    overlapping: Callable[[int], Iterable[int]]
+    """The bodies whose bounding boxes overlap with that of a body."""
     free: Callable[[int, Callable[[int], State]], Acceleration]
-    """The acceleration of a body that nothing holds, now, for given states."""
-    held: Mapping[PairOf, Sequence[Contact]]
+    """The acceleration of an unconstrained body, now, for given states."""
+    lasting: Mapping[PairOf, Sequence[Contact]]
     """The contacts that have lasted until now."""
-    stuck: Collection[PairOf]
-    """The pairs of these that have not slid."""
-    ahead: Mapping[PairOf, Vector]
+    sticking: Collection[PairOf]
+    """The pairs of these that stick."""
+    separating_direction: Mapping[PairOf, Vector]
     """The directions in which pairs were last apart."""
     restitution: Callable[[int, int], float]
     friction: Callable[[int, int], float]
@@ -56,8 +63,8 @@ class Surroundings(NamedTuple):
     """When the run ends, s."""
 
 
-class Hit(NamedTuple):
-    """One impulse."""
+class ContactImpulse(NamedTuple):
+    """One impulse at a contact."""
 
     contact: Contact
     impulse: float
@@ -65,59 +72,59 @@ class Hit(NamedTuple):
 
 
 @dataclass
-class Touch:
+class TouchingPair:
     """A touching pair."""
 
     pair: PairOf
     contacts: list[Contact]
     tolerance: float
-    """What counts as no gap, m."""
+    """The largest gap that counts as 0, m."""
     speed: float
     """The size of the terms that make up its velocities, m/s."""
     noise: float
-    """What counts as no normal velocity, m/s."""
+    """The largest normal velocity that counts as 0, m/s."""
     staying: list[Contact] = field(default_factory=list)
     rest_at: float = 0.0
     """When its bounces end if they go on as a geometric series of times, s; 0 if they do not."""
     rest_noise: float = 0.0
-    """What rounding makes of that, s."""
+    """The error of `rest_at` by rounding, s."""
 
 
 class Instant:
-    """One instant, and what it has made of the bodies."""
+    """One instant: its impulses, and the states and constraints of the bodies after it."""
 
-    def __init__(self, time: float, world: Surroundings, bodies: Sequence[int]) -> None:
+    def __init__(self, time: float, world: InstantInputs, bodies: Sequence[int]) -> None:
         self.time = time
         self._world = world
         self._placed: dict[int, Placed] = {}
         self.states: dict[int, State] = {}
-        """Of the bodies that were looked at, as they are after it."""
-        self.touches: dict[PairOf, Touch] = {}
-        self.hits: list[Hit] = []
+        """Of the bodies that were examined, after the instant."""
+        self.touching_pairs: dict[PairOf, TouchingPair] = {}
+        self.contact_impulses: list[ContactImpulse] = []
         self.changed: set[int] = set()
-        self.holds: dict[int, Hold] = {}
+        self.constraints: dict[int, Constraint] = {}
         self.senses: dict[PairOf, int] = {}
-        """Of rough pairs that stay: 0 if they stick, else the sense in which they slide."""
-        self.opening: dict[PairOf, float] = {}
-        """Pairs that part without normal velocity, with the second derivative of the gap."""
-        self._explore(bodies)
-        self._part()
-        self._stay()
+        """Of lasting pairs with friction: 0 if they stick, else the sense in which they slide."""
+        self.separating: dict[PairOf, float] = {}
+        """Pairs that separate without normal velocity, with the second derivative of the gap."""
+        self._find_touching(bodies)
+        self._resolve_impacts()
+        self._keep_lasting()
 
     def state(self, body: int) -> State:
         """Return the state of a body after the instant, as far as it is known."""
         return self.states[body] if body in self.states else self._world.state(body)
 
-    def _explore(self, bodies: Sequence[int]) -> None:
+    def _find_touching(self, bodies: Sequence[int]) -> None:
         todo = list(bodies)
         seen = set(todo)
         for body in todo:  # grows while it is gone through
             self._place(body)
-            for other in self._world.near(body):
+            for other in self._world.overlapping(body):
                 pair = (min(body, other), max(body, other))
-                if pair in self.touches or not (touch := self._touch(pair)):
+                if pair in self.touching_pairs or not (touch := self._touch(pair)):
                     continue
-                self.touches[pair] = touch
+                self.touching_pairs[pair] = touch
                 for i in pair:
                     if i not in seen and self._world.cores[i].dynamic:
                         seen.add(i)
@@ -129,23 +136,27 @@ class Instant:
             self._placed[body] = place(self._world.cores[body], self.states[body])
         return self._placed[body]
 
-    def _touch(self, pair: PairOf) -> Touch | None:
+    def _touch(self, pair: PairOf) -> TouchingPair | None:
         a, b = (self._place(i) for i in pair)
         tolerance = resolution(a, b, self.time)
-        kept = self._world.held.get(pair, ())
-        if not kept and (_far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance):
+        lasting = self._world.lasting.get(pair, ())
+        if not lasting and (
+            _far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance
+        ):
             return None
         self._refuse_far(a, b, tolerance)
-        ahead = self._world.ahead.get(pair) or self._pressed(a, b, tolerance)
-        contacts = manifold(a, b, tolerance, self.time, kept, ahead)
-        speed = max(speeds(contact, a.state, b.state) for contact in contacts)
-        noise = speed * (HELD_NOISE if kept else 64 * EPSILON)
-        return Touch(pair, contacts, tolerance, speed, noise)
+        separating_direction = self._world.separating_direction.get(
+            pair
+        ) or self._pressed_direction(a, b, tolerance)
+        contacts = manifold(a, b, tolerance, self.time, lasting, separating_direction)
+        speed = max(speed_scale(contact, a.state, b.state) for contact in contacts)
+        noise = speed * (LASTING_NOISE if lasting else 64 * EPSILON)
+        return TouchingPair(pair, contacts, tolerance, speed, noise)
 
     def _refuse_far(self, a: Placed, b: Placed, tolerance: float) -> None:
-        """Refuse a touch where float64 can hardly tell one size of a body from the next place."""
+        """Refuse a contact where positions in float64 are coarse beside the size of a body."""
         size = min(a.core.bounding_radius, b.core.bounding_radius)
-        if tolerance > _BLURRED * size:
+        if tolerance > _MAX_RESOLUTION * size:
             raise RangeError(
                 f"{named(a.core.name, b.core.name)} at {self.time!r} s: where they are, float64 "
                 f"tells places no nearer than {tolerance:.3g} m, and the smaller one is {size:.3g} "
@@ -153,95 +164,103 @@ class Instant:
                 time=self.time,
             )
 
-    def _pressed(self, a: Placed, b: Placed, tolerance: float) -> Vector | None:
+    def _pressed_direction(self, a: Placed, b: Placed, tolerance: float) -> Vector | None:
         """Return the direction from A to B in which a thin pair lies of which no gap tells it.
 
-        It is the one against which they move or, if they do not, are pushed: bodies are solid.
+        It is the one against which they move or, if they do not, accelerate: bodies are solid.
         """
         if (thin := either_side(axes(a, b), tolerance)) is None:
             return None
-        (ux, uy), rate, push = thin, 0.0, 0.0
+        (ux, uy), rate, acceleration = thin, 0.0, 0.0
         for sign, body in ((-1, a), (1, b)):
             rate += sign * (ux * body.state.velocity[0] + uy * body.state.velocity[1])
             if body.core.dynamic:
                 x, y, _ = self._world.free(body.core.index, self._world.state)
-                push += sign * (ux * x + uy * y)
-        return (-ux, -uy) if (rate or push) > 0 else (ux, uy)
+                acceleration += sign * (ux * x + uy * y)
+        return (-ux, -uy) if (rate or acceleration) > 0 else (ux, uy)
 
     def _slide_noise(self, contact: Contact) -> float:
         pair = contact.a, contact.b
-        held = HELD_NOISE if pair in self._world.stuck else 64 * EPSILON
-        return self.touches[pair].speed * held
+        share = LASTING_NOISE if pair in self._world.sticking else 64 * EPSILON
+        return self.touching_pairs[pair].speed * share
 
-    def _approaches(self, touch: Touch) -> bool:
+    def _approaches(self, touch: TouchingPair) -> bool:
         return any(self._rate(contact) < -touch.noise for contact in touch.contacts)
 
     def _rate(self, contact: Contact) -> float:
-        return approach(contact, self.states[contact.a], self.states[contact.b])
+        return normal_velocity(contact, self.states[contact.a], self.states[contact.b])
 
-    def _part(self) -> None:
-        meeting = [touch for touch in self.touches.values() if self._approaches(touch)]
-        self._refuse_coupled(meeting)
-        for touch in meeting:
-            tries = 0
+    def _resolve_impacts(self) -> None:
+        approaching = [touch for touch in self.touching_pairs.values() if self._approaches(touch)]
+        self._refuse_coupled(approaching)
+        for touch in approaching:
+            count = 0
             while self._approaches(touch):
-                self._part_pair(touch)
-                if (tries := tries + 1) > _TRIES:
+                self._resolve_pair(touch)
+                if (count := count + 1) > _MAX_IMPULSES:
                     raise UndecidedContactError(
                         f"{self._names(touch)} at {self.time!r} s: their corners meet in turn "
                         "without end (IM3). End the run before, or change the scene a little.",
                         time=self.time,
                     )
             self.changed.update(i for i in touch.pair if self._world.cores[i].dynamic)
-        self._refuse_driven(meeting)
+        self._refuse_driven_together(approaching)
 
-    def _part_pair(self, touch: Touch) -> None:
-        """Let the contacts that do not part yet answer together.
+    def _resolve_pair(self, touch: TouchingPair) -> None:
+        """Resolve together the contacts that do not separate yet.
 
-        One that parts stays out of it: at most it is driven together, and then answers in turn.
+        A separating one is left out: if the others drive it together, it is resolved in turn.
         """
         cores, states, (a, b) = self._world.cores, self.states, touch.pair
-        meeting = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
+        approaching = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
         restitution = self._world.restitution(a, b)
-        if roughness := self._world.friction(a, b):
-            self._rub_pair(touch.pair, meeting, restitution, roughness)
+        if coefficient := self._world.friction(a, b):
+            self._resolve_frictional_pair(touch.pair, approaching, restitution, coefficient)
             return
-        found = impulses(cores, meeting, states[a], states[b], restitution)
-        hits = [
-            Hit(contact, impulse, self._rate(contact))
-            for contact, impulse in zip(meeting, found, strict=True)
+        found = impulses(cores, approaching, states[a], states[b], restitution)
+        contact_impulses = [
+            ContactImpulse(contact, impulse, self._rate(contact))
+            for contact, impulse in zip(approaching, found, strict=True)
             if impulse > 0
         ]
-        for hit in hits:
-            states[a], states[b] = pushed(cores, hit.contact, hit.impulse, states[a], states[b])
-        self.hits += hits
+        for impulse in contact_impulses:
+            states[a], states[b] = after_impulse(
+                cores, impulse.contact, impulse.impulse, states[a], states[b]
+            )
+        self.contact_impulses += contact_impulses
 
-    def _rub_pair(
-        self, pair: PairOf, meeting: Sequence[Contact], restitution: float, roughness: float
+    def _resolve_frictional_pair(
+        self, pair: PairOf, approaching: Sequence[Contact], restitution: float, coefficient: float
     ) -> None:
-        """Do the same with friction (IM9)."""
+        """Resolve the contacts of a pair with friction (IM9)."""
         cores, states, (a, b) = self._world.cores, self.states, pair
-        found = rubs(cores, meeting, states[a], states[b], restitution, roughness)
-        hits = [
-            (Hit(contact, rub[0], self._rate(contact)), rub)
-            for contact, rub in zip(meeting, found, strict=True)
-            if rub[0] > 0
+        found = frictional_impulses(
+            cores, approaching, states[a], states[b], restitution, coefficient
+        )
+        found_pairs = [
+            (ContactImpulse(contact, both[0], self._rate(contact)), both)
+            for contact, both in zip(approaching, found, strict=True)
+            if both[0] > 0
         ]
-        for hit, rub in hits:
-            states[a], states[b] = struck(cores, hit.contact, rub, states[a], states[b])
-        self.hits += [hit for hit, _ in hits]
+        for impulse, both in found_pairs:
+            states[a], states[b] = after_frictional_impulse(
+                cores, impulse.contact, both, states[a], states[b]
+            )
+        self.contact_impulses += [impulse for impulse, _ in found_pairs]
 
-    def _refuse_coupled(self, meeting: Sequence[Touch]) -> None:
-        for k, first in enumerate(meeting):
-            for second in meeting[k + 1 :]:
-                ways = self._ways(first), self._ways(second)
-                if any(self._coupled(one, other) for one in ways[0] for other in ways[1]):
+    def _refuse_coupled(self, approaching: Sequence[TouchingPair]) -> None:
+        for k, first in enumerate(approaching):
+            for second in approaching[k + 1 :]:
+                directions = self._impulse_directions(first), self._impulse_directions(second)
+                if any(
+                    self._coupled(one, other) for one in directions[0] for other in directions[1]
+                ):
                     self._refuse(first, second, "meet")
 
-    def _ways(self, touch: Touch) -> list[Contact]:
-        """Return the contacts of a pair, once for each direction in which they can push."""
-        rough = self._world.friction(*touch.pair) > 0
-        return touch.contacts + [tangent_of(contact) for contact in touch.contacts if rough]
+    def _impulse_directions(self, touch: TouchingPair) -> list[Contact]:
+        """Return the contacts of a pair, once for each direction of their impulses."""
+        frictional = self._world.friction(*touch.pair) > 0
+        return touch.contacts + [tangent_of(contact) for contact in touch.contacts if frictional]
 
     def _coupled(self, first: Contact, second: Contact) -> bool:
         cores = self._world.cores
@@ -249,14 +268,14 @@ class Instant:
         own = coupling(cores, first, first) * coupling(cores, second, second)
         return both * both > 1e-24 * own
 
-    def _refuse_driven(self, meeting: Sequence[Touch]) -> None:
+    def _refuse_driven_together(self, approaching: Sequence[TouchingPair]) -> None:
         """Refuse impacts that drive a touching pair into another impact."""
-        for touch in self.touches.values():
-            if meeting and self._approaches(touch):
-                by = next(m for m in meeting if set(m.pair) & set(touch.pair))
+        for touch in self.touching_pairs.values():
+            if approaching and self._approaches(touch):
+                by = next(m for m in approaching if set(m.pair) & set(touch.pair))
                 self._refuse(by, touch, "drive together")
 
-    def _refuse(self, first: Touch, second: Touch, what: str) -> None:
+    def _refuse(self, first: TouchingPair, second: TouchingPair, what: str) -> None:
         one, other = self._names(first), self._names(second)
         raise SimultaneousImpactsError(
             f"{one} {what} {other} at {self.time!r} s: impacts at one instant act on each other, "
@@ -264,38 +283,40 @@ class Instant:
             time=self.time,
         )
 
-    def _names(self, touch: Touch) -> str:
+    def _names(self, touch: TouchingPair) -> str:
         return named(*(self._world.cores[i].name for i in touch.pair))
 
-    def _stay(self) -> None:
-        """Let what neither approaches nor parts stay, and what bounces too low to be seen."""
+    def _keep_lasting(self) -> None:
+        """Keep contacts that neither approach nor separate, or bounce below resolution."""
         staying = [
             contact
-            for touch in self.touches.values()
+            for touch in self.touching_pairs.values()
             for contact in touch.contacts
             if abs(self._rate(contact)) <= touch.noise
         ]
         self._refuse_corners(staying)
         islands = self._islands(staying)
-        while low := self._too_low(islands, staying):
+        while low := self._unresolved_bounces(islands, staying):
             staying += low
             islands = self._islands(staying)
         lasting = [contact for island in islands for contact in island.lasting]
-        self._open(islands, [contact for contact in staying if contact not in lasting])
+        self._note_separating(islands, [contact for contact in staying if contact not in lasting])
         for contact in lasting:
-            self.touches[contact.a, contact.b].staying.append(contact)
+            self.touching_pairs[contact.a, contact.b].staying.append(contact)
         for island in islands:
             if island.lasting:
-                self._hold(island)
-        was_held = {i for pair in self.touches if pair in self._world.held for i in pair}
-        self.changed |= {i for i in was_held if self._world.cores[i].dynamic}
+                self._constrain(island)
+        constrained = {
+            i for pair in self.touching_pairs if pair in self._world.lasting for i in pair
+        }
+        self.changed |= {i for i in constrained if self._world.cores[i].dynamic}
 
     def _refuse_corners(self, staying: Sequence[Contact]) -> None:
         for contact in staying:
             a, b = (self._world.cores[i] for i in (contact.a, contact.b))
             sharp = not (a.radius or b.radius) and len(a.corners) > 1 and len(b.corners) > 1
             if sharp and contact.axis.side is None:
-                raise cornered(a, b, self.time)
+                raise corner_on_corner_error(a, b, self.time)
 
     def _islands(self, contacts: Sequence[Contact]) -> list[Island]:
         """Return the islands that contacts make."""
@@ -314,7 +335,7 @@ class Instant:
             slight_opening(placed[contact.a], placed[contact.b], self.time, self._world.until)
             for contact in contacts
         ]
-        rough = Roughness(self.time, self._world.friction, self._slide_noise)
+        pair_friction = PairFriction(self.time, self._world.friction, self._slide_noise)
         return [
             island_of(
                 cores,
@@ -322,7 +343,7 @@ class Instant:
                 joined,
                 {i: self._free(i) for i in sorted(bodies)},
                 min(slight),
-                rough,
+                pair_friction,
             )
             for bodies, joined in groups
         ]
@@ -336,40 +357,42 @@ class Instant:
             free.update(island.accelerations)
         return free
 
-    def _too_low(self, islands: Sequence[Island], staying: Sequence[Contact]) -> list[Contact]:
-        """Return the contacts whose next flight is lower than what counts as no gap."""
+    def _unresolved_bounces(
+        self, islands: Sequence[Island], staying: Sequence[Contact]
+    ) -> list[Contact]:
+        """Return the contacts whose next bounce is lower than the largest gap that counts as 0."""
         by = self._accelerations(islands)
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
         found = []
-        for touch in self.touches.values():
+        for touch in self.touching_pairs.values():
             for contact in touch.contacts:
                 if contact in staying:
                     continue
-                bend = opening(contact, placed, by)
+                acceleration = opening_acceleration(contact, placed, by)
                 rate = self._rate(contact)
-                if bend < 0:
-                    self._forecast(touch, rate, bend)
-                    if rate**2 <= -2 * bend * touch.tolerance:
+                if acceleration < 0:
+                    self._forecast(touch, rate, acceleration)
+                    if rate**2 <= -2 * acceleration * touch.tolerance:
                         found.append(contact)
         return found
 
-    def _forecast(self, touch: Touch, rate: float, bend: float) -> None:
+    def _forecast(self, touch: TouchingPair, rate: float, acceleration: float) -> None:
         restitution = self._world.restitution(*touch.pair)
-        if bend * (1 - restitution) < 0:  # it may vanish by rounding
-            rest_at = self.time + float(rest.time_to_rest(rate, bend, restitution))
+        if acceleration * (1 - restitution) < 0:  # it may vanish by rounding
+            rest_at = self.time + float(rest.time_to_rest(rate, acceleration, restitution))
             if rest_at > touch.rest_at:
                 touch.rest_at = rest_at
                 touch.rest_noise = touch.tolerance / rate / (1 - restitution)
 
-    def _open(self, islands: Sequence[Island], contacts: Sequence[Contact]) -> None:
+    def _note_separating(self, islands: Sequence[Island], contacts: Sequence[Contact]) -> None:
         by = self._accelerations(islands)
         placed = {i: body._replace(state=self.states[i]) for i, body in self._placed.items()}
         for contact in contacts:
-            self.opening[contact.a, contact.b] = opening(contact, placed, by)
+            self.separating[contact.a, contact.b] = opening_acceleration(contact, placed, by)
 
-    def _hold(self, island: Island) -> None:
-        self.states.update(island.stopped(self.states))
-        self.holds.update(island.holds(self.states, self.time))
+    def _constrain(self, island: Island) -> None:
+        self.states.update(island.projected(self.states))
+        self.constraints.update(island.constraints(self.states, self.time))
         self.senses.update(island.senses)
         self.changed.update(island.bodies)
 

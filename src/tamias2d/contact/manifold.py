@@ -1,8 +1,6 @@
-"""Where a touching pair touches: one point, or the two ends of what a flat contact has in common.
+"""The contact manifold of a touching pair: one point, or the two ends of a flat contact.
 
-Serves: impacts and contacts that last. Hides: how the points of a flat contact are found.
-
-Contacts answer in velocities (IM3) and accelerations (GD3), through the generated functions.
+Velocities (IM3) and accelerations (GD3) of a contact come from the generated functions.
 """
 
 import math
@@ -40,49 +38,60 @@ def manifold(
     b: Placed,
     tolerance: float,
     time: float,
-    kept: Sequence[Contact] = (),
-    ahead: Vector | None = None,
+    lasting: Sequence[Contact] = (),
+    separating_direction: Vector | None = None,
 ) -> list[Contact]:
     """Return the contacts of a pair that touches within a tolerance in m.
 
-    What rounding has done to the `kept` ones of a lasting contact does not count. `ahead` is the
-    direction from A to B in which they were last apart.
+    The `lasting` contacts stay in it, whatever rounding does to their gaps.
+    `separating_direction` is the direction from A to B in which they were last apart.
     """
-    found = from_side(a, b, axes(a, b), kept[0].normal if kept else ahead)
+    found = from_side(a, b, axes(a, b), lasting[0].normal if lasting else separating_direction)
     axis = max(found, key=lambda each: each.gap)
-    if directions := _several(found, axis, tolerance):
+    if directions := _equal_directions(found, axis, tolerance):
         return [_corner_on_corner(a, b, axis, directions, time)]
     if axis.side is None:
         return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
-    same = [contact.found for contact in kept] + [
-        (contact.axis.swapped, contact.gap.which[1]) for contact in kept
+    touching = _touching_corners(a, b, axis, tolerance, lasting)
+    if len(touching) == 1:
+        return [_contact(a, b, axis, touching[0])]
+    return _flat_manifold(a, b, axis, axis.side.ends, touching, tolerance)
+
+
+def _touching_corners(
+    a: Placed, b: Placed, axis: Axis, tolerance: float, lasting: Sequence[Contact]
+) -> list[Gap]:
+    """Return the gaps of the corners that touch a side: of the nearest one at least."""
+    known = [contact.found for contact in lasting] + [
+        (contact.axis.swapped, contact.gap.which[1]) for contact in lasting
     ]
-    limit = (0.0 if kept else axis.gap) + tolerance
-    near = [
-        gap
-        for gap in gaps(a, b, axis)
-        if gap.value <= limit or (axis.swapped, gap.which[1]) in same
-    ]
-    near = near or [min(gaps(a, b, axis), key=lambda gap: gap.value)]
-    if len(near) == 1:
-        return [_contact(a, b, axis, near[0])]
-    along = [_along(a, b, axis, gap) for gap in near]
+    limit = (0.0 if lasting else axis.gap) + tolerance
+    found = gaps(a, b, axis)
+    touching = [gap for gap in found if gap.value <= limit or (axis.swapped, gap.which[1]) in known]
+    return touching or [min(found, key=lambda gap: gap.value)]
+
+
+def _flat_manifold(
+    a: Placed, b: Placed, axis: Axis, ends: Vector, touching: list[Gap], tolerance: float
+) -> list[Contact]:
+    """Return the two ends of what a side and several corners have in common."""
+    along = [_along(a, b, axis, gap) for gap in touching]
     first, last = along.index(min(along)), along.index(max(along))
-    low, high = axis.side.ends
+    low, high = ends
     if min(along[last], high) - max(along[first], low) <= tolerance:  # only ends meet: one point
-        return [_contact(a, b, axis, near[first])]
+        return [_contact(a, b, axis, touching[first])]
     return [
-        _at_end(a, b, axis, near[first], 0)
+        _at_end(a, b, axis, touching[first], 0)
         if along[first] < low
-        else _contact(a, b, axis, near[first]),
-        _at_end(a, b, axis, near[last], 1)
+        else _contact(a, b, axis, touching[first]),
+        _at_end(a, b, axis, touching[last], 1)
         if along[last] > high
-        else _contact(a, b, axis, near[last]),
+        else _contact(a, b, axis, touching[last]),
     ]
 
 
-def followed(contact: Contact, a: Placed, b: Placed) -> Contact:
-    """Return a contact of the same corners and sides, where the bodies are now."""
+def refreshed(contact: Contact, a: Placed, b: Placed) -> Contact:
+    """Return a contact of the same corners and sides at the present places of the bodies."""
     axis = contact.axis
     p, q = (b, a) if axis.swapped else (a, b)
     i, j = contact.gap.which
@@ -100,7 +109,7 @@ def followed(contact: Contact, a: Placed, b: Placed) -> Contact:
     return _contact(a, b, now, gap)._replace(found=contact.found)
 
 
-def approach(contact: Contact, a: State, b: State) -> float:
+def normal_velocity(contact: Contact, a: State, b: State) -> float:
     """Return the normal velocity of a contact, m/s; negative when the bodies approach."""
     return float(
         impact.normal_velocity(
@@ -115,7 +124,7 @@ def approach(contact: Contact, a: State, b: State) -> float:
     )
 
 
-def sliding(contact: Contact, a: State, b: State) -> float:
+def tangential_velocity(contact: Contact, a: State, b: State) -> float:
     """Return the tangential velocity of a contact, m/s (DD22)."""
     return float(
         friction.tangential_velocity(
@@ -131,11 +140,11 @@ def sliding(contact: Contact, a: State, b: State) -> float:
 
 
 def tangent_of(contact: Contact) -> Contact:
-    """Return the contact with its tangent in place of its normal, to be coupled with others."""
+    """Return the contact with its tangent in place of its normal."""
     return contact._replace(normal=definitions.tangent(contact.normal))
 
 
-def parting(
+def gap_acceleration(
     contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration
 ) -> float:
     """Return the second derivative of the gap, m/s^2, under given accelerations (GD15)."""
@@ -147,7 +156,7 @@ def parting(
     (px, py), (qx, qy) = p.state.position, q.state.position
     distance = u[0] * (qx - px + w[0] - v[0]) + u[1] * (qy - py + w[1] - v[1])
     spin_p, spin_q = p.state.angular_velocity, q.state.angular_velocity
-    along = slip(contact, a.state, b.state)
+    along = slip_velocity(contact, a.state, b.state)
     if contact.axis.side is not None:
         found = rest.gap_acceleration_side(points, spin_p, spin_q, w, u, along, distance)
     else:
@@ -156,7 +165,9 @@ def parting(
     return float(found)
 
 
-def scrape(contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration) -> float:
+def tangential_acceleration(
+    contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration
+) -> float:
     """Return the tangential acceleration of a contact that sticks, m/s^2, under given ones (GD16).
 
     A corner circles about its centre of mass; a rim stays where it is.
@@ -175,7 +186,7 @@ def scrape(contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acc
     )
 
 
-def speeds(contact: Contact, a: State, b: State) -> float:
+def speed_scale(contact: Contact, a: State, b: State) -> float:
     """Return the size of the terms that make up the velocity of a contact, m/s."""
     return (
         math.hypot(*a.velocity)
@@ -185,7 +196,7 @@ def speeds(contact: Contact, a: State, b: State) -> float:
     )
 
 
-def slip(contact: Contact, a: State, b: State) -> float:
+def slip_velocity(contact: Contact, a: State, b: State) -> float:
     """Return how fast the corner of Q moves along the side or past the corner of P, m/s.
 
     A disc is the corner in its middle: its spin slips nowhere.
@@ -234,17 +245,17 @@ def _at_end(a: Placed, b: Placed, axis: Axis, gap: Gap, end: int) -> Contact:
     p, q = (b, a) if axis.swapped else (a, b)
     ux, uy = axis.direction
     index = (p.core.sides.index(axis.side) + end) % len(p.corners)
-    side = min(q.core.sides, key=lambda each: _facing(q.turned(each.normal), (ux, uy)))
+    side = min(q.core.sides, key=lambda each: _dot(q.turned(each.normal), (ux, uy)))
     other = Axis(not axis.swapped, side, (-ux, -uy), axis.gap)
     corner = gap._replace(corner=p.corners[index], which=(-1, index))
     return _contact(a, b, other, corner)._replace(found=(axis.swapped, gap.which[1]))
 
 
-def _facing(normal: Vector, direction: Vector) -> float:
+def _dot(normal: Vector, direction: Vector) -> float:
     return normal[0] * direction[0] + normal[1] * direction[1]
 
 
-def _several(found: list[Axis], best: Axis, tolerance: float) -> list[Vector]:
+def _equal_directions(found: list[Axis], best: Axis, tolerance: float) -> list[Vector]:
     """Return all directions from A to B in which a pair only just touches, if they differ."""
     ux, uy = best.direction
     equal = [axis for axis in found if axis.gap >= best.gap - tolerance]
@@ -256,7 +267,7 @@ def _several(found: list[Axis], best: Axis, tolerance: float) -> list[Vector]:
 def _corner_on_corner(
     a: Placed, b: Placed, axis: Axis, directions: list[Vector], time: float
 ) -> Contact:
-    """Return the contact of two corners: along their approach, or as near to it as can be (GD11).
+    """Return the contact of two corners: its normal is their approach, or nearest to it (GD11).
 
     Raises:
         UndecidedContactError: they do not approach.
@@ -269,19 +280,21 @@ def _corner_on_corner(
     if at_a != at_b:
         normal = definitions.normal(at_a, at_b)
         if not _between(normal, directions):
-            normal = max(directions, key=lambda each: _facing(each, normal))
+            normal = max(directions, key=lambda each: _dot(each, normal))
         contact = contact._replace(
             normal=normal,
             axis=Axis(False, None, normal, axis.gap),
             gap=contact.gap._replace(corner=contact.arm_b, corner_p=contact.arm_a),
         )
-        if approach(contact, a.state, b.state) < -64 * EPSILON * speeds(contact, a.state, b.state):
+        if normal_velocity(contact, a.state, b.state) < -64 * EPSILON * speed_scale(
+            contact, a.state, b.state
+        ):
             return contact
-    raise cornered(a.core, b.core, time)
+    raise corner_on_corner_error(a.core, b.core, time)
 
 
-def cornered(a: Core, b: Core, time: float) -> UndecidedContactError:
-    """Return the refusal of a sharp corner that stays on another."""
+def corner_on_corner_error(a: Core, b: Core, time: float) -> UndecidedContactError:
+    """Return the error of a sharp corner that stays on another."""
     return UndecidedContactError(
         f"{named(a.name, b.name)} at {time!r} s: corner meets corner without approach, so that "
         "the normal is not unique (GD11). Move one of them a little.",
@@ -293,5 +306,5 @@ def _between(direction: Vector, others: list[Vector]) -> bool:
     """Whether a direction is a sum of others, none of them turned around."""
     x, y = direction
     turns = [x * v - y * u for u, v in others]
-    ahead = [x * u + y * v > 0 for u, v in others]
-    return all(ahead) and min(turns) <= 0 <= max(turns)
+    separating_direction = [x * u + y * v > 0 for u, v in others]
+    return all(separating_direction) and min(turns) <= 0 <= max(turns)

@@ -1,7 +1,4 @@
-"""Whether bodies overlap: at the start of a run, or where a scheme knows no contacts.
-
-Serves: the start of a run, and the scheme of 2018. Hides: how an overlap is told from rounding.
-"""
+"""Overlapping bodies, at the start of a run or at the steps of the scheme of 2018."""
 
 import math
 from collections.abc import Iterator, Sequence

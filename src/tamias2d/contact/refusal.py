@@ -1,8 +1,6 @@
-"""What the located way cannot decide, each case under a name of its own.
+"""The errors of located impacts, each case under a name of its own.
 
-Serves: whoever asks why a run was refused. Hides: how bodies are named in a message.
-
-A refusal says when, which bodies and why; its `run` is the history up to there.
+A refusal says when, which bodies and why; its `run` is the history up to that time.
 """
 
 from typing import ClassVar
@@ -11,14 +9,13 @@ from tamias2d.errors import SceneError, SimulationError
 
 
 class Refusal(SimulationError):  # noqa: N818
-    """The base of all refusals of the located way."""
+    """The base of all refusals of located impacts."""
 
     code: ClassVar[str] = "refused"
 
     def __init__(self, message: str, *, time: float) -> None:
         super().__init__(message)
         self.time = time
-        self.run: object = None
 
 
 class SimultaneousImpactsError(Refusal):
@@ -58,7 +55,7 @@ class RangeError(Refusal):
 
 
 class StepwiseError(SceneError):
-    """A scene holds what only the stepped way knows."""
+    """A body of the scene is one whose impacts cannot be located."""
 
     code = "stepwise"
 

@@ -1,13 +1,10 @@
-"""What an impact does: impulses along the normals of one pair (IM3).
-
-Serves: what happens at one instant. Hides: how several contacts share an impulse.
-"""
+"""Frictionless impacts: the impulses along the normals of one pair (IM3)."""
 
 from collections.abc import Sequence
 
 from tamias2d.contact.complementarity import complementarity
 from tamias2d.contact.core import Core
-from tamias2d.contact.manifold import Contact, approach
+from tamias2d.contact.manifold import Contact, normal_velocity
 from tamias2d.generated import impact
 from tamias2d.state import State, Vector
 
@@ -17,19 +14,19 @@ def impulses(
 ) -> list[float]:
     """Return the impulse at each contact of one pair, N s.
 
-    Two contacts answer together: each one parts as its own approach demands, or is not pushed.
+    Two contacts act together: each one separates as its own approach demands, or has no impulse.
     """
-    speeds = [approach(contact, a, b) for contact in contacts]
+    speed_scale = [normal_velocity(contact, a, b) for contact in contacts]
     if len(contacts) == 1:
         mass = coupling(cores, contacts[0], contacts[0])
-        return [max(float(impact.impulse(restitution, speeds[0], mass)), 0.0)]
+        return [max(float(impact.impulse(restitution, speed_scale[0], mass)), 0.0)]
     matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
-    wanted = [-float(impact.impulse(restitution, speed, 1.0)) for speed in speeds]
+    wanted = [-float(impact.impulse(restitution, speed, 1.0)) for speed in speed_scale]
     return complementarity(matrix, wanted)
 
 
 def coupling(cores: Sequence[Core], first: Contact, second: Contact) -> float:
-    """Return how a push at the second contact moves the first one apart, 1/kg."""
+    """Return the normal acceleration of the first contact by a unit force at the second, 1/kg."""
     if first is second:
         a, b = cores[first.a], cores[first.b]
         return float(
@@ -44,17 +41,17 @@ def coupling(cores: Sequence[Core], first: Contact, second: Contact) -> float:
             )
         )
     total = 0.0
-    for body, arm, push in _pushes(first):
-        for other, other_arm, other_push in _pushes(second):
+    for body, arm, force in _unit_forces(first):
+        for other, other_arm, other_force in _unit_forces(second):
             if body == other and cores[body].dynamic:
                 core = cores[body]
                 total += impact.coupling(
-                    core.inverse_mass, core.inverse_inertia, arm, push, other_arm, other_push
+                    core.inverse_mass, core.inverse_inertia, arm, force, other_arm, other_force
                 )
     return float(total)
 
 
-def pushed(
+def after_impulse(
     cores: Sequence[Core], contact: Contact, impulse: float, a: State, b: State
 ) -> tuple[State, State]:
     """Return the states of A and B after an impulse in N s."""
@@ -75,8 +72,8 @@ def pushed(
     return a, b
 
 
-def _pushes(contact: Contact) -> tuple[tuple[int, Vector, Vector], ...]:
-    """Return for both bodies the arm, and the direction in which the contact pushes."""
+def _unit_forces(contact: Contact) -> tuple[tuple[int, Vector, Vector], ...]:
+    """Return for both bodies the arm, and the unit force along the normal."""
     x, y = contact.normal
     return (
         (contact.a, contact.arm_a, (-x, -y)),

@@ -1,14 +1,11 @@
-"""What of a scene only the stepped way knows: the located way refuses it by name.
-
-Serves: the located way, and the choice of a way. Hides: which shapes and bodies these are.
-"""
+"""Bodies whose impacts cannot be located."""
 
 from tamias2d.contact.refusal import StepwiseError
 from tamias2d.scene import Body, Compound, Scene
 
 
 def refuse_stepwise(scene: Scene) -> None:
-    """Raise `StepwiseError` if the located way cannot follow a body of a scene (R8)."""
+    """Raise `StepwiseError` if the impacts of a body cannot be located (R8)."""
     for body in scene.bodies:
         if what := beyond_location(body):
             raise StepwiseError(
@@ -19,7 +16,7 @@ def refuse_stepwise(scene: Scene) -> None:
 
 
 def beyond_location(body: Body) -> str | None:
-    """Return what of a body the located way does not know, or None."""
+    """Return why the impacts of a body cannot be located, or None."""
     if body.kinematic:
         return "it is kinematic"
     if body.sensor:

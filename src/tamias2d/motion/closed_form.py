@@ -15,7 +15,8 @@ from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms, spring_of
-from tamias2d.state import Acceleration, Array, History, Hold, State
+from tamias2d.state import Acceleration, Array, Constraint, History, State
+from tamias2d.work_limit import Work
 
 
 class ClosedFormMotion:
@@ -23,6 +24,8 @@ class ClosedFormMotion:
 
     def __init__(self, scene: Scene, duration: float) -> None:
         self.tally = Tally()
+        self.work = Work(duration)
+        self.sampled: History | None = None
         self.notes: tuple[str, ...] = ()
         self._scene = scene
         self._duration = duration
@@ -31,13 +34,13 @@ class ClosedFormMotion:
         self._forms = closed_forms(scene)
 
     def segment(
-        self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
+        self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
     ) -> tuple[float, list[Piece]]:
         """Return the end of the run and the path of every body to it."""
         end = self._duration
         pieces = [
-            self._path(body, start, state, end, hold)
-            for body, (state, hold) in enumerate(zip(states, holds, strict=True))
+            self._path(body, start, state, end, constraint)
+            for body, (state, constraint) in enumerate(zip(states, constraints, strict=True))
         ]
         return end, pieces
 
@@ -47,20 +50,22 @@ class ClosedFormMotion:
         start: float,
         state: StateOf,
         end: float,
-        holds: Sequence[Hold | None],
+        constraints: Sequence[Constraint | None],
     ) -> dict[int, Piece]:
         """Return the paths of some bodies from `start` to `end`, s; they act on no others.
 
-        Where a hold bends a path, it is one step.
+        Where a constraint depends on the state, the path is one step.
         """
-        return {body: self._path(body, start, state(body), end, holds[body]) for body in bodies}
+        return {
+            body: self._path(body, start, state(body), end, constraints[body]) for body in bodies
+        }
 
     def approach(self, *_: object) -> dict[int, Piece]:
         """Return nothing: exact paths need not be better anywhere."""
         return {}
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
-        """Return the acceleration of a body that nothing holds, at a time in s."""
+        """Return the acceleration of an unconstrained body, at a time in s."""
         return self._loads.acceleration(body, time, state)
 
     def history(self, times: Array) -> History:
@@ -70,19 +75,21 @@ class ClosedFormMotion:
             return sample([[piece] for piece in pieces], times)
         return self._uniform(times)
 
-    def _path(self, body: int, start: float, state: State, end: float, hold: Hold | None) -> Piece:
-        if hold and hold.bends:
-            return self._constrained.restart(body, start, state, end, hold)
+    def _path(
+        self, body: int, start: float, state: State, end: float, constraint: Constraint | None
+    ) -> Piece:
+        if constraint and constraint.state_dependent:
+            return self._constrained.restart(body, start, state, end, constraint, self.work)
         steady = self._loads.steady(body)
         match self._forms.get(body):
             case "linear drag" | "angular drag":
-                return Dragged(self._scene.bodies[body], start, end, state, steady, hold)
+                return Dragged(self._scene.bodies[body], start, end, state, steady, constraint)
             case "spring without length":
                 spring = spring_of(self._scene, body)
                 return Oscillating(
-                    self._scene.bodies[body], spring, start, end, state, steady, hold
+                    self._scene.bodies[body], spring, start, end, state, steady, constraint
                 )
-        acceleration = hold(steady, state) if hold else steady
+        acceleration = constraint(steady, state) if constraint else steady
         return Uniform(start=start, end=end, state=state, acceleration=acceleration)
 
     def _uniform(self, times: Array) -> History:

@@ -7,7 +7,7 @@ from tamias2d.generated import drag, rotation, translation
 from tamias2d.motion.track import columns
 from tamias2d.path import Bounds
 from tamias2d.scene import Body
-from tamias2d.state import Acceleration, Array, Hold, State, Vector
+from tamias2d.state import Acceleration, Array, Constraint, State, Vector
 
 _ROUNDING = 1 + 2.0**-48
 
@@ -26,13 +26,13 @@ class Dragged:
         end: float,
         state: State,
         steady: Acceleration,
-        hold: Hold | None,
+        constraint: Constraint | None,
     ) -> None:
         self.start = start
         self.end = end
         self._body = body
         self._state = state
-        *linear, self._angular = hold(steady, state) if hold else steady
+        *linear, self._angular = constraint(steady, state) if constraint else steady
         self._linear: Vector = (linear[0], linear[1])
         self._rate = drag.drag_rate(body.linear_drag, body.mass)
         self._angular_rate = drag.angular_drag_rate(body.angular_drag, body.inertia)

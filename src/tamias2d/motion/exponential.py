@@ -20,7 +20,7 @@ from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, State
 
 _ANY = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
-"""Holds that do not bend a path do not ask for the state."""
+"""Constraints that do not depend on the state do not read it."""
 
 
 class _Exact(NamedTuple):
@@ -146,7 +146,7 @@ class ExponentialSteps(FixedSteps):
                 end,
                 state_of(position[row], velocity[row]),
                 self._loads.steady(i),
-                field.holds[row],
+                field.constraints[row],
             )
             for row, i in enumerate(field.bodies)
         ]
@@ -176,8 +176,8 @@ class ExponentialSteps(FixedSteps):
     def _solved(self, field: MemoisedField) -> _Exact:
         bodies = [self._scene.bodies[i] for i in field.bodies]
         steady = [
-            hold(self._loads.steady(i), _ANY) if hold else self._loads.steady(i)
-            for i, hold in zip(field.bodies, field.holds, strict=True)
+            constraint(self._loads.steady(i), _ANY) if constraint else self._loads.steady(i)
+            for i, constraint in zip(field.bodies, field.constraints, strict=True)
         ]
         return _Exact(
             np.array([body.mass for body in bodies]),

@@ -17,7 +17,8 @@ from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity
-from tamias2d.state import Acceleration, Array, History, Hold, State
+from tamias2d.state import Acceleration, Array, Constraint, History, State
+from tamias2d.work_limit import Work, WorkLimitError
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 _NEAR = 1e-3  # of a step: so close to its ends a path is as good as there
@@ -52,6 +53,8 @@ class IntegratedMotion:
         )
         self._steps_since_impact = 0  # steps without an impact
         self.tally = Tally()
+        self.work = Work(duration)
+        self.sampled: History | None = None
         self._loads = Loads(scene)
         self._constrained = ConstrainedMotion(scene, self.tally)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
@@ -59,22 +62,22 @@ class IntegratedMotion:
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
 
     def segment(
-        self, start: float, states: Sequence[State], holds: Sequence[Hold | None]
+        self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
     ) -> tuple[float, list[Piece]]:
         """Return the end of one step, or of some, and the path of every body to it.
 
         Where nothing is held and nothing has met for a while, several steps are taken at once.
         """
-        free = [i for i in self._moving if not _state_dependent(holds[i])]
-        field = self._field(free, holds)
+        free = [i for i in self._moving if not _state_dependent(constraints[i])]
+        field = self._field(free, constraints)
         now = coordinates([states[i] for i in free])
-        many = 1 if any(holds) else min(self._steps_since_impact // _SHARE, _MOST)
+        many = 1 if any(constraints) else min(self._steps_since_impact // _SHARE, _MOST)
         step = next(self._batches(field, start, self._duration, now, many))
         self._steps_since_impact += len(step.times) - 1 if isinstance(step, StepBatch) else 1
         end = step.end
         paths: dict[int, Piece] = {body: step.piece(k) for k, body in enumerate(free)}
         constrained = [i for i in self._moving if i not in paths]
-        paths |= self.restart(constrained, start, states.__getitem__, end, holds)
+        paths |= self.restart(constrained, start, states.__getitem__, end, constraints)
         pieces: list[Piece] = [
             paths.get(i) or Uniform(start=start, end=end, state=state, acceleration=_STILL)
             for i, state in enumerate(states)
@@ -87,24 +90,27 @@ class IntegratedMotion:
         start: float,
         state: StateOf,
         end: float,
-        holds: Sequence[Hold | None],
+        constraints: Sequence[Constraint | None],
     ) -> dict[int, Piece]:
         """Return the paths from `start` towards `end`, s, of some bodies and of all they act on.
 
-        Where a hold bends a path, it is one step; the body is one that no other acts on. A path
-        ends before its time where a force has no value further on: it may be beyond a wall.
+        Where a constraint depends on the state, the path is one step, of a body on which no other
+        acts. A path ends before its time where a force has no value further on: it may be beyond a
+        wall.
         """
         groups = {min(group): group for group in map(self._loads.group_of.__getitem__, bodies)}
         pieces: dict[int, Piece] = {}
         self._steps_since_impact *= not groups
         for group in groups.values():
             body = group[0]
-            if (hold := holds[body]) and hold.bends:
-                pieces[body] = self._constrained.restart(body, start, state(body), end, hold)
+            if (constraint := constraints[body]) and constraint.state_dependent:
+                pieces[body] = self._constrained.restart(
+                    body, start, state(body), end, constraint, self.work
+                )
                 continue
-            field = self._field(group, holds)
+            field = self._field(group, constraints)
             now = coordinates([state(i) for i in group])
-            many = 1 if any(holds[i] for i in group) else _MOST
+            many = 1 if any(constraints[i] for i in group) else _MOST
             steps = list(_begun(self._batches(field, start, end, now, many)))
             for k, body in enumerate(group):
                 parts: list[Piece] = [step.piece(k) for step in steps]
@@ -117,7 +123,7 @@ class IntegratedMotion:
         bodies: Iterable[int],
         time: float,
         path: Callable[[int], Piece],
-        holds: Sequence[Hold | None],
+        constraints: Sequence[Constraint | None],
     ) -> dict[int, Piece]:
         """Return paths of some bodies, and of all they act on, with the end of a step at `time`, s.
 
@@ -129,13 +135,13 @@ class IntegratedMotion:
         groups = {min(group): group for group in map(self._loads.group_of.get, bodies) if group}
         pieces: dict[int, Piece] = {}
         for group in groups.values():
-            if any(_state_dependent(holds[i]) for i in group):
+            if any(_state_dependent(constraints[i]) for i in group):
                 continue
             now = path(group[0])
             start, end = now.around(time) if isinstance(now, BatchPath) else (now.start, now.end)
             near = _NEAR * (end - start)
             if start + near < time < end - near:
-                pieces |= self._split_at(group, time, start, path, holds)
+                pieces |= self._split_at(group, time, start, path, constraints)
         return pieces
 
     def _split_at(
@@ -144,12 +150,12 @@ class IntegratedMotion:
         time: float,
         start: float,
         path: Callable[[int], Piece],
-        holds: Sequence[Hold | None],
+        constraints: Sequence[Constraint | None],
     ) -> dict[int, Piece]:
         """Return the paths of now until `start`, from where on a step ends at `time`."""
         end = path(group[0]).end
-        before = self.restart(group, start, lambda i: path(i).at(start), time, holds)
-        after = self.restart(group, time, lambda i: before[i].at(time), end, holds)
+        before = self.restart(group, start, lambda i: path(i).at(start), time, constraints)
+        after = self.restart(group, time, lambda i: before[i].at(time), end, constraints)
         pieces: dict[int, Piece] = {}
         for body in group:
             now = path(body)
@@ -158,7 +164,7 @@ class IntegratedMotion:
         return pieces
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
-        """Return the acceleration of a body that nothing holds, at a time in s."""
+        """Return the acceleration of an unconstrained body, at a time in s."""
         return self._loads.acceleration(body, time, state)
 
     def history(self, times: Array) -> History:
@@ -168,18 +174,23 @@ class IntegratedMotion:
         field = self._field(self._moving, [None] * len(self._scene))
         moving = (states[0][self._moving], states[1][self._moving])
         done = int(np.searchsorted(times, 0.0, side="right"))
-        for step in self._dense_steps(field, 0.0, self._duration, *moving):
-            until = int(np.searchsorted(times, step.end, side="right"))
-            for k in range(done, until):
-                rows[k, :, self._moving] = np.stack(step.at(float(times[k])), axis=1)
-            done = until
-        return history_of(rows)
+        try:
+            for step in self._dense_steps(field, 0.0, self._duration, *moving):
+                until = int(np.searchsorted(times, step.end, side="right"))
+                for k in range(done, until):
+                    rows[k, :, self._moving] = np.stack(step.at(float(times[k])), axis=1)
+                done = until
+        finally:
+            self.sampled = history_of(rows[:done])
+        return self.sampled
 
-    def _field(self, bodies: Sequence[int], holds: Sequence[Hold | None]) -> MemoisedField:
-        """Return the accelerations of some bodies; the same object while the same holds last."""
-        held = tuple(holds[i] for i in bodies)
+    def _field(
+        self, bodies: Sequence[int], constraints: Sequence[Constraint | None]
+    ) -> MemoisedField:
+        """Return the accelerations of some bodies; the same object while the constraints last."""
+        held = tuple(constraints[i] for i in bodies)
         known = self._fields.get(tuple(bodies))
-        if known is None or known.holds != held:
+        if known is None or known.constraints != held:
             field = self._loads.field(bodies, held)
             known = MemoisedField(
                 field, bodies, held, self.tally, felt_velocity=self._felt_velocity
@@ -193,6 +204,8 @@ class IntegratedMotion:
         while start < end:
             step = self._integrator.step(field, start, end, position, velocity)
             self.tally.steps += 1
+            if not isinstance(self._integrator, FixedSteps):
+                self.work.step(step.end)
             yield step
             start, (position, velocity) = step.end, step.last
 
@@ -210,8 +223,8 @@ class IntegratedMotion:
             start, now = batch.end, batch.last
 
 
-def _state_dependent(hold: Hold | None) -> bool:
-    return hold is not None and hold.bends
+def _state_dependent(constraint: Constraint | None) -> bool:
+    return constraint is not None and constraint.state_dependent
 
 
 def _begun(steps: Iterator[DenseStep | StepBatch]) -> Iterator[DenseStep | StepBatch]:
@@ -221,6 +234,8 @@ def _begun(steps: Iterator[DenseStep | StepBatch]) -> Iterator[DenseStep | StepB
         for step in steps:
             yield step
             begun = True
+    except WorkLimitError:
+        raise
     except TamiasError:
         if not begun:
             raise

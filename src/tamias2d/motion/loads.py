@@ -10,7 +10,7 @@ from tamias2d.generated import rotation, translation
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import groups, steady_load, varying_loads
-from tamias2d.state import Acceleration, Array, Hold, State
+from tamias2d.state import Acceleration, Array, Constraint, State
 
 Field: TypeAlias = Callable[[float, Array, Array], Array]
 """Accelerations (n, 3) from a time, the coordinates (n, 3) and their rates (n, 3)."""
@@ -37,7 +37,7 @@ class Loads:
         return self._steady[body]
 
     def acceleration(self, body: int, time: float, state: StateOf) -> Acceleration:
-        """Return the acceleration of a body that nothing holds, at a time in s."""
+        """Return the acceleration of an unconstrained body, at a time in s."""
         if body not in self.varying:
             return self._steady[body]
         group = self.group_of[body]
@@ -47,21 +47,21 @@ class Loads:
         x, y, turn = rows[group.index(body)].tolist()
         return x, y, turn
 
-    def field(self, bodies: Sequence[int], holds: Sequence[Hold | None]) -> Field:
+    def field(self, bodies: Sequence[int], constraints: Sequence[Constraint | None]) -> Field:
         """Return the accelerations of some bodies as a function, for the schemes.
 
         Who acts on one of the bodies must be among them (`group_of`).
         """
-        held = [(row, hold) for row, hold in enumerate(holds) if hold]
+        held = [(row, constraint) for row, constraint in enumerate(constraints) if constraint]
         free = self._free(bodies)
         if not held:
             return free
 
         def field(time: float, position: Array, velocity: Array) -> Array:
             rows = free(time, position, velocity).copy()
-            for row, hold in held:
+            for row, constraint in held:
                 x, y, turn = rows[row].tolist()
-                rows[row] = hold((x, y, turn), state_of(position[row], velocity[row]))
+                rows[row] = constraint((x, y, turn), state_of(position[row], velocity[row]))
             return rows
 
         return field

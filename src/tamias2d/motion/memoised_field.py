@@ -6,7 +6,7 @@ import numpy as np
 
 from tamias2d.motion.loads import Field
 from tamias2d.motion.motion import Tally
-from tamias2d.state import Array, Hold
+from tamias2d.state import Array, Constraint
 
 _REMEMBERED = 32  # times; more than any step asks for
 
@@ -22,13 +22,13 @@ class MemoisedField:
         self,
         field: Field,
         bodies: Sequence[int],
-        holds: Sequence[Hold | None],
+        constraints: Sequence[Constraint | None],
         tally: Tally,
         *,
         felt_velocity: bool = True,
     ) -> None:
         self.bodies = tuple(bodies)
-        self.holds = tuple(holds)
+        self.constraints = tuple(constraints)
         self._field = field
         self._felt_velocity = felt_velocity
         self.tally = tally

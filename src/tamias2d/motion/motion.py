@@ -5,6 +5,7 @@ from typing import Protocol
 
 from tamias2d.path import Paths
 from tamias2d.state import Array, History
+from tamias2d.work_limit import Work
 
 
 @dataclass
@@ -23,6 +24,10 @@ class Motion(Paths, Protocol):
     """What it has cost so far."""
     notes: tuple[str, ...]
     """What the user should know of it."""
+    work: Work
+    """What counts its steps, where it chooses them itself."""
+    sampled: History | None
+    """What `history` has found until an error or Ctrl-C ended it."""
 
     def history(self, times: Array) -> History:
         """Return the states at sorted times (k,), s, where nothing touches."""

@@ -7,7 +7,7 @@ from tamias2d.generated import rotation, spring as model, translation
 from tamias2d.motion.track import columns
 from tamias2d.path import Bounds
 from tamias2d.scene import Body, Spring
-from tamias2d.state import Acceleration, Array, Hold, State, Vector
+from tamias2d.state import Acceleration, Array, Constraint, State, Vector
 
 _ROUNDING = 1 + 2.0**-48
 
@@ -26,7 +26,7 @@ class Oscillating:
         end: float,
         state: State,
         steady: Acceleration,
-        hold: Hold | None,
+        constraint: Constraint | None,
     ) -> None:
         self.start = start
         self.end = end
@@ -36,9 +36,9 @@ class Oscillating:
         self._frequency = model.angular_frequency(spring.stiffness, body.mass)
         self._center: Vector = model.equilibrium(spring.point, steady[:2], self._frequency)
         self._angular = steady[2]
-        if hold:
+        if constraint:
             (x, y), (cx, cy) = state.position, self._center
-            along_x, along_y, self._angular = hold((cx - x, cy - y, steady[2]), state)
+            along_x, along_y, self._angular = constraint((cx - x, cy - y, steady[2]), state)
             self._center = (x + along_x, y + along_y)
 
     def at(self, time: float) -> State:

@@ -22,7 +22,6 @@ class NoStepError(SimulationError):
     """The reference cannot step on; `run` is the history up to there."""
 
     code = "no-step"
-    run: object = None
 
 
 class ScipyDop853:

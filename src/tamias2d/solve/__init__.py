@@ -4,9 +4,10 @@ Serves: `simulate` and the studies. Hides: how a method is chosen, and how each 
 a run.
 """
 
+from tamias2d.solve.assembly import work_limit_of
 from tamias2d.solve.following import Interrupted
 from tamias2d.solve.plan import FRAMES, planned
 from tamias2d.solve.sampling import sampler
 from tamias2d.solve.solution import solve
 
-__all__ = ["FRAMES", "Interrupted", "planned", "sampler", "solve"]
+__all__ = ["FRAMES", "Interrupted", "planned", "sampler", "solve", "work_limit_of"]

@@ -9,6 +9,7 @@ from tamias2d.run import Impacts, Run
 from tamias2d.solve.finite import refuse_infinite
 from tamias2d.solve.plan import Plan
 from tamias2d.state import History
+from tamias2d.work_limit import WORK_LIMIT
 
 NO_IMPACTS = Impacts(
     time=np.zeros(0),
@@ -46,6 +47,12 @@ def cost_of(impacts: Impacts, tally: Tally, *, contacts: int = 0) -> Cost:
     """Return the cost of a run; an impact with a whole side counts once."""
     met = zip(impacts.time.tolist(), *impacts.bodies.T.tolist(), strict=True)
     return Cost(**vars(tally), impacts=len(set(met)), contacts=contacts)
+
+
+def work_limit_of(run: Run) -> int:
+    """Return a work limit under which a run can be computed again."""
+    steps = run.cost.steps if run.cost else 0
+    return max(WORK_LIMIT, steps + len(run.impacts.time))
 
 
 def start_of(plan: Plan) -> History:

@@ -15,6 +15,7 @@ from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.rules import number, sequence
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.state import Array
+from tamias2d.work_limit import WORK_LIMIT
 
 FRAMES = 60
 """Samples in a second, where nothing else is asked; and steps, where contacts are stepped."""
@@ -30,6 +31,7 @@ class Plan(NamedTuple):
     time_step: float | None
     times: Array
     notes: tuple[str, ...]
+    work_limit: int = WORK_LIMIT
 
     def by_steps(self, reason: str) -> "Plan":
         """Return the same run stepped through its contacts, for a reason."""
@@ -45,6 +47,7 @@ def planned(
     method: Method | None,
     time_step: float | None,
     times: Iterable[float] | None,
+    work_limit: int = WORK_LIMIT,
 ) -> Plan:
     """Return what to do, where nothing that was asked breaks a rule.
 
@@ -63,7 +66,17 @@ def planned(
         time_step = number(time_step, "time_step", "the run", "Give it in s.", at=("time_step",))
     _refuse_endless(scene, duration, time_step, kept=times is None)
     steps = grid(duration, time_step or 1 / FRAMES) if times is None else _samples(times, duration)
-    return Plan(scene, chosen, duration, time_step, steps, (note,))
+    _check_limit(work_limit)
+    return Plan(scene, chosen, duration, time_step, steps, (note,), work_limit)
+
+
+def _check_limit(work_limit: int) -> None:
+    whole = isinstance(work_limit, int) and not isinstance(work_limit, bool)
+    if not whole or work_limit < 1:
+        raise InputError(
+            f"work_limit {work_limit!r} of the run: must be a whole number of at least 1 (R4). "
+            "Give how many steps and impacts it may take."
+        )
 
 
 def _refuse_endless(scene: Scene, duration: float, time_step: float | None, *, kept: bool) -> None:

@@ -10,8 +10,10 @@ from tamias2d.motion import PathMethod
 from tamias2d.motion.reference import NoStepError
 from tamias2d.motion.track import sample
 from tamias2d.run import Run
+from tamias2d.solve.assembly import work_limit_of
 from tamias2d.solve.solution import solve
 from tamias2d.state import Array, History
+from tamias2d.work_limit import Work, WorkLimitError
 
 
 def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
@@ -24,8 +26,11 @@ def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
     if not isinstance(method, PathMethod):
         steps = solve(scene, duration=run.duration, method=method, time_step=step)
         return lambda times, bodies: _interpolated(steps, times, bodies)
-    located = Located(scene, method.motion(scene, run.duration, step or run.duration))
-    with np.errstate(all="ignore"), suppress(Refusal, NoStepError):  # as far as the run went
+    motion = method.motion(scene, run.duration, step or run.duration)
+    motion.work = Work(0.0, work_limit_of(run))
+    located = Located(scene, motion, motion.work)
+    refusals = (Refusal, NoStepError, WorkLimitError)
+    with np.errstate(all="ignore"), suppress(*refusals):  # as far as the run went
         located.go(run.duration)
     return lambda times, bodies: sample([located.tracks[k] for k in bodies], times)
 

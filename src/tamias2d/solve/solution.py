@@ -22,6 +22,7 @@ from tamias2d.solve.legacy import run_by_legacy
 from tamias2d.solve.located import run_by_paths
 from tamias2d.solve.plan import Plan, planned
 from tamias2d.solve.stepped import run_by_steps
+from tamias2d.work_limit import WORK_LIMIT
 
 _UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError)
 
@@ -34,12 +35,13 @@ def solve(
     time_step: float | None = None,
     times: Iterable[float] | None = None,
     progress: bool = False,
+    work_limit: int = WORK_LIMIT,
 ) -> Run:
     """Return the history of a scene: `tamias2d.simulate` without a tolerance.
 
     Arguments and errors are those of `simulate`, except `ToleranceError`.
     """
-    plan = planned(scene, duration, method, time_step, times)
+    plan = planned(scene, duration, method, time_step, times, work_limit)
     with within_range(plan.duration):
         try:
             return _run(plan, progress)

@@ -31,7 +31,7 @@ def run_by_steps(plan: Plan, method: Stepped, *, progress: bool) -> Run:
     except InputError:  # the plan is sound: a number went beyond float64 on the way
         raise range_error(f"run at {stepper.time!r} s: a number", stepper.time) from None
     except SimulationError as fault:
-        fault.run = _reached(plan, stepper)  # type: ignore[attr-defined]
+        fault.run = _reached(plan, stepper)
         raise
     except KeyboardInterrupt:
         raise Interrupted(_reached(plan, stepper)) from None

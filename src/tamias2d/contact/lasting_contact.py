@@ -1,41 +1,39 @@
-"""Contacts that last: what the pushes of supports make of the motion (GD3).
+"""Frictionless lasting contacts: the accelerations that their normal forces leave (GD3).
 
-Serves: what happens at one instant. Hides: the system of pushes and how it is solved.
-
-The pushes are never negative, and vanish where a contact opens. What they make of the
-accelerations is unique. A contact can last only while its normal stays as it is, for otherwise the
-path is not one that the models give.
+Normal forces are never negative, and vanish where a contact opens. The accelerations under them
+are unique. A contact between two moving bodies can last only while its normal does not turn, for
+the models give no path otherwise.
 """
 
 import math
 from collections.abc import Mapping, Sequence
 
 from tamias2d.contact.complementarity import complementarity
-from tamias2d.contact.core import Core, Placed
-from tamias2d.contact.hold import (
+from tamias2d.contact.constrained_acceleration import (
     Constant,
-    Following,
     Projection,
-    accelerated,
-    closed_accelerations,
-    opening,
-    stopped_turning,
-    without,
+    TurningConstraint,
+    after_force,
+    constrained_accelerations,
+    opening_acceleration,
+    tangential_part,
+    without_normal_velocity,
 )
-from tamias2d.contact.manifold import Contact, slip
+from tamias2d.contact.core import Core, Placed
+from tamias2d.contact.manifold import Contact, slip_velocity
 from tamias2d.contact.refusal import LastingContactError, named
 from tamias2d.contact.response import coupling
-from tamias2d.state import Acceleration, Hold, State
+from tamias2d.state import Acceleration, Constraint, State
 
-_SMALL = 1e-10
-"""Of the accelerations: what may turn or slide a contact that counts as fixed."""
+_FIXED = 1e-10
+"""Of the accelerations: by which a contact that counts as fixed may turn or slide."""
 _ROUNDING = 1e-13
-"""Of the accelerations: what opens a contact only by rounding."""
+"""Of the accelerations: by which rounding alone may open a contact."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
 class Island:
-    """Moving bodies that contacts connect, at one instant. Static bodies connect nothing."""
+    """Moving bodies that contacts connect, at one instant. Static bodies do not connect."""
 
     def __init__(
         self,
@@ -49,42 +47,45 @@ class Island:
         self._cores = cores
         self._placed = placed
         self.senses: dict[tuple[int, int], int] = {}
-        """Of rough pairs: 0 if they stick, else the sense in which they slide."""
+        """Of pairs with friction: 0 if they stick, else the sense in which they slide."""
         self.bodies = sorted({i for c in contacts for i in (c.a, c.b) if cores[i].dynamic})
-        loads = [opening(contact, placed, free) for contact in contacts]
+        loads = [opening_acceleration(contact, placed, free) for contact in contacts]
         matrix = [[coupling(cores, k, m) for m in contacts] for k in contacts]
-        pushes = complementarity(matrix, loads)
+        normal_forces = complementarity(matrix, loads)
         accelerations = [math.hypot(*free[i][:2]) for i in self.bodies]
         scale = max(*accelerations, *(abs(load) for load in loads))
         self._scale = scale
-        self._small = _SMALL * scale + slight
-        self._pressed = [c for c, push in zip(contacts, pushes, strict=True) if push > 0]
+        self._small = _FIXED * scale + slight
+        self._pressed = [
+            c for c, normal_force in zip(contacts, normal_forces, strict=True) if normal_force > 0
+        ]
         if len(self.bodies) > 1:
-            self.accelerations = closed_accelerations(cores, self.bodies, self._pressed, free)
+            self.accelerations = constrained_accelerations(cores, self.bodies, self._pressed, free)
         else:
-            self.accelerations = self._pushed(contacts, pushes, free)
+            self.accelerations = self._with_forces(contacts, normal_forces, free)
         self._unseen = max(_ROUNDING * scale, slight)
         self.lasting = [
             contact
-            for contact, push in zip(contacts, pushes, strict=True)
-            if push > 0 or opening(contact, placed, self.accelerations) <= self._unseen
+            for contact, normal_force in zip(contacts, normal_forces, strict=True)
+            if normal_force > 0
+            or opening_acceleration(contact, placed, self.accelerations) <= self._unseen
         ]
 
-    def stopped(self, states: Mapping[int, State]) -> dict[int, State]:
-        """Return the states of a body on its supports without what parts or closes still."""
+    def projected(self, states: Mapping[int, State]) -> dict[int, State]:
+        """Return the states without the remaining normal velocities."""
         if len(self.bodies) > 1:
             return {i: states[i] for i in self.bodies}
         (body,) = self.bodies
         state = states[body]
         if not self._flat() and self._angular():
-            return {body: stopped_turning(self._cores, self.lasting, states)[body]}
-        velocity = without(state.velocity, [contact.normal for contact in self.lasting])
+            return {body: without_normal_velocity(self._cores, self.lasting, states)[body]}
+        velocity = tangential_part(state.velocity, [contact.normal for contact in self.lasting])
         if self._flat():
             state = state._replace(angular_velocity=0.0)
         return {body: state._replace(velocity=velocity)}
 
-    def holds(self, states: Mapping[int, State], time: float) -> dict[int, Hold]:
-        """Return what the lasting contacts make of each body's own acceleration.
+    def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
+        """Return the constraint of each body by its lasting contacts.
 
         Raises:
             LastingContactError: several bodies move on while their contacts last.
@@ -104,7 +105,7 @@ class Island:
         if moving:
             self._refuse_coupled(body, moving, time)
             placed = {i: self._placed[i] for c in self.lasting for i in (c.a, c.b)}
-            return {body: Following(self._cores, body, self.lasting, placed)}
+            return {body: TurningConstraint(self._cores, body, self.lasting, placed)}
         normals = [contact.normal for contact in self.lasting]
         return {body: Projection(normals, turning=not self._angular())}
 
@@ -119,7 +120,7 @@ class Island:
             )
 
     def _refuse_unsteady(self, states: Mapping[int, State], time: float) -> None:
-        """Refuse bodies that push each other while their loads vary or their support may end."""
+        """Refuse moving bodies in contact while their loads vary or their support may end."""
         cores = [self._cores[i] for c in self.lasting for i in (c.a, c.b)]
         ending = any(not core.dynamic and not core.endless for core in cores)
         moving = any(
@@ -141,7 +142,7 @@ class Island:
             )
 
     def _moves_on(self, states: Mapping[int, State]) -> str:
-        """Return the names of a pair whose normal does not stay, or nothing."""
+        """Return the names of a pair whose normal turns, or nothing."""
         for contact in self.lasting:
             slides = contact in self._pressed and self._slides(contact, states)
             if self._turns(contact, states) or slides:
@@ -166,7 +167,7 @@ class Island:
             return False
         (ax, ay, _), (bx, by, _) = (self.accelerations.get(i, _STILL) for i in (p, q))
         ux, uy = contact.axis.direction
-        rate = slip(contact, states[contact.a], states[contact.b])
+        rate = slip_velocity(contact, states[contact.a], states[contact.b])
         size = min(self._cores[i].size for i in (p, q) if self._cores[i].dynamic)
         change = abs(ux * (by - ay) - uy * (bx - ax))
         return max(rate**2 / size, change) > self._small
@@ -180,17 +181,17 @@ class Island:
         """Whether the contacts can turn the one body of the island."""
         return len(self._cores[self.bodies[0]].corners) > 1
 
-    def _pushed(
+    def _with_forces(
         self,
         contacts: Sequence[Contact],
-        pushes: Sequence[float],
+        normal_forces: Sequence[float],
         free: Mapping[int, Acceleration],
     ) -> dict[int, Acceleration]:
         result = {i: free[i] for i in self.bodies}
-        for contact, push in zip(contacts, pushes, strict=True):
+        for contact, normal_force in zip(contacts, normal_forces, strict=True):
             x, y = contact.normal
             for body, arm, sign in ((contact.a, contact.arm_a, -1), (contact.b, contact.arm_b, 1)):
                 if body in result:
-                    force = (sign * push * x, sign * push * y)
-                    result[body] = accelerated(self._cores[body], result[body], arm, force)
+                    force = (sign * normal_force * x, sign * normal_force * y)
+                    result[body] = after_force(self._cores[body], result[body], arm, force)
         return result

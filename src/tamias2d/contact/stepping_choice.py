@@ -1,14 +1,11 @@
-"""Which way leads through the contacts of a scene: impacts located, or steps.
-
-Serves: `simulate`, the study of tolerances, `explain`. Hides: when contacts are too many.
-"""
+"""Whether the contacts of a scene are located or stepped through."""
 
 from tamias2d.contact.stepwise import beyond_location
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
 
 MANY = 100
-"""So many bodies that move and can meet are followed from impact to impact, and no more."""
+"""The most moving bodies that can meet and whose impacts are located."""
 MEANT_TO_TOUCH = 1e-6
 """Bodies that overlap by a smaller part of their size at the start are meant to touch there."""
 
@@ -16,8 +13,8 @@ MEANT_TO_TOUCH = 1e-6
 def steps_because(scene: Scene, duration: float) -> str | None:
     """Return why a scene is stepped through its contacts for a duration in s, or None (R12).
 
-    It is where impacts cannot be located at all, and where more than a hundred moving bodies can
-    meet. All others are tried: the located way is exact where it can go.
+    A scene is stepped where impacts cannot be located at all, and where more than a hundred moving
+    bodies can meet.
     """
     for body in scene.bodies:
         if what := beyond_location(body):

@@ -1,7 +1,4 @@
-"""What lasting contacts make of a body's acceleration, as functions that motion can call (GD3).
-
-Serves: motion along a contact that lasts. Hides: how a turning normal bends the path.
-"""
+"""The acceleration of a body on frictionless lasting contacts, as functions for `motion` (GD3)."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -10,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.manifold import Contact, approach, followed, parting
-from tamias2d.contact.response import coupling, pushed
+from tamias2d.contact.manifold import Contact, gap_acceleration, normal_velocity, refreshed
+from tamias2d.contact.response import after_impulse, coupling
 from tamias2d.generated import definitions, rotation, translation
 from tamias2d.state import Acceleration, State, Vector
 
@@ -21,10 +18,10 @@ _PARALLEL = 1e-10
 
 @dataclass(frozen=True)
 class Constant:
-    """One acceleration, whatever the loads: for bodies that push each other under constant ones."""
+    """One acceleration, whatever the loads: for bodies in contact under constant ones."""
 
     acceleration: Acceleration
-    bends = False
+    state_dependent = False
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:  # noqa: ARG002
         """Return the one acceleration."""
@@ -33,23 +30,23 @@ class Constant:
 
 @dataclass(frozen=True)
 class Projection:
-    """Only along the supports, exactly: for a body that slides or rests and does not tip."""
+    """The part along the supports, exactly: for a body that slides or rests and does not tip."""
 
     normals: Sequence[Vector]
     turning: bool
     """Whether the body is free to turn, as a disc is."""
-    bends = False
+    state_dependent = False
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:  # noqa: ARG002
-        """Return what is left along the supports."""
+        """Return the part along the supports."""
         x, y, turn = acceleration
-        return (*without((x, y), self.normals), turn if self.turning else 0.0)
+        return (*tangential_part((x, y), self.normals), turn if self.turning else 0.0)
 
 
-class Following:
-    """Contacts kept closed while their normals or arms turn: for a body that tips or rolls off."""
+class TurningConstraint:
+    """Closed contacts whose normals or arms turn: for a body that tips or rolls off."""
 
-    bends = True
+    state_dependent = True
 
     def __init__(
         self,
@@ -64,31 +61,33 @@ class Following:
         self._placed = placed
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
-        """Return the acceleration that leaves all gaps as they are."""
-        contacts, pushes = self.pushes(acceleration, state)
-        for contact, push in zip(contacts, pushes, strict=True):
+        """Return the acceleration under which all gaps stay as they are."""
+        contacts, normal_forces = self.normal_forces(acceleration, state)
+        for contact, force in zip(contacts, normal_forces, strict=True):
             sign, arm = (-1, contact.arm_a) if contact.a == self._body else (1, contact.arm_b)
-            force = (sign * push * contact.normal[0], sign * push * contact.normal[1])
-            acceleration = accelerated(self._cores[self._body], acceleration, arm, force)
+            vector = (sign * force * contact.normal[0], sign * force * contact.normal[1])
+            acceleration = after_force(self._cores[self._body], acceleration, arm, vector)
         return acceleration
 
-    def pushes(self, acceleration: Acceleration, state: State) -> tuple[list[Contact], list[float]]:
-        """Return the contacts in a state, and the pushes that keep them, N; negative is pulling."""
+    def normal_forces(
+        self, acceleration: Acceleration, state: State
+    ) -> tuple[list[Contact], list[float]]:
+        """Return the contacts in a state, and their normal forces, N; a negative one pulls."""
         placed = {**self._placed, self._body: place(self._cores[self._body], state)}
-        contacts = [followed(c, placed[c.a], placed[c.b]) for c in self._contacts]
-        loads = [opening(c, placed, {self._body: acceleration}) for c in contacts]
-        return contacts, _balance(self._cores, contacts, loads)
+        contacts = [refreshed(c, placed[c.a], placed[c.b]) for c in self._contacts]
+        loads = [opening_acceleration(c, placed, {self._body: acceleration}) for c in contacts]
+        return contacts, _constraint_forces(self._cores, contacts, loads)
 
 
-def opening(
+def opening_acceleration(
     contact: Contact, placed: Mapping[int, Placed], by: Mapping[int, Acceleration]
 ) -> float:
-    """Return the second derivative of a gap, m/s^2; who has no acceleration in `by` has none."""
+    """Return the second derivative of a gap, m/s^2; a body that `by` lacks has no acceleration."""
     a, b = contact.a, contact.b
-    return parting(contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL))
+    return gap_acceleration(contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL))
 
 
-def closed_accelerations(
+def constrained_accelerations(
     cores: Sequence[Core],
     bodies: Sequence[int],
     contacts: Sequence[Contact],
@@ -96,7 +95,7 @@ def closed_accelerations(
 ) -> dict[int, Acceleration]:
     """Return the accelerations nearest to the free ones that leave all contacts closed.
 
-    Nearest in the measure of the masses, as pushes along the normals make them (Gauss). Found among
+    Nearest in the measure of the masses: Gauss's principle of least constraint. Found among
     the motions that the contacts allow, so that where they allow none, nothing moves, to the bit,
     however light and heavy the bodies are.
     """
@@ -122,20 +121,20 @@ def closed_accelerations(
     return {i: (x, y, turn) for i, (x, y, turn) in zip(bodies, found.tolist(), strict=True)}
 
 
-def stopped_turning(
+def without_normal_velocity(
     cores: Sequence[Core], contacts: Sequence[Contact], states: Mapping[int, State]
 ) -> dict[int, State]:
     """Return the states after impulses of either sign that leave no normal velocity."""
     states = dict(states)
-    rates = [approach(c, states[c.a], states[c.b]) for c in contacts]
-    for contact, impulse in zip(contacts, _balance(cores, contacts, rates), strict=True):
+    rates = [normal_velocity(c, states[c.a], states[c.b]) for c in contacts]
+    for contact, impulse in zip(contacts, _constraint_forces(cores, contacts, rates), strict=True):
         a, b = contact.a, contact.b
-        states[a], states[b] = pushed(cores, contact, impulse, states[a], states[b])
+        states[a], states[b] = after_impulse(cores, contact, impulse, states[a], states[b])
     return states
 
 
-def without(vector: Vector, normals: Sequence[Vector]) -> Vector:
-    """Return what of a vector is left along all of some surfaces, given by their normals."""
+def tangential_part(vector: Vector, normals: Sequence[Vector]) -> Vector:
+    """Return the part of a vector along all of some surfaces, given by their normals."""
     (nx, ny), *others = normals
     if any(abs(nx * y - ny * x) > _PARALLEL for x, y in others):
         return 0.0, 0.0
@@ -143,7 +142,7 @@ def without(vector: Vector, normals: Sequence[Vector]) -> Vector:
     return along * ny + 0.0, -along * nx + 0.0  # no negative zero
 
 
-def accelerated(core: Core, by: Acceleration, arm: Vector, force: Vector) -> Acceleration:
+def after_force(core: Core, by: Acceleration, arm: Vector, force: Vector) -> Acceleration:
     """Return the acceleration of a body after one more force at an arm (IM1, IM2)."""
     x, y = translation.acceleration(by[:2], force, 1 / core.inverse_mass)
     inertia = 1 / core.inverse_inertia if core.inverse_inertia else math.inf
@@ -152,16 +151,16 @@ def accelerated(core: Core, by: Acceleration, arm: Vector, force: Vector) -> Acc
 
 
 def _weights(core: Core) -> tuple[float, float, float]:
-    """Return what each acceleration of a body weighs, the angular one times the body's size, kg."""
+    """Return the weight of each acceleration of a body, kg; the angular one is times its size."""
     mass = 1 / core.inverse_mass
     turning = 1 / core.inverse_inertia / core.size**2 if core.inverse_inertia else 1e300
     return mass, mass, turning
 
 
-def _balance(
+def _constraint_forces(
     cores: Sequence[Core], contacts: Sequence[Contact], loads: Sequence[float]
 ) -> list[float]:
-    """Return what at each contact, of either sign, takes all loads away."""
+    """Return the forces, of either sign, that cancel the loads at all contacts."""
     if len(contacts) == 1:
         return [-loads[0] / coupling(cores, contacts[0], contacts[0])]
     matrix = np.array([[coupling(cores, k, m) for m in contacts] for k in contacts])

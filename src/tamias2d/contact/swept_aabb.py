@@ -1,7 +1,4 @@
-"""Which pairs are worth a look: the boxes that paths sweep (IM4 in its broad use).
-
-Serves: the located way. Hides: the boxes and how they are compared.
-"""
+"""The broad phase: pairs whose swept bounding boxes overlap (IM4)."""
 
 import math
 from collections.abc import Sequence
@@ -15,8 +12,8 @@ from tamias2d.scene.filters import filters, may_touch
 from tamias2d.state import Array
 
 
-class Swept:
-    """The boxes, along the axes of the world, that n bodies sweep on their paths."""
+class SweptAabbs:
+    """The axis-aligned bounding boxes (AABBs) that n bodies sweep on their paths."""
 
     def __init__(self, cores: Sequence[Core]) -> None:
         self._cores = cores
@@ -24,32 +21,32 @@ class Swept:
         self._dynamic = np.array([core.dynamic for core in cores])
         self._filtered = any(filters(core.filter) for core in cores)
         # Of each body: x and y of the centre, width and height of its box, m.
-        self._boxes = np.tile([[0.0], [0.0], [math.inf], [math.inf]], len(cores))
+        self._aabbs = np.tile([[0.0], [0.0], [math.inf], [math.inf]], len(cores))
 
-    def put(self, body: int, path: Piece) -> None:
-        """Take the box of a body on a path; a half-plane keeps the whole plane."""
+    def update(self, body: int, path: Piece) -> None:
+        """Set the box of a body on a path; that of a half-plane is the whole plane."""
         core = self._cores[body]
         if core.corners:
-            self._boxes[:, body] = _box(path, 2 * core.bounding_radius)
+            self._aabbs[:, body] = _aabb(path, 2 * core.bounding_radius)
 
-    def near(self, body: int) -> list[int]:
-        """Return the bodies whose boxes overlap with that of a body, one of the two moving."""
-        x, y, width, height = self._boxes
-        own = self._boxes[:, body].tolist()
-        meets = detection.overlap((own[0], own[1]), own[2], own[3], (x, y), width, height)
-        meets &= self._solid & (self._dynamic | self._dynamic[body])
-        meets[body] = False
-        found = [int(other) for other in np.flatnonzero(meets)]
+    def overlapping(self, body: int) -> list[int]:
+        """Return the bodies whose boxes overlap with that of a body, where one of the two moves."""
+        x, y, width, height = self._aabbs
+        own = self._aabbs[:, body].tolist()
+        overlaps = detection.overlap((own[0], own[1]), own[2], own[3], (x, y), width, height)
+        overlaps &= self._solid & (self._dynamic | self._dynamic[body])
+        overlaps[body] = False
+        found = [int(other) for other in np.flatnonzero(overlaps)]
         if not self._filtered:
             return found
         own_filter = self._cores[body].filter
         return [other for other in found if may_touch(own_filter, self._cores[other].filter)]
 
 
-def _box(path: Piece, size: float) -> Array:
-    """Return centre, width and height of the box around all places of a body on a path.
+def _aabb(path: Piece, size: float) -> Array:
+    """Return centre, width and height of the AABB of a body on a path.
 
-    From the middle of its time, by Taylor's theorem, and a little wider than rounding needs.
+    By Taylor's theorem about the middle of its time; 1e-9 wider, for rounding.
     """
     half = (path.end - path.start) / 2
     middle = path.at(path.start + half)

@@ -1,32 +1,43 @@
-"""Rough contacts that last: what sticks, slides and rolls (GD8).
-
-Serves: what happens at one instant. Hides: which of the modes is the one.
-"""
+"""Frictional lasting contacts: which of them stick, slide or roll (GD8)."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from tamias2d.contact.constrained_acceleration import (
+    Constant,
+    constrained_accelerations,
+    opening_acceleration,
+    without_normal_velocity,
+)
 from tamias2d.contact.core import Core, Placed
+from tamias2d.contact.friction_constraint import FrictionConstraint, TurningFrictionConstraint
 from tamias2d.contact.gap import EPSILON
-from tamias2d.contact.grip import Gripped, Scraping
-from tamias2d.contact.hold import Constant, closed_accelerations, opening, stopped_turning
-from tamias2d.contact.manifold import Contact, scrape, sliding
-from tamias2d.contact.modes import Mode, Patch, closed, directed, effects, forces, modes, pushes
+from tamias2d.contact.lasting_contact import Island
+from tamias2d.contact.manifold import Contact, tangential_acceleration, tangential_velocity
+from tamias2d.contact.modes import (
+    Mode,
+    Patch,
+    closed,
+    closed_directions,
+    cone_edges,
+    effects,
+    forces,
+    modes,
+)
 from tamias2d.contact.refusal import FrictionError, LastingContactError, named
-from tamias2d.contact.rest import Island
-from tamias2d.state import Acceleration, Hold, State
+from tamias2d.state import Acceleration, Constraint, State
 
-HELD_NOISE = 1e-9
-"""Of the speeds: what velocity a lasting contact may have gathered that it excludes."""
+LASTING_NOISE = 1e-9
+"""Of the speeds: the excluded velocity that a lasting contact may have gathered by rounding."""
 _SAME = 1e-8
-"""Of the loads: by how much two answers may differ that are one."""
+"""Of the loads: by how much two equal answers may differ."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 
 
-class Roughness(NamedTuple):
-    """What is known of the surfaces of all pairs at one instant."""
+class PairFriction(NamedTuple):
+    """The friction of all pairs at one instant."""
 
     time: float
     of: Callable[[int, int], float]
@@ -41,16 +52,16 @@ def island_of(
     contacts: Sequence[Contact],
     free: Mapping[int, Acceleration],
     slight: float,
-    roughness: Roughness,
+    pair_friction: PairFriction,
 ) -> Island:
-    """Return what contacts make of the bodies that they connect, with friction or without."""
-    if any(roughness.of(contact.a, contact.b) for contact in contacts):
-        return RoughIsland(cores, placed, contacts, free, slight, roughness)
+    """Return the island of bodies that contacts connect, with friction or without."""
+    if any(pair_friction.of(contact.a, contact.b) for contact in contacts):
+        return FrictionalIsland(cores, placed, contacts, free, slight, pair_friction)
     return Island(cores, placed, contacts, free, slight)
 
 
-class RoughIsland(Island):
-    """Moving bodies that contacts connect, some of them rough."""
+class FrictionalIsland(Island):
+    """An island in which some contacts have friction."""
 
     def __init__(
         self,
@@ -59,27 +70,29 @@ class RoughIsland(Island):
         contacts: Sequence[Contact],
         free: Mapping[int, Acceleration],
         slight: float,
-        roughness: Roughness,
+        pair_friction: PairFriction,
     ) -> None:
         """Take contacts without normal velocity.
 
         Raises:
             FrictionError: Coulomb's law has no answer, or several.
-            LastingContactError: several bodies move on while they rub.
+            LastingContactError: several bodies move on with friction between them.
         """
         super().__init__(cores, placed, contacts, free, slight)
         self._states = {i: body.state for i, body in placed.items()}
         self._mode: Mode = ()
         if len(self.bodies) > 1:
-            self._rest_together(contacts, free, roughness)
+            self._rest_several(contacts, free, pair_friction)
         else:
-            self._settle(self._patches(contacts, free, roughness), contacts, free, roughness.time)
+            self._find_mode(
+                self._patches(contacts, free, pair_friction), contacts, free, pair_friction.time
+            )
         self.senses.update(_senses(self._mode))
 
-    def stopped(self, states: Mapping[int, State]) -> dict[int, State]:
-        """Return the states without what is left of the velocities that the contacts exclude."""
-        if not self._grips:
-            return super().stopped(states)
+    def projected(self, states: Mapping[int, State]) -> dict[int, State]:
+        """Return the states projected on the velocities that the contacts allow."""
+        if not self._pressing:
+            return super().projected(states)
         if len(self.bodies) > 1:
             return {
                 i: states[i]._replace(velocity=(0.0, 0.0), angular_velocity=0.0)
@@ -87,72 +100,74 @@ class RoughIsland(Island):
             }
         (body,) = self.bodies
         if self._moves_on(states):
-            return {body: stopped_turning(self._cores, self._closed, states)[body]}
-        x, y, spin = self._allowed((*states[body].velocity, states[body].angular_velocity))
+            return {body: without_normal_velocity(self._cores, self._closed, states)[body]}
+        x, y, spin = self._projected((*states[body].velocity, states[body].angular_velocity))
         return {body: states[body]._replace(velocity=(x, y), angular_velocity=spin)}
 
-    def holds(self, states: Mapping[int, State], time: float) -> dict[int, Hold]:
-        """Return what the lasting contacts make of each body's own acceleration.
+    def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
+        """Return the constraint of each body by its lasting contacts.
 
         Raises:
             LastingContactError: the located way does not follow it.
         """
-        if not self._grips:
-            return super().holds(states, time)
+        if not self._pressing:
+            return super().constraints(states, time)
         if len(self.bodies) > 1:
             self._refuse_unsteady(states, time)
             return {i: Constant(_STILL) for i in self.bodies}
         (body,) = self.bodies
         moving = self._moves_on(states)
         if not moving:
-            return {body: Gripped(self._cores, body, self._mode, self._allowed)}
+            return {body: FrictionConstraint(self._cores, body, self._mode, self._projected)}
         self._refuse_coupled(body, moving, time)
         placed = {i: self._placed[i] for c in self.lasting for i in (c.a, c.b)}
-        return {body: Scraping(self._cores, body, self._mode, placed, time)}
+        return {body: TurningFrictionConstraint(self._cores, body, self._mode, placed, time)}
 
     @property
-    def _grips(self) -> bool:
-        """Whether some contact presses, so that there is friction."""
+    def _pressing(self) -> bool:
+        """Whether some contact presses, so that friction acts."""
         return any(part.pressed for part in self._mode)
 
     @property
     def _closed(self) -> list[Contact]:
-        return directed(closed(self._mode))
+        return closed_directions(closed(self._mode))
 
-    def _allowed(self, motion: Acceleration) -> Acceleration:
-        """Return what the closed contacts leave of a body's velocity or acceleration."""
+    def _projected(self, motion: Acceleration) -> Acceleration:
+        """Return a body's velocity or acceleration, projected on what the closed contacts allow."""
         (body,) = self.bodies
-        return closed_accelerations(self._cores, [body], self._closed, {body: motion})[body]
+        return constrained_accelerations(self._cores, [body], self._closed, {body: motion})[body]
 
     def _patches(
         self,
         contacts: Sequence[Contact],
         free: Mapping[int, Acceleration],
-        roughness: Roughness,
+        pair_friction: PairFriction,
     ) -> list[Patch]:
         pairs = dict.fromkeys((contact.a, contact.b) for contact in contacts)
         pull = max(abs(x) + abs(y) for x, y, _ in free.values())
-        unseen = 64 * EPSILON * roughness.time * pull
+        unseen = 64 * EPSILON * pair_friction.time * pull
         found = []
         for a, b in pairs:
             own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
-            speed = sliding(own[0], self._placed[a].state, self._placed[b].state)
-            slides = roughness.of(a, b) > 0 and abs(speed) > roughness.noise(own[0]) + unseen
-            found.append(Patch(own, roughness.of(a, b), int(np.sign(speed)) if slides else 0))
+            speed = tangential_velocity(own[0], self._placed[a].state, self._placed[b].state)
+            slides = (
+                pair_friction.of(a, b) > 0 and abs(speed) > pair_friction.noise(own[0]) + unseen
+            )
+            found.append(Patch(own, pair_friction.of(a, b), int(np.sign(speed)) if slides else 0))
         return found
 
-    def _settle(
+    def _find_mode(
         self,
         patches: Sequence[Patch],
         contacts: Sequence[Contact],
         free: Mapping[int, Acceleration],
         time: float,
     ) -> None:
-        """Find the one mode, and what it makes of the body."""
+        """Find the one mode, and the acceleration of the body in it."""
         (body,) = self.bodies
         answers: list[tuple[Mode, Acceleration]] = []
         for mode in modes(patches):
-            found = self._tried(mode, free)
+            found = self._acceleration_in(mode, free)
             if found is not None and not any(self._same(found, other) for _, other in answers):
                 answers.append((mode, found))
         if len(answers) != 1:
@@ -170,10 +185,10 @@ class RoughIsland(Island):
             contact
             for contact in contacts
             if contact in self._pressed
-            or opening(contact, self._placed, self.accelerations) <= self._unseen
+            or opening_acceleration(contact, self._placed, self.accelerations) <= self._unseen
         ]
-        if self._grips and not self._moves_on(self._states):
-            self.accelerations = {body: self._allowed(acceleration)}
+        if self._pressing and not self._moves_on(self._states):
+            self.accelerations = {body: self._projected(acceleration)}
 
     def _same(self, first: Acceleration, second: Acceleration) -> bool:
         (body,) = self.bodies
@@ -181,74 +196,86 @@ class RoughIsland(Island):
         apart = max(abs(x - y) * w for x, y, w in zip(first, second, size, strict=True))
         return apart <= _SAME * self._scale + self._unseen
 
-    def _tried(self, mode: Mode, free: Mapping[int, Acceleration]) -> Acceleration | None:
-        """Return the acceleration of the body in a mode, or None if it is none of the law's."""
+    def _acceleration_in(self, mode: Mode, free: Mapping[int, Acceleration]) -> Acceleration | None:
+        """Return the acceleration of the body in a mode, or None if it breaks Coulomb's law."""
         (body,) = self.bodies
-        rows, columns = closed(mode), pushes(mode)
+        rows, columns = closed(mode), cone_edges(mode)
         by = dict(free)
         if rows:
-            loads = np.array([self._load(contact, along, free) for contact, along in rows])
+            loads = np.array(
+                [self._contact_acceleration(contact, along, free) for contact, along in rows]
+            )
             found = forces(effects(self._cores, rows, columns), loads)
             if found is None:
                 return None
-            by = self._pushed(columns, found, free)
+            by = self._with_forces(columns, found, free)
         for part in mode:
             for contact in part.patch.contacts:
-                if contact not in part.pressed and self._load(contact, False, by) < -self._unseen:
+                if (
+                    contact not in part.pressed
+                    and self._contact_acceleration(contact, False, by) < -self._unseen
+                ):
                     return None
             begins = part.pressed and part.sense and not part.patch.sense
-            if begins and part.sense * self._load(part.pressed[0], True, by) < -self._unseen:
+            if (
+                begins
+                and part.sense * self._contact_acceleration(part.pressed[0], True, by)
+                < -self._unseen
+            ):
                 return None
         return by[body]
 
-    def _load(self, contact: Contact, along: bool, by: Mapping[int, Acceleration]) -> float:
-        """Return the acceleration of a contact across or along its surface, m/s^2."""
+    def _contact_acceleration(
+        self, contact: Contact, along: bool, by: Mapping[int, Acceleration]
+    ) -> float:
+        """Return the normal or tangential acceleration of a contact, m/s^2."""
         if not along:
-            return opening(contact, self._placed, by)
+            return opening_acceleration(contact, self._placed, by)
         a, b = contact.a, contact.b
-        return scrape(
+        return tangential_acceleration(
             contact, self._placed[a], self._placed[b], by.get(a, _STILL), by.get(b, _STILL)
         )
 
-    def _rest_together(
+    def _rest_several(
         self,
         contacts: Sequence[Contact],
         free: Mapping[int, Acceleration],
-        roughness: Roughness,
+        pair_friction: PairFriction,
     ) -> None:
-        """Keep several bodies at rest, if frictions within their bounds can.
+        """Keep several bodies at rest, if forces within the friction cones can.
 
         Raises:
             LastingContactError: they move, or cannot be kept.
         """
-        patches = self._patches(contacts, free, roughness)
+        patches = self._patches(contacts, free, pair_friction)
         mode = next(modes(patches))
         still = all(
             max(map(abs, (*state.velocity, state.angular_velocity * self._cores[i].size)))
-            <= max(roughness.noise(c) for c in contacts)
+            <= max(pair_friction.noise(c) for c in contacts)
             for i, state in ((i, self._states[i]) for i in self.bodies)
         )
-        if still and forces(*self._balance(mode, free)) is not None:
+        if still and forces(*self._equilibrium(mode, free)) is not None:
             self._mode = mode
             self.accelerations = dict.fromkeys(self.bodies, _STILL)
             self._pressed = self.lasting = list(contacts)
             return
-        rubbing = [c for c in self._pressed if roughness.of(c.a, c.b)]
+        rubbing = [c for c in self._pressed if pair_friction.of(c.a, c.b)]
         if rubbing:
             names = named(*dict.fromkeys(self._cores[i].name for i in (rubbing[0].a, rubbing[0].b)))
             raise LastingContactError(
-                f"{names} at {roughness.time!r} s: several moving bodies rub on each other while "
-                "they touch, which the located way does not follow (GD8). End the run before, or "
-                "change the scene.",
-                time=roughness.time,
+                f"{names} at {pair_friction.time!r} s: several moving bodies rub on each "
+                "other while they touch, which the located way does not follow (GD8). End the run "
+                "before, or change the scene.",
+                time=pair_friction.time,
             )
 
-    def _balance(
+    def _equilibrium(
         self, mode: Mode, free: Mapping[int, Acceleration]
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return what each push gives to each body's three accelerations, and what loads give."""
+        """Return the bodies' accelerations under a unit of each force, and under the loads."""
         columns = [
-            self._pushed([push], [1.0], dict.fromkeys(free, _STILL)) for push in pushes(mode)
+            self._with_forces([edge], [1.0], dict.fromkeys(free, _STILL))
+            for edge in cone_edges(mode)
         ]
         weights = np.array([(1.0, 1.0, self._cores[i].size) for i in self.bodies]).ravel()
         matrix = np.array([[by[i] for i in self.bodies] for by in columns]).reshape(

@@ -1,6 +1,4 @@
-"""When a pair meets next: conservative advancement of second order.
-
-Serves: the located way. Hides: how a step is found that passes no impact.
+"""The time of impact of a pair: conservative advancement of second order.
 
 At a time an axis gives for every corner a gap with its rate, and a lower bound of its second
 derivative in a window of time (DD47), from which follows a step that passes no impact (DD46). The
@@ -27,8 +25,11 @@ from tamias2d.generated.impact import normal_velocity
 from tamias2d.path import Bounds, Piece
 from tamias2d.state import Vector
 
-_STEPS = 100_000  # of one search; a hundred are many
-_CRAWL, _CRAWLED = 2.0**-48, 1000  # so many steps of so small a part of the time, or at no gap
+_MAX_STEPS = 100_000  # of one search; a hundred are many
+_TINY_STEP, _TINY_STEPS = (
+    2.0**-48,
+    1000,
+)  # so many steps of so small a part of the time, or at no gap
 
 
 class Pair:
@@ -40,17 +41,17 @@ class Pair:
         b: Core,
         path_a: Piece,
         path_b: Piece,
-        kept: Sequence[Contact] = (),
-        ahead: Vector | None = None,
+        lasting: Sequence[Contact] = (),
+        separating_direction: Vector | None = None,
     ) -> None:
-        """Take two bodies, and the lasting contacts that do not count as a meeting.
+        """Take two bodies, and the lasting contacts that do not count as an impact.
 
-        `ahead` is the direction from A to B in which they were last apart, if they touch.
+        `separating_direction` is the direction from A to B in which they were last apart.
         """
         self.cores = (a, b)
-        self.ahead = ahead
-        """The direction in which they were apart when last looked at."""
-        self._kept = kept
+        self.separating_direction = separating_direction
+        """The direction in which they were apart at the last time that was examined."""
+        self._lasting = lasting
         self._touching = False
         self._paths = (path_a, path_b)
 
@@ -59,21 +60,21 @@ class Pair:
         (a, b), (path_a, path_b) = self.cores, self._paths
         return place(a, path_a.at(time)), place(b, path_b.at(time))
 
-    def meets(self, start: float, end: float) -> float | None:
-        """Return the first time in s from `start` to `end` at which they touch and do not part.
+    def time_of_impact(self, start: float, end: float) -> float | None:
+        """Return the first time in s from `start` to `end` at which they touch and do not separate.
 
         Raises:
             UndecidedContactError: float64 cannot tell it in a bounded number of steps.
         """
-        time, crawled, crawl = start, 0, _CRAWL * max(abs(end), end - start)
-        for _ in range(_STEPS):
+        time, tiny_steps, tiny = start, 0, _TINY_STEP * max(abs(end), end - start)
+        for _ in range(_MAX_STEPS):
             if not time < end:
                 return None
             step = self._safe_step(time, end)
             if step is None or time + step == time:
                 return time
-            crawled += self._touching or step < crawl
-            if crawled > _CRAWLED:
+            tiny_steps += self._touching or step < tiny
+            if tiny_steps > _TINY_STEPS:
                 break
             time += step
         raise self._undecided(time)
@@ -85,7 +86,7 @@ class Pair:
             time=time,
         )
 
-    def seen_apart(self, start: float, step: float) -> float:
+    def separation_time(self, start: float, step: float) -> float:
         """Return a time in s soon after `start` at which a parting pair is apart and opens.
 
         `step` is the first guess of how long that takes; it is doubled until float64 can tell.
@@ -97,8 +98,8 @@ class Pair:
         while (time := start + step) < end:
             a, b = self.placed(time)
             tolerance = resolution(a, b, time)
-            if self._kept:
-                _, near = self._beside(a, b)
+            if self._lasting:
+                _, near = self._other_corners(a, b)
             else:
                 near = gaps(a, b, max(self._axes(a, b, tolerance), key=_gap_of))
             nearest = min(near, key=lambda gap: gap.value)
@@ -113,12 +114,12 @@ class Pair:
         """Return how long no contact can come about, s, or None if one is there."""
         a, b = self.placed(time)
         tolerance = resolution(a, b, time)
-        far, step = self._far_step(a, b, time, end)
+        far, step = self._bounding_circle_step(a, b, time, end)
         if far:
             return step
-        if self._kept:
-            return self._step_beside(a, b, time, end)
-        step = max(step, self._round_step(a, b, time, end))
+        if self._lasting:
+            return self._step_to_other_corners(a, b, time, end)
+        step = max(step, self._spinning_step(a, b, time, end))
         found = self._axes(a, b, tolerance)
         largest = max(axis.gap for axis in found)
         steps = []
@@ -136,45 +137,51 @@ class Pair:
         best = max(found, key=_gap_of)
         self._touching = best.gap <= tolerance
         if self._touching:
-            return from_side(a, b, found, self.ahead)
-        self.ahead = best.ahead
+            return from_side(a, b, found, self.separating_direction)
+        self.separating_direction = best.separating_direction
         return found
 
-    def _step_beside(self, a: Placed, b: Placed, time: float, end: float) -> float | None:
+    def _step_to_other_corners(self, a: Placed, b: Placed, time: float, end: float) -> float | None:
         """Return the safe step for all other corners along the axis of a lasting contact."""
-        if self._kept[0].axis.side is None:  # around a corner there is only one
+        if self._lasting[0].axis.side is None:  # around a corner there is only one
             return math.inf
-        axis, near = self._beside(a, b)
-        same = axis[:2] == self._kept[0].axis[:2]
+        axis, near = self._other_corners(a, b)
+        same = axis[:2] == self._lasting[0].axis[:2]
         if same:
-            near = [self._from_kept(gap, axis, a, b) for gap in near]
+            near = [self._gap_from_lasting(gap, axis, a, b) for gap in near]
             one = resolution(a, b, time)  # corners that near to each other are one
             near = [gap for gap in near if gap.reach[1] > one]
         if any(gap.value <= 0 and gap.rate <= 0 for gap in near):
             return None
         return self._step_along(axis, near, a, b, time, end, relative=same) if near else math.inf
 
-    def _from_kept(self, gap: Gap, axis: Axis, a: Placed, b: Placed) -> Gap:
-        """Return the gap to a corner from that which is kept at none: only turning changes it."""
+    def _gap_from_lasting(self, gap: Gap, axis: Axis, a: Placed, b: Placed) -> Gap:
+        """Return the gap to a corner relative to the lasting contact: only turning changes it."""
         p, q = (b, a) if axis.swapped else (a, b)
         ux, uy = axis.direction
-        kx, ky = q.corners[self._kept[0].gap.which[1]]
+        kx, ky = q.corners[self._lasting[0].gap.which[1]]
         x, y = gap.corner[0] - kx, gap.corner[1] - ky
         spin = q.state.angular_velocity - p.state.angular_velocity
         rate = spin * (uy * x - ux * y)
         return gap._replace(value=ux * x + uy * y, rate=rate, reach=(0.0, math.hypot(x, y)))
 
-    def _beside(self, a: Placed, b: Placed) -> tuple[Axis, list[Gap]]:
+    def _other_corners(self, a: Placed, b: Placed) -> tuple[Axis, list[Gap]]:
         """Return the axis of a lasting contact, and the gaps along it to all other corners."""
-        owner = self._kept[0].axis
+        owner = self._lasting[0].axis
         found = axes(a, b)
         same = [each for each in found if each[:2] == owner[:2]]
-        axis = same[0] if same else max(from_side(a, b, found, self.ahead), key=_gap_of)
-        corners = {contact.gap.which[1] for contact in self._kept if contact.axis[:2] == axis[:2]}
-        corners |= {c.found[1] for c in self._kept if c.found[0] == axis.swapped}
+        axis = (
+            same[0] if same else max(from_side(a, b, found, self.separating_direction), key=_gap_of)
+        )
+        corners = {
+            contact.gap.which[1] for contact in self._lasting if contact.axis[:2] == axis[:2]
+        }
+        corners |= {c.found[1] for c in self._lasting if c.found[0] == axis.swapped}
         return axis, [gap for gap in gaps(a, b, axis) if gap.which[1] not in corners]
 
-    def _far_step(self, a: Placed, b: Placed, time: float, end: float) -> tuple[bool, float]:
+    def _bounding_circle_step(
+        self, a: Placed, b: Placed, time: float, end: float
+    ) -> tuple[bool, float]:
         """Return whether circles around the bodies are well apart, and how long they stay so."""
         radius = a.core.bounding_radius + b.core.bounding_radius
         if math.isinf(radius) or len(a.corners) == len(b.corners) == 1:
@@ -189,13 +196,13 @@ class Pair:
         rate = normal_velocity(
             a.state.velocity, still, centre, b.state.velocity, still, centre, (ux, uy)
         )
-        bend = _of_centres((ux, uy), *self._bounds(time, end))
-        return distance > 1.1 * radius, _root(distance - radius, rate, bend)
+        least = _of_centres((ux, uy), *self._bounds(time, end))
+        return distance > 1.1 * radius, _root(distance - radius, rate, least)
 
-    def _round_step(self, a: Placed, b: Placed, time: float, end: float) -> float:
+    def _spinning_step(self, a: Placed, b: Placed, time: float, end: float) -> float:
         """Return how long the circles around bodies that turn often stay apart, or 0.
 
-        Without it, every turn on the way would be looked at.
+        Without it, every turn before the impact would be examined.
         """
         often = [abs(body.state.angular_velocity) * (end - time) > math.tau for body in (a, b)]
         if not any(often):
@@ -224,8 +231,8 @@ class Pair:
 
         def smallest_root(window: float) -> float:
             bounds = self._bounds(time, time + window)
-            bend_of = _Bend(axis, a, b, *bounds, window, relative=relative)
-            return min(_root(gap.value, gap.rate, bend_of(gap)) for gap in near)
+            least_of = _LeastGapAcceleration(axis, a, b, *bounds, window, relative=relative)
+            return min(_root(gap.value, gap.rate, least_of(gap)) for gap in near)
 
         window = end - time
         step = smallest_root(window)
@@ -239,7 +246,7 @@ class Pair:
         return path_a.bounds(first, last), path_b.bounds(first, last)
 
 
-class _Bend:
+class _LeastGapAcceleration:
     """The least second derivative that the gap to a corner can have within a window, m/s^2."""
 
     def __init__(
@@ -299,18 +306,18 @@ def _gap_of(axis: Axis) -> float:
     return axis.gap
 
 
-def _root(value: float, rate: float, bend: float) -> float:
+def _root(value: float, rate: float, least: float) -> float:
     """Return the first time until which a gap may close, s, or infinity (DD46).
 
     A value that is 0 or, by rounding, less is being left: the rate is positive there.
     """
-    inside = discriminant(value, rate, bend)
+    inside = discriminant(value, rate, least)
     if inside < 0:
         if value > 0:
             return math.inf
-        inside = discriminant(0.0, rate, bend)
+        inside = discriminant(0.0, rate, least)
     if rate > 0:
-        return float(advance_opening(rate, bend, inside)) if bend < 0 else math.inf
+        return float(advance_opening(rate, least, inside)) if least < 0 else math.inf
     if inside == rate == 0:
         return math.inf
     return float(advance_closing(value, rate, inside))
