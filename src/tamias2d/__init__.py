@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:  # the same names as below, for readers, editors and type checkers
     from tamias2d.certificate import Certificate as Certificate
     from tamias2d.cost import Cost as Cost
+    from tamias2d.engine.contact_report import Contacts as Contacts
     from tamias2d.errors import (
         ArgumentError as ArgumentError,
         InputError as InputError,
@@ -56,7 +57,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         scene_text as scene_text,
     )
     from tamias2d.simulate import simulate as simulate
-    from tamias2d.simulator import Contacts as Contacts, Hits as Hits, Simulator as Simulator
+    from tamias2d.simulator import Hits as Hits, Simulator as Simulator
     from tamias2d.study.certify import certify as certify
     from tamias2d.study.recommend import ToleranceError as ToleranceError, recommend as recommend
     from tamias2d.trace import trace as trace
@@ -66,6 +67,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
 _HOMES = {
     "certificate": "Certificate",
     "cost": "Cost",
+    "engine.contact_report": "Contacts",
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
@@ -76,7 +78,7 @@ _HOMES = {
     "scene": "Body Box Capsule Compound Disc HalfPlane Part Polygon Scene Segment catalogue load "
     "needs scene_text",
     "simulate": "simulate",
-    "simulator": "Contacts Hits Simulator",
+    "simulator": "Hits Simulator",
     "study.certify": "certify",
     "study.recommend": "ToleranceError recommend",
     "trace": "trace",

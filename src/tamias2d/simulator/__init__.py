@@ -3,9 +3,8 @@
 Serves: games. Hides: which file holds which concept.
 """
 
-from tamias2d.engine.contact_report import Contacts
 from tamias2d.simulator.queries import Hits
 from tamias2d.simulator.simulator import Simulator
 from tamias2d.simulator.stepper import Overlap, Stepper
 
-__all__ = ["Contacts", "Hits", "Overlap", "Simulator", "Stepper"]
+__all__ = ["Hits", "Overlap", "Simulator", "Stepper"]
