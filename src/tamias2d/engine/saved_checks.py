@@ -142,7 +142,7 @@ def _check_bodies(arrays: Arrays) -> None:
 
 def _check_shapes(arrays: Arrays) -> None:
     kind, first, count = (
-        arrays[f"shapes.{n}"].astype(np.int64) for n in ("kind", "first", "count")
+        arrays[f"shapes.{n}"].astype(np.int64) for n in ("kind", "first", "vertex_count")
     )
     name = "shapes.vertex_count"
     taken = count > 0
