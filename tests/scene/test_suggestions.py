@@ -10,6 +10,7 @@ import tamias2d as t2
 from tamias2d.suggestions import nearest, suggests
 
 DISC = t2.Disc(radius=0.5)
+EMPTY = t2.Scene(gravity=(0.0, 0.0))
 BODY = {"mass": 1.0, "position": (0.0, 0.0)}
 
 
@@ -64,7 +65,7 @@ WRONG: list[tuple[Callable[[], object], str]] = [
     (lambda: t2.simulate(scene(), dt=1), "simulate(): unknown argument 'dt'; did you mean 'time_s"),
     (lambda: t2.Simulator(scene(), dt=1), "Simulator(): unknown argument 'dt'; did you mean 'time"),
     (
-        lambda: t2.Simulator.add(object(), DISC, mass=1, pos=(0, 0)),
+        lambda: t2.Simulator(EMPTY, compiled=False).add(DISC, mass=1, pos=(0, 0)),
         "add(): unknown argument 'pos'; did you mean 'position'?",
     ),
     (

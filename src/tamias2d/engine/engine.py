@@ -221,7 +221,7 @@ class Engine(Store):
             self._course_known = True
         self._ballistic_pace.begin()
         taken: int = self._library.integrate_ballistic(self.argument, count)
-        self._ballistic_pace.end(count)
+        self._ballistic_pace.end(taken)
         return taken
 
     def _solved_steps(self, count: int, checked: int) -> int:
@@ -232,7 +232,7 @@ class Engine(Store):
         self._pace.begin()
         while (status := self._call()) in _ROOMS:
             self.resize(**{_ROOMS[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
-        self._pace.end(count)
+        self._pace.end(count - int(counts[STEPS_LEFT]))
         return status
 
     def _call(self) -> int:

@@ -17,7 +17,7 @@ class Pace:
         self._start = perf_counter()
 
     def end(self, steps: int) -> None:
-        """Note that a call of so many steps has ended."""
+        """Note that a call has ended, and how many steps it took, however many were asked for."""
         spent = perf_counter() - self._start
         if spent > _LONGEST:
             self.most = max(steps // 2, 1)
