@@ -1,8 +1,10 @@
 """Values that float64 cannot carry through a step; threads; Ctrl-C; copies that are read-only."""
 
 import _thread
+import signal
 import threading
 import time
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -91,6 +93,15 @@ def test_one_thread_at_a_time() -> None:
                 call()
 
 
+@pytest.fixture
+def heard() -> Iterator[None]:
+    """A process that was started in the background ignores Ctrl-C; here it is heard."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("heard")
 def test_many_steps_hear_ctrl_c() -> None:
     sim = t2.Simulator(crowd(30, seed=1))
     sim.step(3)
