@@ -193,55 +193,64 @@ class Engine(Store):
         Then the state is as it was before that step. If what a step makes of a body is not finite,
         the body stays as it was before, all others take the step, and contacts are forgotten.
         """
-        checked = 0
+        checked, timed = 0, count > 1
         try:
             while count > 0:
                 if self._alone:
                     asked = min(count, self._ballistic_pace.most)
-                    taken = self._ballistic_steps(asked)
+                    taken = self._ballistic_steps(asked, timed)
                     count -= taken
                     if taken == asked:
                         continue
                 asked = min(count, self._pace.most)
-                status = self._solved_steps(asked, checked)
+                status = self._solved_steps(asked, checked, timed)
                 if status not in (DONE, CLEAR):
                     return self._refused(status)
                 self._alone, checked = status == CLEAR, 1
-                count -= asked - int(self.world.control.counts[STEPS_LEFT])
+                count -= asked if status == DONE else self._taken(asked)
         except BaseException:  # Ctrl-C, or no memory
             if self.world.control.counts[STAGE] != AT_START:
                 self._forget_contacts()
             raise
         return None
 
-    def _ballistic_steps(self, count: int) -> int:
+    def _ballistic_steps(self, count: int, timed: bool) -> int:
         """Take up to some steps while all bodies are alone; return how many."""
         if not self._course_known:
             self._library.note_course(self.argument)
             self._course_known = True
-        self._ballistic_pace.begin()
+        if timed:
+            self._ballistic_pace.begin()
         taken: int = self._library.integrate_ballistic(self.argument, count)
-        self._ballistic_pace.end(taken)
+        if timed:
+            self._ballistic_pace.end(taken)
         return taken
 
-    def _solved_steps(self, count: int, checked: int) -> int:
+    def _solved_steps(self, count: int, checked: int, timed: bool) -> int:
         """Take up to some steps through contacts; return how that ended."""
         counts = self.world.control.counts
         counts[STEPS_LEFT], counts[CHECKED] = count, checked
         self._alone = self._course_known = False
-        self._pace.begin()
+        if timed:
+            self._pace.begin()
         while (status := self._call()) in _ROOMS:
             self.resize(**{_ROOMS[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
-        self._pace.end(count - int(counts[STEPS_LEFT]))
+        if timed:
+            self._pace.end(self._taken(count))
         return status
+
+    def _taken(self, asked: int) -> int:
+        """How many of some steps the last call took."""
+        return asked - int(self.world.control.counts[STEPS_LEFT])
 
     def _call(self) -> int:
         try:
-            return int(self._library.step(self.argument))
+            status: int = self._library.step(self.argument)
         except (ValueError, OverflowError, ZeroDivisionError):
             if self.compiled:
                 raise
             return OVERFLOWED  # plain Python makes no whole number of NaN; compiled code goes on
+        return status
 
     def _refused(self, status: int) -> Invalid:
         """Return why a step was not taken, or not by all bodies."""

@@ -6,7 +6,7 @@ _LONGEST = 0.05  # s
 
 
 class Pace:
-    """The number of steps for a call; a call of one step is never timed."""
+    """The number of steps for a call; where only one step is wanted, nothing is timed."""
 
     def __init__(self) -> None:
         self.most = 1

@@ -139,23 +139,20 @@ class Simulator(Views):
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
-        if not self._lock.acquire(blocking=False):
+        if not self._lock.acquire(False):
             raise busy("step")
         try:
-            self._step(count)
+            while count:
+                if self._unsettled:
+                    self._settle()
+                self._touching = None
+                if self._varying is None and self._pushed is None:
+                    self._advance(count)
+                    return
+                self._step_loaded()
+                count -= 1
         finally:
             self._lock.release()
-
-    def _step(self, count: int) -> None:
-        while count:
-            if self._unsettled:
-                self._settle()
-            self._touching = None
-            if self._varying is None and self._pushed is None:
-                self._advance(count)
-                return
-            self._step_loaded()
-            count -= 1
 
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
