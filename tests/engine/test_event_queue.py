@@ -19,7 +19,7 @@ from tamias2d.engine.tables import (
     Contacts,
     Events,
 )
-from tamias2d.engine.world import Rooms, allocated
+from tamias2d.engine.world import Capacities, allocated
 
 TIMES = st.sampled_from([0.0, 0.25, 0.5, 1.0, 2.0])
 
@@ -44,7 +44,7 @@ def test_each_body_has_its_contacts_in_their_order(bodies: int, data: st.DataObj
     pairs = np.zeros((len(drawn), 4), np.uint32)
     for p, both in enumerate(drawn):
         pairs[p, SLOT_A], pairs[p, SLOT_B] = both
-    broad_phase = allocated(Rooms()).broad_phase
+    broad_phase = allocated(Capacities()).broad_phase
     broad_phase.counts[CONTACTS] = len(drawn)
     contacts = Contacts(pairs, np.zeros((len(drawn), 0)), np.zeros((len(drawn), 0), np.int32))
     queue = np.zeros((3, 4 * (bodies + len(pairs))), np.int32)

@@ -141,14 +141,14 @@ class BodyPool:
 
     @property
     def _idle(self) -> int:
-        return self.store.rooms.slots - 1
+        return self.store.capacities.slots - 1
 
     def _take(self, count: int) -> Whole:
         """Return rows for so many bodies, freed ones first."""
         store = self.store
         used = [self._free.pop() for _ in range(min(count, len(self._free)))]
         more = count - len(used)
-        store.make_room(more)
+        store.reserve(more)
         rows = np.array([*used, *range(store.size, store.size + more)], dtype=np.int64)
         store.size += more
         self.rank = np.concatenate((self.rank, np.full(more, -1)))
@@ -174,7 +174,7 @@ class BodyPool:
         if not found:
             return
         vertices = sum(len(part.vertices) for part in found)
-        self.store.make_shape_room(self._shapes + len(found), self._vertices + vertices)
+        self.store.reserve_shapes(self._shapes + len(found), self._vertices + vertices)
         places = np.array([self._take_shape(len(part.vertices)) for part in found])
         self._placed += places.tolist()
         self.store.world.state.body_of_shape[places] = rows[owner]

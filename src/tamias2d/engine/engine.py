@@ -9,8 +9,8 @@ from tamias2d.engine.batch import Batch
 from tamias2d.engine.body_pool import BodyPool
 from tamias2d.engine.contact_report import Touching, contact_report
 from tamias2d.engine.menu import CONTACT, functions
-from tamias2d.engine.pace import Pace
 from tamias2d.engine.query_tree import QueryTree
+from tamias2d.engine.steps_per_call import StepsPerCall
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ABSENT,
@@ -40,10 +40,10 @@ from tamias2d.engine.tables import (
     TIME_STEP,
 )
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
-from tamias2d.engine.world import Rooms
+from tamias2d.engine.world import Capacities
 from tamias2d.state import Array
 
-_ROOMS = {
+_TOO_SHORT = {
     MORE_CANDIDATES: "candidates",
     MORE_CONTACTS: "contacts",
     MORE_BLOCKS: "blocks",
@@ -63,7 +63,7 @@ class Engine(Store):
         compiled: bool = True,
     ) -> None:
         """Start without bodies; steps of `time_step`, s, are plain Python unless compiled."""
-        super().__init__(Rooms(), compiled=compiled)
+        super().__init__(Capacities(), compiled=compiled)
         control = self.world.control
         control.settings[GRAVITY_X : GRAVITY_Y + 1] = gravity
         control.settings[TIME_STEP], control.counts[SUBSTEPS] = time_step, substeps
@@ -75,7 +75,7 @@ class Engine(Store):
         self._library = functions(CONTACT, compiled=self.compiled)
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
-        self._pace, self._ballistic_pace = Pace(), Pace()
+        self._steps_per_call, self._ballistic_steps_per_call = StepsPerCall(), StepsPerCall()
         self._pool = BodyPool(self, rank)
         self._pool.publish_order()
         self.queries = QueryTree(self)
@@ -197,12 +197,12 @@ class Engine(Store):
         try:
             while count > 0:
                 if self._alone:
-                    asked = min(count, self._ballistic_pace.most)
+                    asked = min(count, self._ballistic_steps_per_call.most)
                     taken = self._ballistic_steps(asked, timed)
                     count -= taken
                     if taken == asked:
                         continue
-                asked = min(count, self._pace.most)
+                asked = min(count, self._steps_per_call.most)
                 status = self._solved_steps(asked, checked, timed)
                 if status not in (DONE, CLEAR):
                     return self._refused(status)
@@ -220,10 +220,10 @@ class Engine(Store):
             self._library.note_course(self.argument)
             self._course_known = True
         if timed:
-            self._ballistic_pace.begin()
+            self._ballistic_steps_per_call.begin()
         taken: int = self._library.integrate_ballistic(self.argument, count)
         if timed:
-            self._ballistic_pace.end(taken)
+            self._ballistic_steps_per_call.end(taken)
         return taken
 
     def _solved_steps(self, count: int, checked: int, timed: bool) -> int:
@@ -232,11 +232,11 @@ class Engine(Store):
         counts[STEPS_LEFT], counts[CHECKED] = count, checked
         self._alone = self._course_known = False
         if timed:
-            self._pace.begin()
-        while (status := self._call()) in _ROOMS:
-            self.resize(**{_ROOMS[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
+            self._steps_per_call.begin()
+        while (status := self._call()) in _TOO_SHORT:
+            self.resize(**{_TOO_SHORT[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
         if timed:
-            self._pace.end(self._taken(count))
+            self._steps_per_call.end(self._taken(count))
         return status
 
     def _taken(self, asked: int) -> int:

@@ -30,7 +30,7 @@ from tamias2d.engine.tables import (
     SLOT_B,
     Saved,
 )
-from tamias2d.engine.world import Rooms, SavedField, saved_fields
+from tamias2d.engine.world import Capacities, SavedField, saved_fields
 
 Arrays = Mapping[str, NDArray[Any]]
 Whole = NDArray[np.int64]
@@ -50,14 +50,14 @@ class UnfitError(ValueError):
     """Arrays are not the state of an engine."""
 
 
-def check_saved(arrays: Arrays) -> Rooms:
-    """Return the rooms of a saved state.
+def check_saved(arrays: Arrays) -> Capacities:
+    """Return the capacities of a saved state.
 
     Raises:
         UnfitError: the arrays are not the state of an engine; names the array.
     """
-    rooms = _rooms(arrays)
-    lengths = rooms.lengths()
+    capacities = _capacities(arrays)
+    lengths = capacities.lengths()
     for field in saved_fields():
         _check_field(field, arrays, lengths)
     _check_bodies(arrays)
@@ -65,7 +65,7 @@ def check_saved(arrays: Arrays) -> Rooms:
     order = _canonical(arrays)
     _check_contacts(arrays, order)
     _check_tree(arrays)
-    return rooms
+    return capacities
 
 
 def require(holds: object, name: str, rule: str) -> None:
@@ -77,15 +77,15 @@ def require(holds: object, name: str, rule: str) -> None:
 # -- each array alone
 
 
-def _rooms(arrays: Arrays) -> Rooms:
+def _capacities(arrays: Arrays) -> Capacities:
     rows = {}
-    for room, name in _ROWS.items():
+    for axis, name in _ROWS.items():
         require(name in arrays and arrays[name].ndim > 0, name, "is missing")
-        rows[room] = len(arrays[name])
+        rows[axis] = len(arrays[name])
     fits = rows["slots"] > 0 and rows["slots"] % CHUNK == 0 and rows["propagators"] > 0
     require(fits, "state.pose", "has no rows of an engine")
     require(max(rows.values()) < 2**31, "shapes.kind", "has more rows than an engine")
-    return Rooms(**rows)
+    return Capacities(**rows)
 
 
 def _check_field(field: SavedField, arrays: Arrays, lengths: Mapping[str, int]) -> None:

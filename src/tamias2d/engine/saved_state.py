@@ -56,9 +56,9 @@ def restored_engine(
     Raises:
         UnfitError: they are not the state of an engine.
     """
-    rooms = check_saved(arrays)
+    capacities = check_saved(arrays)
     engine = Engine(gravity=(0.0, 0.0), time_step=time_step, substeps=substeps, compiled=compiled)
-    engine.resize(**vars(rooms))
+    engine.resize(**vars(capacities))
     own = named_arrays(engine.world)
     for field in saved_fields():
         if field.name in own:

@@ -1,4 +1,4 @@
-"""The arrays of a world, which grow: room for bodies and shapes, and what is known of each."""
+"""The arrays of a world, which grow: capacity for bodies and shapes, and what is known of each."""
 
 from dataclasses import replace
 from typing import Any
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.tables import CHUNK, LIST_HOLDS, Integers
-from tamias2d.engine.world import Rooms, allocated, arrays_by_slot, resized, with_arrays
+from tamias2d.engine.world import Capacities, allocated, arrays_by_slot, resized, with_arrays
 from tamias2d.kernels.groups import addresses
 from tamias2d.state import Array
 
@@ -18,64 +18,64 @@ class Store:
     What users see is in the order of adding (`world.state`), what steps work on is by slots.
     """
 
-    def __init__(self, rooms: Rooms, *, compiled: bool) -> None:
+    def __init__(self, capacities: Capacities, *, compiled: bool) -> None:
         self.size = 0  # rows of bodies in use, absent ones too
         self.revision = 0  # changes whenever bodies or shapes come, go or change
-        self.rooms = rooms
+        self.capacities = capacities
         self.compiled = compiled
-        self.world = allocated(rooms)
+        self.world = allocated(capacities)
         self._argument: Any = None
         state = self.world.state
-        state.slot_of_body[:] = state.body_of_slot[:] = np.arange(rooms.slots, dtype=np.uint32)
+        state.slot_of_body[:] = state.body_of_slot[:] = np.arange(capacities.slots, dtype=np.uint32)
 
     @property
     def argument(self) -> Any:
         """The world as compiled code takes it, a table of addresses, or as plain code does."""
         if self._argument is None:
-            self._make_clip_room()
+            self._reserve_clip()
             self._argument = addresses(self.world) if self.compiled else self.world
         return self._argument
 
     def replace(self, **arrays: NDArray[Any]) -> None:
-        """Put arrays, by `group__field`, in the place of others of the same rooms."""
+        """Put arrays, by `group__field`, in the place of others of the same shape."""
         named = {name.replace("__", "."): values for name, values in arrays.items()}
         self.world = with_arrays(self.world, named)
         self.forget_addresses()
 
-    def resize(self, **rooms: int) -> None:
-        """Change how many of what there is room for; arrays keep what they hold."""
-        if all(getattr(self.rooms, name) == count for name, count in rooms.items()):
+    def resize(self, **capacities: int) -> None:
+        """Change capacities; arrays keep what they hold."""
+        if all(getattr(self.capacities, name) == count for name, count in capacities.items()):
             return
-        self.rooms = replace(self.rooms, **rooms)
-        self.world = resized(self.world, self.rooms)
+        self.capacities = replace(self.capacities, **capacities)
+        self.world = resized(self.world, self.capacities)
         self.forget_addresses()
 
     def forget_addresses(self) -> None:
         """Find the addresses of the arrays anew before they are next used."""
         self._argument = None
 
-    def make_room(self, count: int) -> None:
-        """Make room for so many bodies more, in whole chunks.
+    def reserve(self, count: int) -> None:
+        """Reserve rows for so many bodies more, in whole chunks.
 
         Shapes without a body are those of the idle one.
         """
-        if self.size + count < self.rooms.slots:
+        if self.size + count < self.capacities.slots:
             return
-        idle = self.rooms.slots - 1
-        slots = max(self.size + count, self.rooms.slots * 3 // 2) // CHUNK * CHUNK + CHUNK
+        idle = self.capacities.slots - 1
+        slots = max(self.size + count, self.capacities.slots * 3 // 2) // CHUNK * CHUNK + CHUNK
         self.resize(slots=slots)
         state = self.world.state
         state.slot_of_body[idle:] = state.body_of_slot[idle:] = np.arange(idle, slots)
         state.body_of_shape[state.body_of_shape == idle] = slots - 1
 
-    def make_shape_room(self, shapes: int, vertices: int) -> None:
-        """Make room for so many shapes and vertices in all."""
-        rooms, taken = self.rooms, self.rooms.shapes
-        if shapes > rooms.shapes:
-            self.resize(shapes=max(shapes, rooms.shapes * 3 // 2))
-            self.world.state.body_of_shape[taken:] = rooms.slots - 1
-        if vertices > rooms.vertices:
-            self.resize(vertices=max(vertices, rooms.vertices * 3 // 2))
+    def reserve_shapes(self, shapes: int, vertices: int) -> None:
+        """Reserve rows for so many shapes and vertices in all."""
+        capacities, taken = self.capacities, self.capacities.shapes
+        if shapes > capacities.shapes:
+            self.resize(shapes=max(shapes, capacities.shapes * 3 // 2))
+            self.world.state.body_of_shape[taken:] = capacities.slots - 1
+        if vertices > capacities.vertices:
+            self.resize(vertices=max(vertices, capacities.vertices * 3 // 2))
 
     def set_pair_overrides(self, rows: Array) -> None:
         """Set what two shapes have together: rows (k, 4), sorted by shapes."""
@@ -109,8 +109,8 @@ class Store:
         self.revision += 1
         self.forget_addresses()
 
-    def _make_clip_room(self) -> None:
-        """Make room to clip the two shapes with most vertices."""
+    def _reserve_clip(self) -> None:
+        """Reserve rows to clip the two shapes with most vertices."""
         vertices = 2 * int(self.world.shapes.vertex_count.max(initial=0))
-        if vertices >= self.rooms.clip:
+        if vertices >= self.capacities.clip:
             self.resize(clip=vertices + 1)

@@ -59,9 +59,9 @@ class Sized:
 class Saved:
     """Marks an array of the saved state; all others follow from these, or hold nothing for long.
 
-    Whole numbers are from 0 on and less than `below`: a number, or a room whose rows they index.
-    Where that is so in some columns only, `below` has the bound of each. Other numbers are finite,
-    unless they may be infinite, or may be anything because each step looks at them first.
+    Whole numbers are from 0 on and less than `below`: a number, or the capacity whose rows they
+    index. Where that is so in some columns only, `below` has the bound of each. Other numbers are
+    finite, unless they may be infinite, or may be anything because each step looks at them first.
     """
 
     below: int | str | Mapping[int, int | str] | None = None
@@ -502,7 +502,7 @@ ANGULAR_MOMENTUM = _energy()  # kg m^2/s, around the root
 MOMENT_X = _energy()  # kg m, of the mass
 MOMENT_Y = _energy()
 MOMENT_OF_INERTIA = _energy()  # kg m^2
-CALM_FACTOR = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
+DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
 
 _islands = Columns()
 SLEEP_STEPS = _islands()  # slow steps until an island sleeps, 0 for never

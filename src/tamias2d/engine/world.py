@@ -24,7 +24,7 @@ from tamias2d.kernels.groups import array_type, fields_of, is_group
 
 
 @dataclass(frozen=True)
-class Rooms:
+class Capacities:
     """Capacities: the lengths of the axes of all arrays follow from these numbers."""
 
     slots: int = CHUNK  # one more than bodies, whole chunks
@@ -53,14 +53,14 @@ class Rooms:
         }
 
 
-def allocated(rooms: Rooms) -> World:
-    """Return a world of zeros with some rooms."""
-    return _with_views(_made(World, rooms.lengths(), None))
+def allocated(capacities: Capacities) -> World:
+    """Return a world of zeros with some capacities."""
+    return _with_views(_made(World, capacities.lengths(), None))
 
 
-def resized(world: World, rooms: Rooms) -> World:
-    """Return the world with other rooms: arrays keep what they hold, as far as it fits."""
-    return _with_views(_made(World, rooms.lengths(), world))
+def resized(world: World, capacities: Capacities) -> World:
+    """Return the world with other capacities: arrays keep what they hold, as far as it fits."""
+    return _with_views(_made(World, capacities.lengths(), world))
 
 
 def named_arrays(world: World) -> dict[str, NDArray[Any]]:

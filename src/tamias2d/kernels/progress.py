@@ -59,6 +59,7 @@ class _Shown:
         self.bar: Any = None
 
     def start(self) -> None:
+        """Print the line and begin the bar, once."""
         if self.started is not None:
             return
         self.started = time.perf_counter()

@@ -102,6 +102,7 @@ class _Reader:
         return Specification(by_id, table, titles, [role for c in chapters for role in c.roles])
 
     def declare(self, item: Item, found: dict[str, Any], make: Any) -> None:
+        """Make what an item declares, by name; report names that are taken or no names."""
         for name, data in item.data.items():
             if keyword.iskeyword(name):
                 text = f"'{name}' is a word of Python, and code could not use it. Rename it"

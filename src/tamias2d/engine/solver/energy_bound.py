@@ -5,12 +5,16 @@ have given it since; pushing overlaps apart costs nothing. Each contact is solve
 many hold the same bodies, together they may give more than there was.
 
 Of restitution an island keeps the largest share that the bound allows; of what is still too much
-its motion is calmed. The bound is tested where there is restitution, or where there is more energy
+its motion is damped. The bound is tested where there is restitution, or where there is more energy
 in all than there may be. Cost: some visits to each body.
 """
 
-from tamias2d.engine.solver.calming import calm, choose_islands_to_calm, sum_island_motions
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
+from tamias2d.engine.solver.island_damping import (
+    choose_islands_to_damp,
+    damp_islands,
+    sum_island_motions,
+)
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
     find_references,
@@ -101,9 +105,9 @@ def bound_energy(
     if choose_kept_shares(bodies, touching, constraints, islands):
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)
-    if choose_islands_to_calm(bodies, touching, constraints, islands):
+    if choose_islands_to_damp(bodies, touching, constraints, islands):
         sum_island_motions(bodies, touching, constraints, islands)
-        calm(bodies, touching, constraints, islands)
+        damp_islands(bodies, touching, constraints, islands)
 
 
 def sum_island_energies(

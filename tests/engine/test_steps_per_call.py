@@ -11,5 +11,5 @@ def test_calls_that_end_early_do_not_make_later_ones_longer() -> None:
     sim = Simulator(scene)
     sim.step(20_000)  # tens of bounces: the disc is alone after each, which ends a call
     most = 2 * 1000  # no flight and no stay near the ground is longer than 1000 steps
-    assert sim._engine._pace.most < most
-    assert sim._engine._ballistic_pace.most < most
+    assert sim._engine._steps_per_call.most < most
+    assert sim._engine._ballistic_steps_per_call.most < most

@@ -1,4 +1,4 @@
-"""Calming: islands with too much energy come nearer to moving as one (DD37).
+"""Damping: islands with too much energy come nearer to moving as one (DD37).
 
 A free island comes nearer to its rigid motion, with its momentum and angular momentum, an island
 with a support to the motion of that. Cost: some visits to each body.
@@ -9,7 +9,7 @@ from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_MORE, is_root, ref
 from tamias2d.engine.tables import (
     ACTIVE,
     ANGULAR_MOMENTUM,
-    CALM_FACTOR,
+    DAMPED_SHARE,
     DYNAMIC,
     ENERGY_BOUND,
     ENERGY_KEPT,
@@ -53,7 +53,7 @@ from tamias2d.generated.island_energy import (
 from tamias2d.state import Array
 
 
-def choose_islands_to_calm(
+def choose_islands_to_damp(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> bool:
     """Choose the islands that still have too much energy; return whether there are any."""
@@ -64,7 +64,7 @@ def choose_islands_to_calm(
             row = islands.energy[i]
             bounded = row[SUPPORT] != SUPPORTED_BY_MORE
             much = bounded and row[ENERGY_KEPT] > row[ENERGY_BOUND] * (1.0 + GRACE)
-            row[CALM_FACTOR] = 0.0 if much else 1.0
+            row[DAMPED_SHARE] = 0.0 if much else 1.0
             some = some or much
     return some
 
@@ -72,7 +72,7 @@ def choose_islands_to_calm(
 def sum_island_motions(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
-    """Find the rigid motion of the chosen islands, and how far they are calmed."""
+    """Find the rigid motion of the chosen islands, and how far they are damped."""
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
@@ -81,11 +81,11 @@ def sum_island_motions(
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
         row = islands.energy[islands.links[i, ROOT]]
-        if bodies.kind[i] == DYNAMIC and row[CALM_FACTOR] != 1.0 and row[SUPPORT] == FREE:
+        if bodies.kind[i] == DYNAMIC and row[DAMPED_SHARE] != 1.0 and row[SUPPORT] == FREE:
             sum_body_motion(i, islands.links[i, ROOT], bodies, row)
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
-        if is_root(i, bodies, islands) and islands.energy[i, CALM_FACTOR] != 1.0:
+        if is_root(i, bodies, islands) and islands.energy[i, DAMPED_SHARE] != 1.0:
             find_rigid_motion(islands.energy[i])
 
 
@@ -121,17 +121,19 @@ def find_rigid_motion(row: Array) -> None:
         row[REFERENCE] += by_x
         row[REFERENCE + 1] += by_y
         row[REFERENCE + 2] = spin
-    row[CALM_FACTOR] = 0.0
+    row[DAMPED_SHARE] = 0.0
     if row[ENERGY_BOUND] > least and row[ENERGY_KEPT] > least:
-        row[CALM_FACTOR] = damped_share(row[ENERGY_KEPT], row[ENERGY_BOUND], least)
+        row[DAMPED_SHARE] = damped_share(row[ENERGY_KEPT], row[ENERGY_BOUND], least)
 
 
-def calm(bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands) -> None:
+def damp_islands(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> None:
     """Scale the motion of bodies relative to the reference of their island."""
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
         if bodies.kind[i] == DYNAMIC:
-            factor = islands.energy[islands.links[i, ROOT], CALM_FACTOR]
+            factor = islands.energy[islands.links[i, ROOT], DAMPED_SHARE]
             if factor < 1.0:
                 velocity, spin = reference_at(i, bodies, islands)
                 now = bodies.motion[i]

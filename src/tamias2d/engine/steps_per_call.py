@@ -5,7 +5,7 @@ from time import perf_counter
 _LONGEST = 0.05  # s
 
 
-class Pace:
+class StepsPerCall:
     """The number of steps for a call; where only one step is wanted, nothing is timed."""
 
     def __init__(self) -> None:
