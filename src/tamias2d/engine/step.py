@@ -19,6 +19,7 @@ from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, solve_continuous
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
+from tamias2d.engine.parts import begin_part, end_part, shorten_part
 from tamias2d.engine.sleep import (
     fall_asleep,
     hold_sleeping,
@@ -40,12 +41,15 @@ from tamias2d.engine.tables import (
     IN_FLIGHT,
     INVALID,
     KINEMATIC,
+    LEVEL,
     LIST_HOLDS,
     MANIFOLDS_KNOWN,
+    MOST_LEVEL,
     OUT_OF_BOUNDS,
     OVERFLOWED,
     PAIRS_KNOWN,
     PAIRS_STALE,
+    PART_TIME,
     SLEEP_STEPS,
     SLEEPING,
     STAGE,
@@ -53,6 +57,7 @@ from tamias2d.engine.tables import (
     STEPS_LEFT,
     STEPS_SINCE,
     STEPS_TAKEN,
+    TICK,
     UPDATES_LEFT,
     World,
 )
@@ -84,7 +89,18 @@ def step(world: World) -> int:
 
 
 def take_step(world: World) -> int:
-    """Take one step, or return which array is too short; called again, it continues.
+    """Take one step by its parts, or return which array is too short."""
+    ended = False
+    while not ended:
+        status = take_part(world)
+        if status != DONE:
+            return status
+        ended = end_part(world)
+    return DONE
+
+
+def take_part(world: World) -> int:
+    """Take a part of a step, or return which array is too short; called again, it continues.
 
     The stages stand in one function, because each level of calls is compiled once more.
     """
@@ -92,6 +108,7 @@ def take_step(world: World) -> int:
     broad_phase, buffers, touching = world.broad_phase, world.buffers, world.touching
     counts = control.counts
     if counts[STAGE] == AT_START:
+        begin_part(world)
         left = find_moved(world)
         counts[STAGE] = PAIRS_KNOWN if update_pairs(left, world) else PAIRS_STALE
     if counts[STAGE] == PAIRS_STALE:
@@ -101,12 +118,11 @@ def take_step(world: World) -> int:
         counts[STAGE] = PAIRS_KNOWN
     contacts = current_contacts(broad_phase, buffers)
     if counts[STAGE] == PAIRS_KNOWN:
-        again = False
-        while not again or (
-            islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands)
-        ):
-            find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
-            again = True
+        shorten_part(world, contacts)
+        again = counts[TICK] > 0
+        find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
+        while islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands):
+            find_touching(True, control, bodies, shapes, broad_phase, contacts, touching, islands)
         counts[STAGE] = MANIFOLDS_KNOWN
     if counts[STAGE] == MANIFOLDS_KNOWN:
         status = arrange(world, contacts)
@@ -129,7 +145,8 @@ def take_step(world: World) -> int:
         )
         control.progress[FLOWN] = flown
         counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
-    if islands.counts[SLEEP_STEPS] > 0:
+    last = counts[TICK] + (1 << (MOST_LEVEL - counts[LEVEL])) == 1 << MOST_LEVEL
+    if islands.counts[SLEEP_STEPS] > 0 and last:
         fall_asleep(control, bodies, islands)
     broad_phase.counts[STEPS_SINCE] += 1
     counts[STAGE] = AT_START
@@ -142,7 +159,7 @@ def find_moved(world: World) -> int:
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
         update_sleep(world.control, bodies, broad_phase, contacts, islands)
-    left = mark_out_of_bounds(bodies, broad_phase)
+    left = mark_out_of_bounds(world.control.progress[PART_TIME], bodies, broad_phase)
     all_needed = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
     turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
     return left

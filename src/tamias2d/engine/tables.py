@@ -73,7 +73,7 @@ class Saved:
 _settings = Columns()
 GRAVITY_X = _settings()  # m/s^2
 GRAVITY_Y = _settings()  # m/s^2
-TIME_STEP = _settings()  # s
+TIME_STEP = _settings()  # s, of a whole step
 
 _control = Columns()
 SUBSTEPS = _control()  # of a step
@@ -82,11 +82,20 @@ CHECKED = _control()  # 1 if the values that users can set have been checked
 STAGE = _control()  # at which the step continues, one of those below
 ROWS_NEEDED = _control()  # by the array that was too short
 STEPS_TAKEN = _control()  # since the start
+TICK = _control()  # at which a part of the step begins; a step has 2**MOST_LEVEL of them
+LEVEL = _control()  # a part is this power of a half of the step
+LAST_LEVEL = _control()  # of the last part of the step before
+PART_SUBSTEPS = _control()  # of a part
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
+
+MOST_LEVEL = 10  # a step has up to 1024 parts
 
 _progress = Columns()
 FLOWN = _progress()  # fraction of the step that continuous collision has done
 UPDATES_LEFT = _progress()  # updates of the contact list that continuous collision may still make
+PART_TIME = _progress()  # s, of a part of the step
+SUBSTEP = _progress()  # s, of the last part that was solved
+IMPULSE_RATIO = _progress()  # of the length of a substep to that of the part before
 
 # status of a step: done, an array that is too short, a value that is not valid, done with no
 # contact on the list, or done though a body has numbers that are not finite
@@ -101,6 +110,7 @@ class Control(NamedTuple):
     settings: Annotated[Floats, Sized(_settings.width), Saved(numbers="any")]
     counts: Annotated[Ranks, Sized(_control.width)]
     progress: Annotated[Floats, Sized(_progress.width)]
+    wanted: Annotated[Ranks, Sized(MOST_LEVEL + 1)]  # pairs that want a part of each level
 
 
 # -- bodies
@@ -182,6 +192,10 @@ class Bodies(NamedTuple):
     properties: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
     kind: Annotated[Bytes, Sized("slots")]
     propagators: Annotated[FloatRows, Sized("propagators", _propagators.width)]
+    # of each level of parts
+    propagators_of_level: Annotated[
+        FloatBlocks, Sized(MOST_LEVEL + 1, "propagators", _propagators.width)
+    ]
     substep_state: Annotated[FloatRows, Sized("slots", 16)]  # two cache lines; read by the solver
     flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
     moved: Annotated[Bytes, Sized("slots")]  # 1 if the solver, or sleep, has moved it in this step

@@ -26,6 +26,7 @@ from tamias2d.engine.tables import (
     KINEMATIC,
     LOW_X,
     LOW_Y,
+    MIN_EXTENT,
     SPIN,
     STATIC,
     VX,
@@ -38,14 +39,16 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.state import Array
 
+FAST = 0.35  # of half its width: a body that goes farther in a step needs continuous collision
 AABB_MARGIN = 0.1  # of the bounding radius, or of the mean one if that is less
 
 
-def mark_out_of_bounds(bodies: Bodies, broad_phase: BroadPhase) -> int:
-    """Mark the bodies that have left their bounds; return how many."""
+def mark_out_of_bounds(time: float, bodies: Bodies, broad_phase: BroadPhase) -> int:
+    """Mark the bodies that have left their bounds, or will within a time, s; return how many."""
     left = 0
     for i in range(len(bodies.kind)):
-        broad_phase.left[i] = 1 if is_out_of_bounds(i, bodies, broad_phase) else 0
+        out = is_out_of_bounds(i, bodies, broad_phase) or will_leave(i, time, bodies, broad_phase)
+        broad_phase.left[i] = 1 if out else 0
         left += broad_phase.left[i]
     return left
 
@@ -57,6 +60,17 @@ def is_out_of_bounds(i: int, bodies: Bodies, broad_phase: BroadPhase) -> bool:
     inside = within_bounds(x, y, bounds)
     inside = inside & (abs(pose[ANGLE] - bounds[BASE_ANGLE]) <= bounds[ANGLE_MARGIN])
     return bool((not inside) & (bodies.kind[i] != ABSENT))
+
+
+def will_leave(i: int, time: float, bodies: Bodies, broad_phase: BroadPhase) -> bool:
+    """Return whether a body goes far in a time, s, and leaves its bounds at its velocity."""
+    motion, frame = bodies.motion[i], broad_phase.frame
+    by_x, by_y = time * motion[VX], time * motion[VY]
+    if abs(by_x) + abs(by_y) <= FAST * bodies.properties[i, MIN_EXTENT]:
+        return False
+    x = bodies.pose[i, X] + by_x - frame[FRAME_X] - time * frame[FRAME_VX]
+    y = bodies.pose[i, Y] + by_y - frame[FRAME_Y] - time * frame[FRAME_VY]
+    return not within_bounds(x, y, broad_phase.fat_bounds[i])
 
 
 def within_bounds(x: float, y: float, bounds: Array) -> bool:

@@ -38,13 +38,13 @@ from tamias2d.engine.tables import (
     GRAVITY_Y,
     HALF_PLANE,
     MIN_EXTENT,
+    PART_TIME,
     PATH_EXCESS,
     PATH_LENGTH,
     REDIRECTED,
     SLOT_A,
     SLOT_B,
     SUPPORTED,
-    TIME_STEP,
     TOURNAMENT,
     WINNER,
     Bodies,
@@ -154,7 +154,7 @@ def handle_meeting(
         changed = resolve_impact(p, now, control, bodies, shapes, contacts, events)
         if not changed:
             s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-            later = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+            later = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
     if not changed:  # a pair that meets where it is does not approach
         events.times[len(bodies.kind) + p] = later if later > now else MISSED
     return changed

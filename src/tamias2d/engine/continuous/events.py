@@ -27,6 +27,7 @@ from tamias2d.engine.tables import (
     MIN_EXTENT,
     NX,
     NY,
+    PART_TIME,
     PATH_EXCESS,
     PATH_LENGTH,
     POINT_COUNT,
@@ -35,7 +36,6 @@ from tamias2d.engine.tables import (
     SHAPE_RADIUS,
     SLOT_A,
     SLOT_B,
-    TIME_STEP,
     Bodies,
     BroadPhase,
     Contacts,
@@ -78,7 +78,7 @@ def find_events(
         if senses(s, t, shapes.filters):
             continue
         if redirected or may_pass(p, i, j, reach, bodies, contacts):
-            time = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+            time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
             events.times[body_count + p] = time
             found += time <= 1.0
     return found
@@ -171,7 +171,7 @@ def update_events_of(
         time = MISSED
         reach = smaller_radius(s, t, shapes.material)
         if not harmless(a, b, now, shallow, reach, bodies):
-            time = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+            time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         events.times[body_count + p] = time
         update_event(body_count + p, event_count, events.times, events.queue)
 

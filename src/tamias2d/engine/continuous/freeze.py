@@ -10,8 +10,8 @@ from tamias2d.engine.tables import (
     DX,
     DY,
     DYNAMIC,
+    PART_TIME,
     REDIRECTED,
-    TIME_STEP,
     Bodies,
     Control,
     Integers,
@@ -84,7 +84,7 @@ def redirect(i: int, now: float, to: Vector, turn: float, control: Control, bodi
 
     But what forces have given it for the part of its path that it does not go is taken back.
     """
-    left, time_step = 1.0 - now, control.settings[TIME_STEP]
+    left, time_step = 1.0 - now, control.progress[PART_TIME]
     before = work_ahead(i, left, control, bodies)
     by = (to[0] - bodies.motion[i, DX], to[1] - bodies.motion[i, DY])
     redirect_path(i, now, by, turn - bodies.motion[i, DANGLE], bodies.pose, bodies.motion)

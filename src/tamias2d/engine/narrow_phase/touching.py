@@ -8,6 +8,7 @@ from tamias2d.engine.tables import (
     GAP,
     IS_TOUCHING,
     ISLANDS_KNOWN,
+    PART_TIME,
     POINT,
     POINT_COUNT,
     SENSOR,
@@ -16,7 +17,6 @@ from tamias2d.engine.tables import (
     SLOT_A,
     SLOT_B,
     SPIN,
-    TIME_STEP,
     TOUCHES,
     TOUCHING,
     VX,
@@ -103,7 +103,7 @@ def speculative_margin(
     It follows the motion of a step, up to a fraction of the smaller radius, and is 0 for a fast
     pair.
     """
-    motion, time_step = bodies.motion, control.settings[TIME_STEP]
+    motion, time_step = bodies.motion, control.progress[PART_TIME]
     speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
     distance = speed * time_step
     turn_a = (

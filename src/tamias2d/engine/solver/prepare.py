@@ -7,6 +7,7 @@ from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import (
     FIRST_POINT,
     GAP,
+    IMPULSE_RATIO,
     LANES,
     NORMAL_IMPULSE,
     NX,
@@ -47,6 +48,7 @@ from tamias2d.engine.tables import (
     Bodies,
     Constraints,
     Contacts,
+    Control,
     Integers,
     Touching,
     X,
@@ -82,12 +84,14 @@ FASTEST = 0.02  # of the smaller radius: how far an overlap is pushed apart in a
 def fill_blocks(
     first: int,
     last: int,
+    control: Control,
     bodies: Bodies,
     contacts: Contacts,
     touching: Touching,
     constraints: Constraints,
 ) -> None:
     """Write the manifolds of touching contacts, which are listed by slabs."""
+    ratio = control.progress[IMPULSE_RATIO]
     for place in range(first, last):
         k = touching.by_slab[place]
         i, j = touching.body_a[k], touching.body_b[k]
@@ -98,7 +102,7 @@ def fill_blocks(
         for n in range(points_of(k, touching)):
             at = SHARED + n * POINT_SIZE + m
             fill_arms(m, n, delta, manifold, row)
-            fill_impulses(m, n, manifold, row)
+            fill_impulses(m, n, ratio, manifold, row)
             if row[R_RESTITUTION + m] > 0.0:
                 row[at + P_APPROACH] = approach_velocity(
                     m, at, row, bodies.substep_state[i], bodies.substep_state[j]
@@ -125,7 +129,7 @@ def fill_arms(m: int, n: int, delta: Vector, manifold: Array, row: Array) -> Non
 
 
 @inlined
-def fill_impulses(m: int, n: int, manifold: Array, row: Array) -> None:
+def fill_impulses(m: int, n: int, ratio: float, manifold: Array, row: Array) -> None:
     """Write the gap and the impulses of a point, and learn the preload."""
     at, to, radius = SHARED + n * POINT_SIZE + m, POINT * n, row[R_SMALLER_RADIUS + m]
     gap, preload = manifold[GAP + to], 0.0
@@ -134,8 +138,8 @@ def fill_impulses(m: int, n: int, manifold: Array, row: Array) -> None:
         preload = preload_later(before, gap, LEARNT, ALLOWED * radius, PRELOADED * radius)
     manifold[PRELOAD + to] = preload
     row[at + P_GAP] = gap - preload
-    row[at + P_NORMAL_IMPULSE] = manifold[NORMAL_IMPULSE + to]
-    row[at + P_TANGENT_IMPULSE] = manifold[TANGENT_IMPULSE + to]
+    row[at + P_NORMAL_IMPULSE] = ratio * manifold[NORMAL_IMPULSE + to]
+    row[at + P_TANGENT_IMPULSE] = ratio * manifold[TANGENT_IMPULSE + to]
     row[at + P_TOTAL_IMPULSE] = 0.0
 
 
