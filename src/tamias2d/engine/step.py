@@ -43,13 +43,13 @@ from tamias2d.engine.tables import (
     KINEMATIC,
     LEVEL,
     LIST_HOLDS,
+    LOCATED_PAIRS,
     MANIFOLDS_KNOWN,
     MOST_LEVEL,
     OUT_OF_BOUNDS,
     OVERFLOWED,
     PAIRS_KNOWN,
     PAIRS_STALE,
-    PART_TIME,
     SLEEP_STEPS,
     SLEEPING,
     STAGE,
@@ -159,7 +159,7 @@ def find_moved(world: World) -> int:
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
         update_sleep(world.control, bodies, broad_phase, contacts, islands)
-    left = mark_out_of_bounds(world.control.progress[PART_TIME], bodies, broad_phase)
+    left = mark_out_of_bounds(world.control, bodies, broad_phase)
     all_needed = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
     turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
     return left
@@ -178,7 +178,7 @@ def integrate(world: World) -> int:
     move_frame(broad_phase)
     progress = world.control.progress
     progress[FLOWN], progress[UPDATES_LEFT] = 0.0, MOST_UPDATES
-    if not far:
+    if not far and world.touching.counts[LOCATED_PAIRS] == 0:
         return ARRIVING
     leaving = mark_leaving_bounds(bodies, broad_phase)
     return OUT_OF_BOUNDS if leaving > 0 or left_by_frame(bodies, broad_phase) else IN_FLIGHT

@@ -166,6 +166,9 @@ PATH_LENGTH = _flight()  # m, that some point of the body goes
 PATH_EXCESS = _flight()  # m, by which that is more than its thickness
 
 
+UNMOVED, MOVED, UNTOUCHED = range(3)  # by the solver, or sleep; the last: no contact changed it
+
+
 class BodyState(NamedTuple):
     """Bodies as users see and set them, in the order of adding; read as a batch of steps begins."""
 
@@ -198,7 +201,7 @@ class Bodies(NamedTuple):
     ]
     substep_state: Annotated[FloatRows, Sized("slots", 16)]  # two cache lines; read by the solver
     flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
-    moved: Annotated[Bytes, Sized("slots")]  # 1 if the solver, or sleep, has moved it in this step
+    moved: Annotated[Bytes, Sized("slots")]  # by the solver, or sleep, in this step: see above
 
 
 # -- shapes
@@ -338,6 +341,8 @@ POINT_COUNT = _flags()
 FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
+LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
+SPENT = 15  # LOCATED of a contact that has had its share of these impacts
 IS_TOUCHING, WAS_TOUCHING = 1, 2  # bits of TOUCHES: in this step, in the last one
 
 
@@ -359,7 +364,7 @@ class Contacts(NamedTuple):
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),
-        Saved({POINT_COUNT: 3, TOUCHES: 4, CACHED_AXIS: 2**31}),
+        Saved({POINT_COUNT: 3, TOUCHES: 4, CACHED_AXIS: 2**31, LOCATED: 16}),
     ]
 
 
@@ -367,12 +372,17 @@ _touching = Columns()
 TOUCHING = _touching()  # contacts that touch
 ARRANGED = _touching()  # 1 if slabs, blocks and trees are those of these contacts
 ISLANDS_KNOWN = _touching()  # 1 if islands are
+LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
+
+
+ALL, LASTING = range(2)  # columns of near: contacts that touch or will, those that touched before
 
 
 class Touching(NamedTuple):
     """The contacts that touch, in canonical order; read by the solvers and by sleep."""
 
     counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
+    near: Annotated[IndexRows, Sized("slots", 2)]  # contacts of each body, see below
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
     body_a: Annotated[Places, Sized("contacts")]  # slot
     body_b: Annotated[Places, Sized("contacts")]  # slot

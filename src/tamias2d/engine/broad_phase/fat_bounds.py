@@ -27,12 +27,14 @@ from tamias2d.engine.tables import (
     LOW_X,
     LOW_Y,
     MIN_EXTENT,
+    PART_TIME,
     SPIN,
     STATIC,
     VX,
     VY,
     Bodies,
     BroadPhase,
+    Control,
     Integers,
     X,
     Y,
@@ -43,11 +45,13 @@ FAST = 0.35  # of half its width: a body that goes farther in a step needs conti
 AABB_MARGIN = 0.1  # of the bounding radius, or of the mean one if that is less
 
 
-def mark_out_of_bounds(time: float, bodies: Bodies, broad_phase: BroadPhase) -> int:
+def mark_out_of_bounds(control: Control, bodies: Bodies, broad_phase: BroadPhase) -> int:
     """Mark the bodies that have left their bounds, or will within a time, s; return how many."""
-    left = 0
+    time, left = control.progress[PART_TIME], 0
     for i in range(len(bodies.kind)):
-        out = is_out_of_bounds(i, bodies, broad_phase) or will_leave(i, time, bodies, broad_phase)
+        out = is_out_of_bounds(i, bodies, broad_phase)
+        if will_go_far(i, time, bodies):
+            out = out or will_leave(i, time, bodies, broad_phase)
         broad_phase.left[i] = 1 if out else 0
         left += broad_phase.left[i]
     return left
@@ -62,14 +66,18 @@ def is_out_of_bounds(i: int, bodies: Bodies, broad_phase: BroadPhase) -> bool:
     return bool((not inside) & (bodies.kind[i] != ABSENT))
 
 
+def will_go_far(i: int, time: float, bodies: Bodies) -> bool:
+    """Return whether a body goes farther in a time, s, than a fraction of its width."""
+    motion = bodies.motion[i]
+    by = time * (abs(motion[VX]) + abs(motion[VY]))
+    return bool(by > FAST * bodies.properties[i, MIN_EXTENT])
+
+
 def will_leave(i: int, time: float, bodies: Bodies, broad_phase: BroadPhase) -> bool:
-    """Return whether a body goes far in a time, s, and leaves its bounds at its velocity."""
-    motion, frame = bodies.motion[i], broad_phase.frame
-    by_x, by_y = time * motion[VX], time * motion[VY]
-    if abs(by_x) + abs(by_y) <= FAST * bodies.properties[i, MIN_EXTENT]:
-        return False
-    x = bodies.pose[i, X] + by_x - frame[FRAME_X] - time * frame[FRAME_VX]
-    y = bodies.pose[i, Y] + by_y - frame[FRAME_Y] - time * frame[FRAME_VY]
+    """Return whether a body leaves its bounds in a time, s, at its velocity."""
+    pose, motion, frame = bodies.pose[i], bodies.motion[i], broad_phase.frame
+    x = pose[X] - frame[FRAME_X] + time * (motion[VX] - frame[FRAME_VX])
+    y = pose[Y] - frame[FRAME_Y] + time * (motion[VY] - frame[FRAME_VY])
     return not within_bounds(x, y, broad_phase.fat_bounds[i])
 
 

@@ -37,6 +37,7 @@ from tamias2d.engine.tables import (
     GRAVITY_X,
     GRAVITY_Y,
     HALF_PLANE,
+    LOCATED,
     MIN_EXTENT,
     PART_TIME,
     PATH_EXCESS,
@@ -44,6 +45,7 @@ from tamias2d.engine.tables import (
     REDIRECTED,
     SLOT_A,
     SLOT_B,
+    SPENT,
     SUPPORTED,
     TOURNAMENT,
     WINNER,
@@ -52,6 +54,7 @@ from tamias2d.engine.tables import (
     Contacts,
     Control,
     Events,
+    Integers,
     Shapes,
 )
 
@@ -103,6 +106,7 @@ def solve_continuous(
             p, frozen = event - body_count, impacts_left <= 0
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
+            count_located(contacts.flags[p])
             if not handle_meeting(p, now, frozen, control, bodies, shapes, contacts, events):
                 update_event(event, event_count, events.times, events.queue)
                 continue
@@ -114,6 +118,12 @@ def solve_continuous(
                 control, bodies, shapes, broad_phase, contacts, events,
             )  # fmt: skip
     return MISSED
+
+
+def count_located(flags: Integers) -> None:
+    """Count an impact of a contact whose impacts are located."""
+    if 0 < flags[LOCATED] < SPENT:
+        flags[LOCATED] = flags[LOCATED] - 1 if flags[LOCATED] > 1 else SPENT
 
 
 def begin_continuous(control: Control, bodies: Bodies) -> None:

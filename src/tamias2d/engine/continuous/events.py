@@ -24,6 +24,7 @@ from tamias2d.engine.tables import (
     DYNAMIC,
     FIRST_OF_BODY,
     HALF_PLANE,
+    LOCATED,
     MIN_EXTENT,
     NX,
     NY,
@@ -36,6 +37,7 @@ from tamias2d.engine.tables import (
     SHAPE_RADIUS,
     SLOT_A,
     SLOT_B,
+    SPENT,
     Bodies,
     BroadPhase,
     Contacts,
@@ -73,11 +75,12 @@ def find_events(
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         redirected = bodies.flight[i, REDIRECTED] + bodies.flight[j, REDIRECTED] > 0.0
         reach = smaller_radius(s, t, shapes.material)
-        if not redirected and stay_near(bodies.flight[i], bodies.flight[j], reach):
+        located = 0 < contacts.flags[p, LOCATED] < SPENT
+        if not (redirected or located) and stay_near(bodies.flight[i], bodies.flight[j], reach):
             continue
         if senses(s, t, shapes.filters):
             continue
-        if redirected or may_pass(p, i, j, reach, bodies, contacts):
+        if redirected or located or may_pass(p, i, j, reach, bodies, contacts):
             time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
             events.times[body_count + p] = time
             found += time <= 1.0
@@ -170,19 +173,22 @@ def update_events_of(
             continue
         time = MISSED
         reach = smaller_radius(s, t, shapes.material)
-        if not harmless(a, b, now, shallow, reach, bodies):
+        kept = bodies.kind[a] == bodies.kind[b] and goes_little(a, b, now, shallow, reach, bodies)
+        if contacts.flags[p, LOCATED] == SPENT:
+            kept = goes_little(a, b, now, 1.0, reach, bodies)
+        if not kept:
             time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         events.times[body_count + p] = time
         update_event(body_count + p, event_count, events.times, events.queue)
 
 
-def harmless(i: int, j: int, now: float, shallow: float, reach: float, bodies: Bodies) -> bool:
-    """Return whether two bodies of a kind come together by no more than a share of the depth."""
+def goes_little(i: int, j: int, now: float, share: float, reach: float, bodies: Bodies) -> bool:
+    """Return whether two bodies come together by no more than a share of the allowed depth."""
     motion = bodies.motion
     by = abs(motion[j, DX] - motion[i, DX]) + abs(motion[j, DY] - motion[i, DY])
     by += turning_reach(i, j, motion, bodies.properties)
     deep = allowed_depth(i, j, reach, bodies.properties)
-    return bool(bodies.kind[i] == bodies.kind[j] and by * (1.0 - now) <= shallow * deep)
+    return bool(by * (1.0 - now) <= share * deep)
 
 
 def next_event(

@@ -2,15 +2,27 @@
 
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import (
+    ALL,
     ARRANGED,
     AWAKE,
     CONTACTS,
+    DYNAMIC,
     GAP,
+    GRAVITY_X,
+    GRAVITY_Y,
     IS_TOUCHING,
     ISLANDS_KNOWN,
+    LASTING,
+    LOCATED,
+    LOCATED_PAIRS,
+    NX,
+    NY,
+    PART_SUBSTEPS,
     PART_TIME,
     POINT,
     POINT_COUNT,
+    PX,
+    PY,
     SENSOR,
     SHAPE_RADIUS,
     SLEEPING,
@@ -33,12 +45,14 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
+from tamias2d.generated.soft_contact import row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 # fractions of the smaller bounding radius of two shapes
 CLOSE = 0.02  # the gap below which there is a contact already
 AHEAD = 0.1  # the most by which the motion of a step raises that
+MOST_LOCATED = 4  # impacts of a pair in a part whose instants are found
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 
 
@@ -57,11 +71,12 @@ def find_touching(
     Flags of the last step are aged, unless they were found in this step already. If the contacts
     are those of the last step, with as many points, their arrangement holds.
     """
-    total = 0
+    total = marked = 0
     same = touching.counts[ARRANGED] == 1
     for p in range(broad_phase.counts[CONTACTS]):
         if contacts.flags[p, TOUCHES] != 0 and not again:
             contacts.flags[p, TOUCHES] = WAS_TOUCHING * (contacts.flags[p, TOUCHES] & IS_TOUCHING)
+        contacts.flags[p, LOCATED] = 0
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         if islands.counts[SLEEPING] > 0 and islands.links[i, AWAKE] + islands.links[j, AWAKE] == 0:
@@ -69,22 +84,100 @@ def find_touching(
         x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
         radius_s, radius_t = shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
         smaller = min(radius_s, radius_t)
-        radii = radius_s + radius_t + (CLOSE + AHEAD) * smaller
+        margin = speculative_margin(i, j, s, t, smaller, control, bodies, shapes)
+        radii = radius_s + radius_t + margin
         if x * x + y * y > radii * radii and contacts.flags[p, POINT_COUNT] == 0:
             continue
-        margin = speculative_margin(i, j, s, t, smaller, control, bodies, shapes)
         count = collide(p, s, t, x, y, margin, shapes, contacts)
         if count == 0:
             continue
         if shapes.filters[s, SENSOR] == 0 and shapes.filters[t, SENSOR] == 0:
+            meets = contacts.flags[p, TOUCHES] == 0 and will_meet(
+                p, i, j, count, control, bodies, contacts
+            )
+            if not meets and least_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
+                continue
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
             total += 1
+            if meets:
+                contacts.flags[p, LOCATED] = MOST_LOCATED
+                marked += 1
         else:
             mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
+    listed = total
+    if marked > 0:
+        total = leave_located(total, bodies, contacts, touching)
+        same = same & (total == listed)
     if not same or touching.counts[TOUCHING] != total:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
     touching.counts[TOUCHING] = total
+    touching.counts[LOCATED_PAIRS] = listed - total
+
+
+def least_gap(manifold: Array, count: int) -> float:
+    """Return the smallest gap of some points, m."""
+    gap: float = manifold[GAP]
+    return min(gap, manifold[GAP + POINT]) if count == 2 else gap
+
+
+def will_meet(
+    p: int, i: int, j: int, count: int, control: Control, bodies: Bodies, contacts: Contacts
+) -> bool:
+    """Return whether two bodies that are apart meet in this part, faster than gravity lets them."""
+    manifold, time = contacts.manifolds[p], control.progress[PART_TIME]
+    seen = time + time / control.counts[PART_SUBSTEPS]  # relaxing looks a substep ahead
+    a, b = bodies.motion[i], bodies.motion[j]
+    pull = 0.0
+    if bodies.kind[i] != bodies.kind[j]:
+        pull = time * (abs(control.settings[GRAVITY_X]) + abs(control.settings[GRAVITY_Y]))
+    meets = False
+    for n in range(count):
+        gap = manifold[GAP + n * POINT]
+        if gap <= 0.0:
+            return False
+        x, y = manifold[PX + n * POINT], manifold[PY + n * POINT]
+        dx, dy = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
+        normal = (manifold[NX], manifold[NY])
+        speed = row_velocity(
+            (a[VX], a[VY]), a[SPIN], turning_arm((x, y), normal),
+            (b[VX], b[VY]), b[SPIN], turning_arm((x - dx, y - dy), normal), normal,
+        )  # fmt: skip
+        meets = meets | ((speed < -2.0 * pull) & (gap + (speed - pull) * seen < 0.0))
+    return bool(meets)
+
+
+def leave_located(total: int, bodies: Bodies, contacts: Contacts, touching: Touching) -> int:
+    """Leave impacts to continuous collision where no other contact acts; return how many stay.
+
+    Where both restitutions are high, those of bodies that nothing holds.
+    """
+    near = touching.near
+    for k in range(total):
+        for n in range(2):
+            near[touching.body_a[k], n] = near[touching.body_b[k], n] = 0
+    for k in range(total):
+        lasting = 1 if contacts.flags[touching.contact[k], LOCATED] == 0 else 0
+        for i in (touching.body_a[k], touching.body_b[k]):
+            near[i, ALL] += 1
+            near[i, LASTING] += lasting
+    stay = 0
+    for k in range(total):
+        p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
+        if contacts.flags[p, LOCATED] > 0 and is_alone(i, j, bodies, touching):
+            continue
+        contacts.flags[p, LOCATED] = 0
+        touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
+        stay += 1
+    return stay
+
+
+def is_alone(i: int, j: int, bodies: Bodies, touching: Touching) -> bool:
+    """Return whether nothing but the contact of two bodies acts on them."""
+    alone = True
+    for k in (i, j):
+        alone = alone & ((bodies.kind[k] != DYNAMIC) | (touching.near[k, ALL] == 1))
+    return bool(alone)
 
 
 @inlined
@@ -118,7 +211,7 @@ def speculative_margin(
     )
     if distance + (turn_a + turn_b) * time_step > BULLET * smaller:
         return 0.0
-    return CLOSE * smaller + min(distance, AHEAD * smaller)
+    return CLOSE * smaller + distance
 
 
 @inlined

@@ -4,6 +4,7 @@ It is a cheap test, and nearly always all that is needed where there is no resti
 """
 
 from tamias2d.engine.tables import (
+    CONTACT_CHANGE,
     DANGLE,
     DX,
     DY,
@@ -15,9 +16,11 @@ from tamias2d.engine.tables import (
     INVERSE_MASS,
     SPIN,
     STEP_START,
+    SUBSTEP_START,
     TOTAL_ENERGY_NOW,
     TOTAL_ENERGY_START,
     TOTAL_WORK,
+    UNTOUCHED,
     VX,
     VY,
     Bodies,
@@ -45,6 +48,8 @@ def sum_step_energy(
         if bodies.kind[i] != DYNAMIC:
             energy[TOTAL_WORK] = UNLIMITED
             continue
+        if unchanged_by_contacts(then, now):
+            bodies.moved[i] = UNTOUCHED
         mass, inertia = mass_and_inertia(i, bodies.properties)
         velocity = (then[STEP_START], then[STEP_START + 1])
         energy[TOTAL_ENERGY_START] += kinetic_energy(mass, velocity, inertia, then[STEP_START + 2])
@@ -52,6 +57,14 @@ def sum_step_energy(
         energy[TOTAL_ENERGY_NOW] += kinetic_energy(mass, velocity, inertia, now[SPIN])
         force, shift = (load[0], load[1]), (now[DX], now[DY])
         energy[TOTAL_WORK] += work(mass, gravity, force, load[2], shift, now[DANGLE])
+
+
+def unchanged_by_contacts(state: Array, motion: Array) -> bool:
+    """Return whether no contact has changed the velocity of a body in its substeps."""
+    same = True
+    for n in range(3):
+        same = same & (state[CONTACT_CHANGE + n] == 0.0) & (motion[n] == state[SUBSTEP_START + n])
+    return bool(same)
 
 
 def makes_energy(energy: Array) -> bool:
