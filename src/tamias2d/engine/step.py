@@ -17,6 +17,7 @@ from tamias2d.engine.broad_phase.pairs import rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, solve_continuous
+from tamias2d.engine.continuous.prediction import foresee
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
 from tamias2d.engine.parts import begin_part, end_part, shorten_part
@@ -123,6 +124,7 @@ def take_part(world: World) -> int:
         find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
         while islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands):
             find_touching(True, control, bodies, shapes, broad_phase, contacts, touching, islands)
+        foresee(world, contacts)
         counts[STAGE] = MANIFOLDS_KNOWN
     if counts[STAGE] == MANIFOLDS_KNOWN:
         status = arrange(world, contacts)

@@ -332,6 +332,7 @@ PRELOAD = _manifolds()  # m
 TOTAL_IMPULSE = _manifolds()  # N s, along the normal in the last step
 WORLD_POINT = _manifolds(2)  # m, where it was
 AXIS_CACHE = _manifolds(4)  # cached separating axis
+FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
 POINT = 16  # columns from a point to the next
 IMPACT_NORMAL = 30  # of an impact in flight, two columns
 MANIFOLD = 32
@@ -342,6 +343,7 @@ FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
 LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
+MOST_LOCATED = 4  # LOCATED of a contact that meets in this part
 SPENT = 15  # LOCATED of a contact that has had its share of these impacts
 IS_TOUCHING, WAS_TOUCHING = 1, 2  # bits of TOUCHES: in this step, in the last one
 
@@ -372,17 +374,15 @@ _touching = Columns()
 TOUCHING = _touching()  # contacts that touch
 ARRANGED = _touching()  # 1 if slabs, blocks and trees are those of these contacts
 ISLANDS_KNOWN = _touching()  # 1 if islands are
+MEETING = _touching()  # contacts on the list that are apart and meet in this part
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
-
-
-ALL, LASTING = range(2)  # columns of near: contacts that touch or will, those that touched before
 
 
 class Touching(NamedTuple):
     """The contacts that touch, in canonical order; read by the solvers and by sleep."""
 
     counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
-    near: Annotated[IndexRows, Sized("slots", 2)]  # contacts of each body, see below
+    near: Annotated[Indices, Sized("slots")]  # contacts of each body that touch or will meet
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
     body_a: Annotated[Places, Sized("contacts")]  # slot
     body_b: Annotated[Places, Sized("contacts")]  # slot

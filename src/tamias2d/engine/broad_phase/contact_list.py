@@ -163,7 +163,7 @@ def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) ->
     if contacts.flags[old, POINT_COUNT] > 0 or contacts.flags[old, TOUCHES] != 0:
         for k in range(POINT if contacts.flags[old, POINT_COUNT] == 1 else MANIFOLD):
             following.manifolds[new, k] = contacts.manifolds[old, k]
-        for k in range(6):
+        for k in range(contacts.flags.shape[1]):
             following.flags[new, k] = contacts.flags[old, k]
     else:
         clear_flags(new, following.flags)
@@ -181,5 +181,5 @@ def begin_contact(
 
 def clear_flags(p: int, flags: Integers) -> None:
     """Let nothing be known of a contact: without features, points have no impulses."""
-    for k in range(6):
+    for k in range(flags.shape[1]):
         flags[p, k] = 0

@@ -2,19 +2,18 @@
 
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import (
-    ALL,
     ARRANGED,
     AWAKE,
     CONTACTS,
-    DYNAMIC,
+    FORESEEN,
     GAP,
     GRAVITY_X,
     GRAVITY_Y,
     IS_TOUCHING,
     ISLANDS_KNOWN,
-    LASTING,
     LOCATED,
-    LOCATED_PAIRS,
+    MEETING,
+    MOST_LOCATED,
     NX,
     NY,
     PART_SUBSTEPS,
@@ -52,7 +51,6 @@ from tamias2d.state import Array
 # fractions of the smaller bounding radius of two shapes
 CLOSE = 0.02  # the gap below which there is a contact already
 AHEAD = 0.1  # the most by which the motion of a step raises that
-MOST_LOCATED = 4  # impacts of a pair in a part whose instants are found
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 
 
@@ -89,13 +87,15 @@ def find_touching(
         if x * x + y * y > radii * radii and contacts.flags[p, POINT_COUNT] == 0:
             continue
         count = collide(p, s, t, x, y, margin, shapes, contacts)
+        if contacts.manifolds[p, FORESEEN] != 0.0:
+            contacts.manifolds[p, FORESEEN] = 0.0
         if count == 0:
             continue
         if shapes.filters[s, SENSOR] == 0 and shapes.filters[t, SENSOR] == 0:
             meets = contacts.flags[p, TOUCHES] == 0 and will_meet(
                 p, i, j, count, control, bodies, contacts
             )
-            if not meets and least_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
+            if not meets and smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
                 continue
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
@@ -105,17 +105,13 @@ def find_touching(
                 marked += 1
         else:
             mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
-    listed = total
-    if marked > 0:
-        total = leave_located(total, bodies, contacts, touching)
-        same = same & (total == listed)
     if not same or touching.counts[TOUCHING] != total:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
     touching.counts[TOUCHING] = total
-    touching.counts[LOCATED_PAIRS] = listed - total
+    touching.counts[MEETING] = marked
 
 
-def least_gap(manifold: Array, count: int) -> float:
+def smallest_gap(manifold: Array, count: int) -> float:
     """Return the smallest gap of some points, m."""
     gap: float = manifold[GAP]
     return min(gap, manifold[GAP + POINT]) if count == 2 else gap
@@ -145,39 +141,6 @@ def will_meet(
         )  # fmt: skip
         meets = meets | ((speed < -2.0 * pull) & (gap + (speed - pull) * seen < 0.0))
     return bool(meets)
-
-
-def leave_located(total: int, bodies: Bodies, contacts: Contacts, touching: Touching) -> int:
-    """Leave impacts to continuous collision where no other contact acts; return how many stay.
-
-    Where both restitutions are high, those of bodies that nothing holds.
-    """
-    near = touching.near
-    for k in range(total):
-        for n in range(2):
-            near[touching.body_a[k], n] = near[touching.body_b[k], n] = 0
-    for k in range(total):
-        lasting = 1 if contacts.flags[touching.contact[k], LOCATED] == 0 else 0
-        for i in (touching.body_a[k], touching.body_b[k]):
-            near[i, ALL] += 1
-            near[i, LASTING] += lasting
-    stay = 0
-    for k in range(total):
-        p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
-        if contacts.flags[p, LOCATED] > 0 and is_alone(i, j, bodies, touching):
-            continue
-        contacts.flags[p, LOCATED] = 0
-        touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
-        stay += 1
-    return stay
-
-
-def is_alone(i: int, j: int, bodies: Bodies, touching: Touching) -> bool:
-    """Return whether nothing but the contact of two bodies acts on them."""
-    alone = True
-    for k in (i, j):
-        alone = alone & ((bodies.kind[k] != DYNAMIC) | (touching.near[k, ALL] == 1))
-    return bool(alone)
 
 
 @inlined

@@ -1,0 +1,119 @@
+"""Contacts that are apart as a part of a step begins, and meet in it.
+
+Where nothing else acts on two bodies that meet, their impact is located: continuous collision finds
+its instant. All others are foreseen: the solver gets the manifold that they have when they meet on
+the paths that they are on, with the gap that closes until then, and treats them together with the
+contacts that touch.
+"""
+
+from tamias2d.engine.continuous.conservative_advancement import place_vertices, time_of_impact
+from tamias2d.engine.continuous.trajectory import RelativePath
+from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
+from tamias2d.engine.narrow_phase.core import Core, core_of
+from tamias2d.engine.narrow_phase.touching import CLOSE
+from tamias2d.engine.tables import (
+    ARRANGED,
+    DYNAMIC,
+    FORESEEN,
+    ISLANDS_KNOWN,
+    LOCATED,
+    LOCATED_PAIRS,
+    MEETING,
+    PART_TIME,
+    SHAPE_RADIUS,
+    SPIN,
+    TOUCHING,
+    VX,
+    VY,
+    Bodies,
+    Contacts,
+    Control,
+    Events,
+    Shapes,
+    Touching,
+    World,
+    X,
+    Y,
+)
+
+
+def foresee(world: World, contacts: Contacts) -> None:
+    """Leave lone impacts to continuous collision, and give the solver the others to come."""
+    control, bodies, shapes = world.control, world.bodies, world.shapes
+    touching, events = world.touching, world.events
+    touching.counts[LOCATED_PAIRS] = 0
+    if touching.counts[MEETING] == 0:
+        return
+    count_contacts(touching)
+    stay = 0
+    for k in range(touching.counts[TOUCHING]):
+        p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
+        if contacts.flags[p, LOCATED] > 0:
+            if is_alone(i, bodies, touching) and is_alone(j, bodies, touching):
+                touching.counts[LOCATED_PAIRS] += 1
+                continue
+            contacts.flags[p, LOCATED] = 0
+            if not foresee_contact(p, i, j, control, bodies, shapes, contacts, events):
+                continue
+        touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
+        stay += 1
+    touching.counts[TOUCHING] = stay
+    touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
+
+
+def count_contacts(touching: Touching) -> None:
+    """Count the contacts of each body that has some."""
+    near = touching.near
+    for k in range(touching.counts[TOUCHING]):
+        near[touching.body_a[k]] = near[touching.body_b[k]] = 0
+    for k in range(touching.counts[TOUCHING]):
+        near[touching.body_a[k]] += 1
+        near[touching.body_b[k]] += 1
+
+
+def is_alone(i: int, bodies: Bodies, touching: Touching) -> bool:
+    """Return whether a body has one contact, or does not move freely."""
+    return bool((bodies.kind[i] != DYNAMIC) | (touching.near[i] == 1))
+
+
+def foresee_contact(
+    p: int,
+    i: int,
+    j: int,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
+) -> bool:
+    """Write the manifold of two shapes as they meet; return whether they do."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    time = control.progress[PART_TIME]
+    path = path_ahead(i, j, time, bodies)
+    at = time_of_impact(s, t, path, shapes, events)
+    if at > 1.0:
+        return False
+    a, b, rows = core_of(s, shapes), core_of(t, shapes), events.scratch[1:]
+    place_vertices(a, path.turn_a * at, shapes.world_vertices, 0, rows)
+    place_vertices(b, path.turn_b * at, shapes.world_vertices, a.vertex_count, rows)
+    placed_a = Core(a.kind, 0, a.vertex_count, a.radius, 0.0)
+    placed_b = Core(b.kind, a.vertex_count, b.vertex_count, b.radius, 0.0)
+    x, y = path.x + at * path.dx, path.y + at * path.dy
+    margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
+    manifold, flags = contacts.manifolds[p], contacts.flags[p]
+    first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, rows)
+    manifold[FORESEEN] = at * time
+    return match_impulses(manifold, flags, first, second) > 0
+
+
+def path_ahead(i: int, j: int, time: float, bodies: Bodies) -> RelativePath:
+    """Return the path of body j as seen from i in a time, s, at the velocities that they have."""
+    pose, motion = bodies.pose, bodies.motion
+    return RelativePath(
+        pose[j, X] - pose[i, X],
+        pose[j, Y] - pose[i, Y],
+        time * (motion[j, VX] - motion[i, VX]),
+        time * (motion[j, VY] - motion[i, VY]),
+        time * motion[i, SPIN],
+        time * motion[j, SPIN],
+    )
