@@ -30,13 +30,16 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.continuous_collision import motion_bound
 from tamias2d.state import Array
 
+NOTICED = 0.05  # of half its width: a body that goes less far comes nowhere near through another
 ANY_TURN = 2.0  # rad: with so large an angle margin, pairs are known whichever way the body turns
 
 
 def goes_far(i: int, bodies: Bodies) -> bool:
     """Return whether a body goes farther in this step than the solver could push it back from."""
     length = path_length(i, bodies.motion, bodies.properties)
-    return bool((length > FAST * bodies.properties[i, MIN_EXTENT]) & (bodies.kind[i] >= KINEMATIC))
+    return bool(
+        (length > NOTICED * bodies.properties[i, MIN_EXTENT]) & (bodies.kind[i] >= KINEMATIC)
+    )
 
 
 def path_length(i: int, motion: Array, properties: Array) -> float:

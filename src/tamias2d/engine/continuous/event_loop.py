@@ -22,8 +22,10 @@ from tamias2d.engine.continuous.events import (
     PUSHED_BACK,
     SHALLOW,
     find_events,
+    goes_little,
     manifold_at,
     next_event,
+    smaller_radius,
     update_events_of,
 )
 from tamias2d.engine.continuous.freeze import cannot_freeze, freeze, freeze_or_carry
@@ -114,7 +116,7 @@ def solve_continuous(
             events.times[one] = time_of_leaving(one, now, bodies, broad_phase)
             update_event(one, event_count, events.times, events.queue)
             update_events_of(
-                one, other, now, SHALLOW if frozen else 0.0,
+                one, other, now, 1.0 if impacts_left <= 0 else SHALLOW,
                 control, bodies, shapes, broad_phase, contacts, events,
             )  # fmt: skip
     return MISSED
@@ -137,7 +139,7 @@ def begin_continuous(control: Control, bodies: Bodies) -> None:
         held = flight[FORCE_GAIN] == 0.0 and flight[FORCE_GAIN + 1] == 0.0
         length = path_length(i, bodies.motion, bodies.properties)
         flight[REDIRECTED], flight[PATH_LENGTH] = 0.0, length
-        flight[PATH_EXCESS] = length - (PUSHED_BACK * wide if wide <= UNBOUNDED else 0.0)
+        flight[PATH_EXCESS] = length - (SHALLOW * PUSHED_BACK * wide if wide <= UNBOUNDED else 0.0)
         flight[SUPPORTED] = 1.0 if falls and held and bodies.kind[i] == DYNAMIC else 0.0
 
 
@@ -157,8 +159,11 @@ def handle_meeting(
     """
     if frozen:
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        later = now
-        changed = freeze_or_carry(i, j, now, control, bodies)
+        s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+        if goes_little(i, j, now, 1.0, smaller_radius(s, t, shapes.material), bodies):
+            later, changed = MISSED, False
+        else:
+            later, changed = now, freeze_or_carry(i, j, now, control, bodies)
     else:
         later = MISSED
         changed = resolve_impact(p, now, control, bodies, shapes, contacts, events)

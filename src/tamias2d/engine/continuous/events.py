@@ -53,8 +53,8 @@ from tamias2d.state import Array
 # how far one body may go into another, from where the solver pushes it back, as a fraction of half
 # the widths of both; it is not farther than the smaller bounding radius
 PUSHED_BACK = 0.7
-SHALLOW = 0.5  # of that: how far a frozen body, which is no wall, and another may come together
-SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
+SHALLOW = 0.15  # of that: how far one goes in before its impact is looked for
+CLOSE = 0.02  # of the smaller radius: how far thin bodies may turn about a contact
 
 
 def find_events(
@@ -107,13 +107,13 @@ def may_pass(p: int, i: int, j: int, reach: float, bodies: Bodies, contacts: Con
     motion = bodies.motion
     by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
     turn = turning_reach(i, j, motion, bodies.properties)
-    deep = allowed_depth(i, j, reach, bodies.properties)
+    deep = SHALLOW * allowed_depth(i, j, reach, bodies.properties)
     if abs(by_x) + abs(by_y) + turn <= deep:
         return False
     into = UNBOUNDED
     if contacts.flags[p, POINT_COUNT] > 0:
         into = max(0.0, -contacts.manifolds[p, NX] * by_x - contacts.manifolds[p, NY] * by_y)
-    return bool(into + turn > max(deep, SWUNG * reach))
+    return bool(into + turn > max(deep, CLOSE * reach))
 
 
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
@@ -173,10 +173,9 @@ def update_events_of(
             continue
         time = MISSED
         reach = smaller_radius(s, t, shapes.material)
-        kept = bodies.kind[a] == bodies.kind[b] and goes_little(a, b, now, shallow, reach, bodies)
-        if contacts.flags[p, LOCATED] == SPENT:
-            kept = goes_little(a, b, now, 1.0, reach, bodies)
-        if not kept:
+        located = contacts.flags[p, LOCATED]
+        share = shallow if located == 0 else 1.0 if located == SPENT else 0.0
+        if not goes_little(a, b, now, share, reach, bodies):
             time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         events.times[body_count + p] = time
         update_event(body_count + p, event_count, events.times, events.queue)
