@@ -93,6 +93,7 @@ MOST_LEVEL = 10  # a step has up to 1024 parts
 _progress = Columns()
 FLOWN = _progress()  # fraction of the step that continuous collision has done
 UPDATES_LEFT = _progress()  # updates of the contact list that continuous collision may still make
+DEPTH_SHARE = _progress()  # of the allowed depth, up to which impacts are not looked for
 PART_TIME = _progress()  # s, of a part of the step
 SUBSTEP = _progress()  # s, of the last part that was solved
 IMPULSE_RATIO = _progress()  # of the length of a substep to that of the part before

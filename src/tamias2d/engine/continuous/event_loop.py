@@ -19,6 +19,7 @@ from tamias2d.engine.continuous.event_queue import (
     update_event,
 )
 from tamias2d.engine.continuous.events import (
+    MANY,
     PUSHED_BACK,
     SHALLOW,
     find_events,
@@ -34,6 +35,7 @@ from tamias2d.engine.continuous.impact import rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (
     CONTACTS,
+    DEPTH_SHARE,
     DYNAMIC,
     FORCE_GAIN,
     GRAVITY_X,
@@ -83,10 +85,16 @@ def solve_continuous(
     """
     if since == 0.0:
         begin_continuous(control, bodies)
+        control.progress[DEPTH_SHARE] = SHALLOW
     body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[CONTACTS]
     for k in range(body_count):
         events.times[k] = MISSED
     found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
+    if found == MANY:
+        control.progress[DEPTH_SHARE] = 1.0
+        for k in range(body_count):
+            events.times[k] = MISSED
+        found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
     if found == 0:
         return MISSED
     list_contacts_by_body(broad_phase, contacts, events, body_count)
@@ -116,7 +124,7 @@ def solve_continuous(
             events.times[one] = time_of_leaving(one, now, bodies, broad_phase)
             update_event(one, event_count, events.times, events.queue)
             update_events_of(
-                one, other, now, 1.0 if impacts_left <= 0 else SHALLOW,
+                one, other, now, 1.0 if impacts_left <= 0 else control.progress[DEPTH_SHARE],
                 control, bodies, shapes, broad_phase, contacts, events,
             )  # fmt: skip
     return MISSED

@@ -19,6 +19,7 @@ from tamias2d.engine.tables import (
     CONTACTS,
     CORE_RADIUS,
     DANGLE,
+    DEPTH_SHARE,
     DX,
     DY,
     DYNAMIC,
@@ -54,6 +55,8 @@ from tamias2d.state import Array
 # the widths of both; it is not farther than the smaller bounding radius
 PUSHED_BACK = 0.7
 SHALLOW = 0.15  # of that: how far one goes in before its impact is looked for
+MOST_SHALLOW = 24  # pairs in a part that are looked at for that
+MANY = -1  # more than these
 CLOSE = 0.02  # of the smaller radius: how far thin bodies may turn about a contact
 
 
@@ -66,8 +69,11 @@ def find_events(
     contacts: Contacts,
     events: Events,
 ) -> int:
-    """Find when pairs meet, from `now` on, that the solver may let through; return how many do."""
-    found = 0
+    """Find when pairs meet, from `now` on, that the solver may let through; return how many do.
+
+    Shallow impacts are looked for if they are few.
+    """
+    found = sought = 0
     body_count = len(bodies.pose)
     for p in range(broad_phase.counts[CONTACTS]):
         events.times[body_count + p] = MISSED
@@ -80,7 +86,11 @@ def find_events(
             continue
         if senses(s, t, shapes.filters):
             continue
-        if redirected or located or may_pass(p, i, j, reach, bodies, contacts):
+        share = control.progress[DEPTH_SHARE]
+        if redirected or located or may_pass(p, i, j, share, reach, bodies, contacts):
+            sought += 1
+            if share < 1.0 and sought > MOST_SHALLOW:
+                return MANY
             time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
             events.times[body_count + p] = time
             found += time <= 1.0
@@ -98,7 +108,9 @@ def senses(s: int, t: int, filters: Integers) -> bool:
 
 
 @inlined
-def may_pass(p: int, i: int, j: int, reach: float, bodies: Bodies, contacts: Contacts) -> bool:
+def may_pass(
+    p: int, i: int, j: int, share: float, reach: float, bodies: Bodies, contacts: Contacts
+) -> bool:
     """Return whether the paths of two bodies may lead one through the other.
 
     The solver holds bodies in contact back along the normal: only what goes against it, or turns,
@@ -107,7 +119,7 @@ def may_pass(p: int, i: int, j: int, reach: float, bodies: Bodies, contacts: Con
     motion = bodies.motion
     by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
     turn = turning_reach(i, j, motion, bodies.properties)
-    deep = SHALLOW * allowed_depth(i, j, reach, bodies.properties)
+    deep = share * allowed_depth(i, j, reach, bodies.properties)
     if abs(by_x) + abs(by_y) + turn <= deep:
         return False
     into = UNBOUNDED
