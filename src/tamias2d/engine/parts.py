@@ -14,26 +14,32 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
 )
 from tamias2d.engine.tables import (
+    AT_START,
     CONTACTS,
     CORE_RADIUS,
     DX,
     FRAME_MOVES,
-    LAST_LEVEL,
     LEVEL,
     LIST_HOLDS,
     MOST_LEVEL,
+    NEXT_LEVEL,
     PART_SUBSTEPS,
     PART_TIME,
     POINT,
+    RETAKEN,
     SLOT_A,
     SLOT_B,
     SPIN,
+    STAGE,
     SUBSTEPS,
     TICK,
     TIME_STEP,
     TOTAL_IMPULSE,
+    TOUCHES,
+    UNMOVED,
     VX,
     VY,
+    WAS_TOUCHING,
     Bodies,
     Contacts,
     World,
@@ -45,28 +51,52 @@ LIMIT = 0.7  # of the depth from which bodies are held back: how far a pair may 
 
 
 def begin_part(world: World) -> None:
-    """Let a part be twice as long as the one before, where it begins at a multiple of that."""
-    counts = world.control.counts
-    level = counts[LAST_LEVEL] if counts[TICK] == 0 else counts[LEVEL]
-    if level > 0 and counts[TICK] % (1 << (MOST_LEVEL - level + 1)) == 0:
-        level -= 1
-    set_level(level, world)
+    """Give the part that begins its length, which `shorten_part` may reduce."""
+    set_level(world.control.counts[NEXT_LEVEL], world)
 
 
 def end_part(world: World) -> bool:
-    """Put the bodies where they are after a part; return whether the step has ended."""
-    counts = world.control.counts
-    counts[TICK] += 1 << (MOST_LEVEL - counts[LEVEL])
+    """Put the bodies where they are after a part; return whether the step has ended.
+
+    The next part is twice as long where it begins at a multiple of that, if nothing forbids it.
+    """
+    control, bodies = world.control, world.bodies
+    counts = control.counts
+    level = counts[LEVEL]
+    counts[TICK] += 1 << (MOST_LEVEL - level)
+    longer = level > 0 and counts[TICK] % (1 << (MOST_LEVEL - level + 1)) == 0
+    counts[NEXT_LEVEL] = level - 1 if longer else level
+    counts[RETAKEN] = 0
     if counts[TICK] == 1 << MOST_LEVEL:
-        counts[TICK], counts[LAST_LEVEL] = 0, counts[LEVEL]
+        counts[TICK] = 0
         set_level(0, world)
         return True
-    bodies = world.bodies
     for i in range(len(bodies.pose)):
         for n in range(3):
             bodies.pose[i, n] += bodies.motion[i, DX + n]
             bodies.motion[i, DX + n] = 0.0
     return False
+
+
+def note_start(bodies: Bodies) -> None:
+    """Note poses and velocities as a part begins that may have to be taken again."""
+    for i in range(len(bodies.pose)):
+        for n in range(3):
+            bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]
+
+
+def retake_part(world: World, contacts: Contacts) -> None:
+    """Put all bodies back to where a part began, which is to be taken again as a shorter one."""
+    control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
+    counts = control.counts
+    for i in range(len(bodies.pose)):
+        bodies.moved[i] = UNMOVED
+        for n in range(3):
+            bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
+            bodies.motion[i, DX + n] = 0.0
+    for p in range(broad_phase.counts[CONTACTS] if counts[TICK] == 0 else 0):
+        contacts.flags[p, TOUCHES] &= WAS_TOUCHING
+    counts[NEXT_LEVEL], counts[RETAKEN], counts[STAGE] = counts[LEVEL] + 1, 1, AT_START
 
 
 def set_level(level: int, world: World) -> None:

@@ -16,11 +16,11 @@ from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bo
 from tamias2d.engine.broad_phase.pairs import rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
-from tamias2d.engine.continuous.event_loop import MOST_UPDATES, solve_continuous
+from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
-from tamias2d.engine.parts import begin_part, end_part, shorten_part
+from tamias2d.engine.parts import begin_part, end_part, note_start, retake_part, shorten_part
 from tamias2d.engine.sleep import (
     fall_asleep,
     hold_sleeping,
@@ -32,6 +32,7 @@ from tamias2d.engine.sleep import (
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import (
+    AGAIN,
     ARRIVING,
     AT_START,
     CHECKED,
@@ -39,6 +40,7 @@ from tamias2d.engine.tables import (
     CONTACTS,
     DONE,
     FLOWN,
+    GOES_FAR,
     IN_FLIGHT,
     INVALID,
     KINEMATIC,
@@ -51,6 +53,7 @@ from tamias2d.engine.tables import (
     OVERFLOWED,
     PAIRS_KNOWN,
     PAIRS_STALE,
+    RETAKEN,
     SLEEP_STEPS,
     SLEEPING,
     STAGE,
@@ -94,9 +97,10 @@ def take_step(world: World) -> int:
     ended = False
     while not ended:
         status = take_part(world)
-        if status != DONE:
+        if status == DONE:
+            ended = end_part(world)
+        elif status != AGAIN:
             return status
-        ended = end_part(world)
     return DONE
 
 
@@ -120,7 +124,7 @@ def take_part(world: World) -> int:
     contacts = current_contacts(broad_phase, buffers)
     if counts[STAGE] == PAIRS_KNOWN:
         shorten_part(world, contacts)
-        again = counts[TICK] > 0
+        again = counts[TICK] + counts[RETAKEN] > 0
         find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
         while islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands):
             find_touching(True, control, bodies, shapes, broad_phase, contacts, touching, islands)
@@ -130,6 +134,8 @@ def take_part(world: World) -> int:
         status = arrange(world, contacts)
         if status != DONE:
             return status
+        if counts[GOES_FAR] == 1:
+            note_start(bodies)
         solve_contacts(world, contacts)
         counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:
@@ -145,6 +151,9 @@ def take_part(world: World) -> int:
         flown = solve_continuous(
             control, bodies, shapes, broad_phase, near, world.events, updates, flown
         )
+        if flown == TOO_LONG:
+            retake_part(world, near)
+            return AGAIN
         control.progress[FLOWN] = flown
         counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
     last = counts[TICK] + (1 << (MOST_LEVEL - counts[LEVEL])) == 1 << MOST_LEVEL

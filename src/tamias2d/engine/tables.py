@@ -84,7 +84,9 @@ ROWS_NEEDED = _control()  # by the array that was too short
 STEPS_TAKEN = _control()  # since the start
 TICK = _control()  # at which a part of the step begins; a step has 2**MOST_LEVEL of them
 LEVEL = _control()  # a part is this power of a half of the step
-LAST_LEVEL = _control()  # of the last part of the step before
+NEXT_LEVEL = _control()  # that the part which begins has at least
+GOES_FAR = _control()  # 1 if a body goes farther in this part than a fraction of its width
+RETAKEN = _control()  # 1 if the part was begun before, and was too long
 PART_SUBSTEPS = _control()  # of a part
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 
@@ -99,10 +101,19 @@ SUBSTEP = _progress()  # s, of the last part that was solved
 IMPULSE_RATIO = _progress()  # of the length of a substep to that of the part before
 
 # status of a step: done, an array that is too short, a value that is not valid, done with no
-# contact on the list, or done though a body has numbers that are not finite
-DONE, MORE_CANDIDATES, MORE_CONTACTS, MORE_BLOCKS, INVALID, MORE_SPARSE, CLEAR, OVERFLOWED = range(
-    8
-)
+# contact on the list, done though a body has numbers that are not finite, or a part to be taken
+# again
+(
+    DONE,
+    MORE_CANDIDATES,
+    MORE_CONTACTS,
+    MORE_BLOCKS,
+    INVALID,
+    MORE_SPARSE,
+    CLEAR,
+    OVERFLOWED,
+    AGAIN,
+) = range(9)
 
 
 class Control(NamedTuple):
@@ -201,6 +212,7 @@ class Bodies(NamedTuple):
         FloatBlocks, Sized(MOST_LEVEL + 1, "propagators", _propagators.width)
     ]
     substep_state: Annotated[FloatRows, Sized("slots", 16)]  # two cache lines; read by the solver
+    start: Annotated[FloatRows, Sized("slots", 6)]  # pose and velocity as a part of the step began
     flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
     moved: Annotated[Bytes, Sized("slots")]  # by the solver, or sleep, in this step: see above
 

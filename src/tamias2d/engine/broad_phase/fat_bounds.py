@@ -21,6 +21,7 @@ from tamias2d.engine.tables import (
     FRAME_VY,
     FRAME_X,
     FRAME_Y,
+    GOES_FAR,
     HIGH_X,
     HIGH_Y,
     KINEMATIC,
@@ -47,13 +48,15 @@ AABB_MARGIN = 0.1  # of the bounding radius, or of the mean one if that is less
 
 def mark_out_of_bounds(control: Control, bodies: Bodies, broad_phase: BroadPhase) -> int:
     """Mark the bodies that have left their bounds, or will within a time, s; return how many."""
-    time, left = control.progress[PART_TIME], 0
+    time, left, far = control.progress[PART_TIME], 0, 0
     for i in range(len(bodies.kind)):
         out = is_out_of_bounds(i, bodies, broad_phase)
         if will_go_far(i, time, bodies):
+            far = 1
             out = out or will_leave(i, time, bodies, broad_phase)
         broad_phase.left[i] = 1 if out else 0
         left += broad_phase.left[i]
+    control.counts[GOES_FAR] = far
     return left
 
 

@@ -38,11 +38,14 @@ from tamias2d.engine.tables import (
     DEPTH_SHARE,
     DYNAMIC,
     FORCE_GAIN,
+    GOES_FAR,
     GRAVITY_X,
     GRAVITY_Y,
     HALF_PLANE,
+    LEVEL,
     LOCATED,
     MIN_EXTENT,
+    MOST_LEVEL,
     PART_TIME,
     PATH_EXCESS,
     PATH_LENGTH,
@@ -64,6 +67,7 @@ from tamias2d.engine.tables import (
 
 MOST_IMPACTS, MOST_IMPACTS_OF_PAIR = 64, 4  # in one step: in all, and for every pair that meets
 MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried
+TOO_LONG = -1.0  # a part of the step that is to be taken in shorter ones
 MOST_UPDATES = 32  # of pairs in one step, and as many for bodies that cannot be frozen
 
 
@@ -110,10 +114,18 @@ def solve_continuous(
             least = -MOST_UPDATES if cannot_freeze(event, bodies.flight, bodies.kind) else 0
             if updates_left > least:
                 return now
+            if may_retake(control):
+                return TOO_LONG
             i, j, frozen = event, event, True
             freeze(i, now, control, bodies)
         else:
             p, frozen = event - body_count, impacts_left <= 0
+            if (
+                frozen
+                and may_retake(control)
+                and not reaches_little(p, now, bodies, shapes, contacts)
+            ):
+                return TOO_LONG
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
             count_located(contacts.flags[p])
@@ -128,6 +140,11 @@ def solve_continuous(
                 control, bodies, shapes, broad_phase, contacts, events,
             )  # fmt: skip
     return MISSED
+
+
+def may_retake(control: Control) -> bool:
+    """Return whether a part can be taken again, in shorter ones."""
+    return bool((control.counts[GOES_FAR] == 1) & (control.counts[LEVEL] < MOST_LEVEL))
 
 
 def count_located(flags: Integers) -> None:
@@ -167,8 +184,7 @@ def handle_meeting(
     """
     if frozen:
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-        if goes_little(i, j, now, 1.0, smaller_radius(s, t, shapes.material), bodies):
+        if reaches_little(p, now, bodies, shapes, contacts):
             later, changed = MISSED, False
         else:
             later, changed = now, freeze_or_carry(i, j, now, control, bodies)
@@ -181,6 +197,13 @@ def handle_meeting(
     if not changed:  # a pair that meets where it is does not approach
         events.times[len(bodies.kind) + p] = later if later > now else MISSED
     return changed
+
+
+def reaches_little(p: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts) -> bool:
+    """Return whether a pair comes together by no more than what it is pushed back from."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    return goes_little(i, j, now, 1.0, smaller_radius(s, t, shapes.material), bodies)
 
 
 def resolve_impact(
