@@ -1085,6 +1085,22 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=711,
     ),
+    "coordinate_bend": Symbol(
+        "coordinate_bend",
+        "m",
+        "how far a body is beside the chord of its path, along one axis",
+        tex="b_k",
+        file="srs/symbols.md",
+        line=716,
+    ),
+    "coordinate_rest_gain": Symbol(
+        "coordinate_rest_gain",
+        "m",
+        "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
+        tex="w_k'",
+        file="srs/symbols.md",
+        line=720,
+    ),
     "motion_bound": Symbol(
         "motion_bound",
         "m",
@@ -1092,7 +1108,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=716,
+        line=726,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1101,7 +1117,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=721,
+        line=731,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1109,7 +1125,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=726,
+        line=736,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1118,7 +1134,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=730,
+        line=740,
     ),
     "advance": Symbol(
         "advance",
@@ -1127,7 +1143,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=735,
+        line=745,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1135,7 +1151,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=740,
+        line=750,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1143,7 +1159,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=744,
+        line=754,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1151,7 +1167,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=748,
+        line=758,
     ),
     "slip": Symbol(
         "slip",
@@ -1159,7 +1175,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=753,
+        line=763,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1167,7 +1183,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=759,
+        line=769,
     ),
     "circling": Symbol(
         "circling",
@@ -1176,7 +1192,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=763,
+        line=773,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1184,7 +1200,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=770,
+        line=780,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1193,7 +1209,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=774,
+        line=784,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1202,7 +1218,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=779,
+        line=789,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1211,7 +1227,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=784,
+        line=794,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1219,7 +1235,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=789,
+        line=799,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1228,7 +1244,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=793,
+        line=803,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1236,7 +1252,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=798,
+        line=808,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1244,7 +1260,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=802,
+        line=812,
     ),
     "arc": Symbol(
         "arc",
@@ -1253,7 +1269,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=808,
+        line=818,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1262,7 +1278,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=813,
+        line=823,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1270,7 +1286,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=823,
+        line=833,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1278,7 +1294,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=827,
+        line=837,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1287,7 +1303,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=831,
+        line=841,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1296,7 +1312,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=836,
+        line=846,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1305,7 +1321,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=841,
+        line=851,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1314,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=846,
+        line=856,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1323,7 +1339,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=851,
+        line=861,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1331,7 +1347,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=856,
+        line=866,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1340,7 +1356,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=865,
+        line=875,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1348,7 +1364,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=870,
+        line=880,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1357,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=874,
+        line=884,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1365,7 +1381,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=879,
+        line=889,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1373,7 +1389,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=883,
+        line=893,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1382,7 +1398,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=887,
+        line=897,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1391,7 +1407,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=892,
+        line=902,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1400,7 +1416,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=897,
+        line=907,
     ),
     "work": Symbol(
         "work",
@@ -1408,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=902,
+        line=912,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1417,7 +1433,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=906,
+        line=916,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1425,7 +1441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=911,
+        line=921,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1434,7 +1450,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=915,
+        line=925,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1442,7 +1458,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=920,
+        line=930,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1451,7 +1467,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=925,
+        line=935,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1460,7 +1476,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=930,
+        line=940,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1469,7 +1485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=935,
+        line=945,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1478,7 +1494,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=942,
+        line=952,
     ),
     "energy": Symbol(
         "energy",
@@ -1486,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=947,
+        line=957,
     ),
     "radius": Symbol(
         "radius",
@@ -1495,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=956,
+        line=966,
     ),
     "length": Symbol(
         "length",
@@ -1504,7 +1520,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=961,
+        line=971,
     ),
     "width": Symbol(
         "width",
@@ -1513,7 +1529,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=968,
+        line=978,
     ),
     "height": Symbol(
         "height",
@@ -1522,7 +1538,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=973,
+        line=983,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1531,7 +1547,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=978,
+        line=988,
     ),
     "center": Symbol(
         "center",
@@ -1540,7 +1556,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=983,
+        line=993,
     ),
     "offset": Symbol(
         "offset",
@@ -1548,7 +1564,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=988,
+        line=998,
     ),
     "area": Symbol(
         "area",
@@ -1557,7 +1573,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=992,
+        line=1002,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1566,6 +1582,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=997,
+        line=1007,
     ),
 }

@@ -40,6 +40,7 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
+from tamias2d.generated.continuous_collision import motion_bound
 from tamias2d.state import Array
 
 FAST = 0.35  # of half its width: a body that goes farther in a step needs continuous collision
@@ -71,9 +72,9 @@ def is_out_of_bounds(i: int, bodies: Bodies, broad_phase: BroadPhase) -> bool:
 
 def will_go_far(i: int, time: float, bodies: Bodies) -> bool:
     """Return whether a body goes farther in a time, s, than a fraction of its width."""
-    motion = bodies.motion[i]
-    by = time * (abs(motion[VX]) + abs(motion[VY]))
-    return bool(by > FAST * bodies.properties[i, MIN_EXTENT])
+    motion, properties = bodies.motion[i], bodies.properties[i]
+    speed = motion_bound((motion[VX], motion[VY]), motion[SPIN], properties[CORE_RADIUS])
+    return bool(time * speed > FAST * properties[MIN_EXTENT])
 
 
 def will_leave(i: int, time: float, bodies: Bodies, broad_phase: BroadPhase) -> bool:

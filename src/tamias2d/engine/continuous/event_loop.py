@@ -11,6 +11,7 @@ Cost: for each impact, the contacts of both bodies. Source: Mirtich, Impulse-bas
 simulation (1996).
 """
 
+from tamias2d.engine.continuous.bend import bend_paths, is_bent
 from tamias2d.engine.continuous.bounds import path_length, time_of_leaving
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.event_queue import (
@@ -120,11 +121,8 @@ def solve_continuous(
             freeze(i, now, control, bodies)
         else:
             p, frozen = event - body_count, impacts_left <= 0
-            if (
-                frozen
-                and may_retake(control)
-                and not reaches_little(p, now, bodies, shapes, contacts)
-            ):
+            far = frozen and not reaches_little(p, now, bodies, shapes, contacts)
+            if far and may_retake(control):
                 return TOO_LONG
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
@@ -222,6 +220,8 @@ def resolve_impact(
         s, t = t, s
         sense = -1.0
     i, j = shapes.slot[s], shapes.slot[t]
+    if contacts.flags[p, LOCATED] > 0 and is_bent(i, j, bodies):
+        now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
     manifold_at(s, t, now, bodies, shapes, events)
     manifold = events.scratch[0]
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
