@@ -391,11 +391,14 @@ MEETING = _touching()  # contacts on the list that are apart and meet in this pa
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
 
 
+ALL, HOLDING = range(2)  # columns of near: contacts that touch or will, those with an impulse
+
+
 class Touching(NamedTuple):
     """The contacts that touch, in canonical order; read by the solvers and by sleep."""
 
     counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
-    near: Annotated[Indices, Sized("slots")]  # contacts of each body that touch or will meet
+    near: Annotated[IndexRows, Sized("slots", 2)]  # numbers of contacts of each body, see above
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
     body_a: Annotated[Places, Sized("contacts")]  # slot
     body_b: Annotated[Places, Sized("contacts")]  # slot

@@ -13,6 +13,7 @@ from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.narrow_phase.core import core_of
+from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (
     ANGLE,
     CONTACT_OF_BODY,
@@ -55,6 +56,7 @@ from tamias2d.state import Array
 # the widths of both; it is not farther than the smaller bounding radius
 PUSHED_BACK = 0.7
 SHALLOW = 0.15  # of that: how far one goes in before its impact is looked for
+BOUNCY = 0.7  # restitution that gives half of the energy back
 MOST_SHALLOW = 24  # pairs in a part that are looked at for that
 MANY = -1  # more than these
 CLOSE = 0.02  # of the smaller radius: how far thin bodies may turn about a contact
@@ -95,6 +97,13 @@ def find_events(
             events.times[body_count + p] = time
             found += time <= 1.0
     return found
+
+
+def bounces(p: int, shapes: Shapes, contacts: Contacts) -> bool:
+    """Return whether an impact gives most of its energy back."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    _, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
+    return bool(restitution > BOUNCY)
 
 
 def smaller_radius(s: int, t: int, material: Array) -> float:
@@ -187,6 +196,8 @@ def update_events_of(
         reach = smaller_radius(s, t, shapes.material)
         located = contacts.flags[p, LOCATED]
         share = shallow if located == 0 else 1.0 if located == SPENT else 0.0
+        if shallow < 1.0 and bounces(p, shapes, contacts):
+            share = 0.0
         if not goes_little(a, b, now, share, reach, bodies):
             time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         events.times[body_count + p] = time

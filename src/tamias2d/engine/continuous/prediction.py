@@ -1,25 +1,31 @@
 """Contacts that are apart as a part of a step begins, and meet in it.
 
-Where nothing else acts on two bodies that meet, their impact is located: continuous collision finds
-its instant. All others are foreseen: the solver gets the manifold that they have when they meet on
-the paths that they are on, with the gap that closes until then, and treats them together with the
-contacts that touch.
+Where nothing else acts on two bodies that meet, or where they bounce and nothing holds them, their
+impact is located: continuous collision finds its instant. All others are foreseen: the solver gets
+the manifold that they have when they meet on the paths that they are on, with the gap that closes
+until then, and treats them together with the contacts that touch.
 """
 
 from tamias2d.engine.continuous.conservative_advancement import place_vertices, time_of_impact
+from tamias2d.engine.continuous.events import bounces
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.touching import CLOSE
 from tamias2d.engine.tables import (
+    ALL,
     ARRANGED,
     DYNAMIC,
     FORESEEN,
+    HOLDING,
     ISLANDS_KNOWN,
     LOCATED,
     LOCATED_PAIRS,
     MEETING,
+    MOST_LOCATED,
+    NORMAL_IMPULSE,
     PART_TIME,
+    POINT,
     SHAPE_RADIUS,
     SPIN,
     TOUCHING,
@@ -44,36 +50,65 @@ def foresee(world: World, contacts: Contacts) -> None:
     touching.counts[LOCATED_PAIRS] = 0
     if touching.counts[MEETING] == 0:
         return
-    count_contacts(touching)
+    count_contacts(contacts, touching)
     stay = 0
     for k in range(touching.counts[TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
-        if contacts.flags[p, LOCATED] > 0:
-            if is_alone(i, bodies, touching) and is_alone(j, bodies, touching):
-                touching.counts[LOCATED_PAIRS] += 1
-                continue
-            contacts.flags[p, LOCATED] = 0
-            if not foresee_contact(p, i, j, control, bodies, shapes, contacts, events):
-                continue
-        touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
-        stay += 1
+        meets = contacts.flags[p, LOCATED] > 0
+        contacts.flags[p, LOCATED] = 0
+        if is_located(meets, p, i, j, bodies, shapes, contacts, touching):
+            contacts.flags[p, LOCATED] = MOST_LOCATED
+            touching.counts[LOCATED_PAIRS] += 1
+        elif not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events):
+            touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
+            stay += 1
     touching.counts[TOUCHING] = stay
     touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
 
 
-def count_contacts(touching: Touching) -> None:
-    """Count the contacts of each body that has some."""
+def count_contacts(contacts: Contacts, touching: Touching) -> None:
+    """Count the contacts of each body that has some, and those of them that hold it."""
     near = touching.near
     for k in range(touching.counts[TOUCHING]):
-        near[touching.body_a[k]] = near[touching.body_b[k]] = 0
+        for n in range(2):
+            near[touching.body_a[k], n] = near[touching.body_b[k], n] = 0
     for k in range(touching.counts[TOUCHING]):
-        near[touching.body_a[k]] += 1
-        near[touching.body_b[k]] += 1
+        manifold = contacts.manifolds[touching.contact[k]]
+        loaded = manifold[NORMAL_IMPULSE] + manifold[NORMAL_IMPULSE + POINT] > 0.0
+        for i in (touching.body_a[k], touching.body_b[k]):
+            near[i, ALL] += 1
+            near[i, HOLDING] += 1 if loaded else 0
+
+
+def is_located(
+    meets: bool,
+    p: int,
+    i: int,
+    j: int,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    touching: Touching,
+) -> bool:
+    """Return whether continuous collision finds the impact of two bodies.
+
+    Where bodies bounce and nothing holds them, those that touch already may meet, too: one after
+    the other they pass an impact on.
+    """
+    held = holds(i, bodies, touching) + holds(j, bodies, touching)
+    if bounces(p, shapes, contacts) and held == 0:
+        return True
+    return meets and is_alone(i, bodies, touching) and is_alone(j, bodies, touching)
+
+
+def holds(i: int, bodies: Bodies, touching: Touching) -> int:
+    """Return how many contacts hold a body that moves freely."""
+    return touching.near[i, HOLDING] if bodies.kind[i] == DYNAMIC else 0
 
 
 def is_alone(i: int, bodies: Bodies, touching: Touching) -> bool:
-    """Return whether a body has one contact, or does not move freely."""
-    return bool((bodies.kind[i] != DYNAMIC) | (touching.near[i] == 1))
+    """Return whether a body has no contact but one, or does not move freely."""
+    return bool((bodies.kind[i] != DYNAMIC) | (touching.near[i, ALL] == 1))
 
 
 def foresee_contact(

@@ -51,6 +51,7 @@ from tamias2d.state import Array
 # fractions of the smaller bounding radius of two shapes
 CLOSE = 0.02  # the gap below which there is a contact already
 AHEAD = 0.1  # the most by which the motion of a step raises that
+GRAZE = 2.0**-12  # the overlap of bodies that have just met
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 
 
@@ -93,7 +94,7 @@ def find_touching(
             continue
         if shapes.filters[s, SENSOR] == 0 and shapes.filters[t, SENSOR] == 0:
             meets = contacts.flags[p, TOUCHES] == 0 and will_meet(
-                p, i, j, count, control, bodies, contacts
+                p, i, j, count, smaller, control, bodies, contacts
             )
             if not meets and smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
                 continue
@@ -118,7 +119,14 @@ def smallest_gap(manifold: Array, count: int) -> float:
 
 
 def will_meet(
-    p: int, i: int, j: int, count: int, control: Control, bodies: Bodies, contacts: Contacts
+    p: int,
+    i: int,
+    j: int,
+    count: int,
+    smaller: float,
+    control: Control,
+    bodies: Bodies,
+    contacts: Contacts,
 ) -> bool:
     """Return whether two bodies that are apart meet in this part, faster than gravity lets them."""
     manifold, time = contacts.manifolds[p], control.progress[PART_TIME]
@@ -130,7 +138,7 @@ def will_meet(
     meets = False
     for n in range(count):
         gap = manifold[GAP + n * POINT]
-        if gap <= 0.0:
+        if gap <= -GRAZE * smaller:
             return False
         x, y = manifold[PX + n * POINT], manifold[PY + n * POINT]
         dx, dy = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
