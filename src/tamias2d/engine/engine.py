@@ -18,6 +18,7 @@ from tamias2d.engine.tables import (
     CHECKED,
     CLEAR,
     DONE,
+    FINEST,
     FRICTION,
     GRAVITY_X,
     GRAVITY_Y,
@@ -28,8 +29,10 @@ from tamias2d.engine.tables import (
     MORE_CANDIDATES,
     MORE_CONTACTS,
     MORE_SPARSE,
+    NEXT_LEVEL,
     OVERFLOWED,
     RESTITUTION,
+    RETAKEN,
     ROWS_NEEDED,
     SLEEP_ID,
     SLEEP_STEPS,
@@ -37,6 +40,7 @@ from tamias2d.engine.tables import (
     STEPS_LEFT,
     STEPS_TAKEN,
     SUBSTEPS,
+    TICK,
     TIME_STEP,
 )
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
@@ -133,6 +137,11 @@ class Engine(Store):
         """How many steps were taken since the start."""
         return int(self.world.control.counts[STEPS_TAKEN])
 
+    @property
+    def parts(self) -> int:
+        """In how many parts the last step was taken where it was finest."""
+        return 1 << int(self.world.control.counts[FINEST])
+
     # -- changes
 
     def add(self, batch: Batch) -> NDArray[np.int64]:
@@ -224,6 +233,8 @@ class Engine(Store):
         taken: int = self._library.integrate_ballistic(self.argument, count)
         if timed:
             self._ballistic_steps_per_call.end(taken)
+        if taken:
+            self.world.control.counts[FINEST] = 0
         return taken
 
     def _solved_steps(self, count: int, checked: int, timed: bool) -> int:
@@ -263,7 +274,9 @@ class Engine(Store):
     def _forget_contacts(self) -> None:
         """Give up a step, and forget all that is known of contacts."""
         world = self.world
-        world.control.counts[STAGE] = AT_START
+        counts = world.control.counts
+        counts[STAGE], counts[TICK], counts[RETAKEN] = AT_START, 0, 0
+        world.broad_phase.counts[NEXT_LEVEL] = 0
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
             *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),

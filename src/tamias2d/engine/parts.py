@@ -18,6 +18,7 @@ from tamias2d.engine.tables import (
     CONTACTS,
     CORE_RADIUS,
     DX,
+    FINEST,
     FRAME_MOVES,
     LEVEL,
     LIST_HOLDS,
@@ -52,7 +53,11 @@ LIMIT = 0.7  # of the depth from which bodies are held back: how far a pair may 
 
 def begin_part(world: World) -> None:
     """Give the part that begins its length, which `shorten_part` may reduce."""
-    set_level(world.control.counts[NEXT_LEVEL], world)
+    control, broad_phase = world.control, world.broad_phase
+    counts = control.counts
+    if counts[TICK] + counts[RETAKEN] == 0:
+        counts[FINEST] = 0
+    set_level(broad_phase.counts[NEXT_LEVEL], world)
 
 
 def end_part(world: World) -> bool:
@@ -60,13 +65,13 @@ def end_part(world: World) -> bool:
 
     The next part is twice as long where it begins at a multiple of that, if nothing forbids it.
     """
-    control, bodies = world.control, world.bodies
+    control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
     counts = control.counts
     level = counts[LEVEL]
     counts[TICK] += 1 << (MOST_LEVEL - level)
     longer = level > 0 and counts[TICK] % (1 << (MOST_LEVEL - level + 1)) == 0
-    counts[NEXT_LEVEL] = level - 1 if longer else level
-    counts[RETAKEN] = 0
+    broad_phase.counts[NEXT_LEVEL] = level - 1 if longer else level
+    counts[RETAKEN], counts[FINEST] = 0, max(counts[FINEST], level)
     if counts[TICK] == 1 << MOST_LEVEL:
         counts[TICK] = 0
         set_level(0, world)
@@ -96,7 +101,8 @@ def retake_part(world: World, contacts: Contacts) -> None:
             bodies.motion[i, DX + n] = 0.0
     for p in range(broad_phase.counts[CONTACTS] if counts[TICK] == 0 else 0):
         contacts.flags[p, TOUCHES] &= WAS_TOUCHING
-    counts[NEXT_LEVEL], counts[RETAKEN], counts[STAGE] = counts[LEVEL] + 1, 1, AT_START
+    broad_phase.counts[NEXT_LEVEL] = counts[LEVEL] + 1
+    counts[RETAKEN], counts[STAGE] = 1, AT_START
 
 
 def set_level(level: int, world: World) -> None:

@@ -47,9 +47,9 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     if constraints.counts[ACTIVE] == 0:
         return
     substep = control.progress[PART_TIME] / control.counts[PART_SUBSTEPS]
-    before = control.progress[SUBSTEP]
+    before = control.settings[SUBSTEP]
     control.progress[IMPULSE_RATIO] = substep / before if before > 0.0 else 1.0
-    control.progress[SUBSTEP] = substep
+    control.settings[SUBSTEP] = substep
     for k in range(len(constraints.energy)):
         constraints.energy[k] = 0.0
     number, last = constraints.counts[SLABS], 2 * control.counts[PART_SUBSTEPS]

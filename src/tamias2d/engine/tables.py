@@ -74,6 +74,7 @@ _settings = Columns()
 GRAVITY_X = _settings()  # m/s^2
 GRAVITY_Y = _settings()  # m/s^2
 TIME_STEP = _settings()  # s, of a whole step
+SUBSTEP = _settings()  # s, of the last part that was solved
 
 _control = Columns()
 SUBSTEPS = _control()  # of a step
@@ -84,9 +85,9 @@ ROWS_NEEDED = _control()  # by the array that was too short
 STEPS_TAKEN = _control()  # since the start
 TICK = _control()  # at which a part of the step begins; a step has 2**MOST_LEVEL of them
 LEVEL = _control()  # a part is this power of a half of the step
-NEXT_LEVEL = _control()  # that the part which begins has at least
 GOES_FAR = _control()  # 1 if a body goes farther in this part than a fraction of its width
 RETAKEN = _control()  # 1 if the part was begun before, and was too long
+FINEST = _control()  # level of the shortest part of the last step
 PART_SUBSTEPS = _control()  # of a part
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 
@@ -97,7 +98,6 @@ FLOWN = _progress()  # fraction of the step that continuous collision has done
 UPDATES_LEFT = _progress()  # updates of the contact list that continuous collision may still make
 DEPTH_SHARE = _progress()  # of the allowed depth, up to which impacts are not looked for
 PART_TIME = _progress()  # s, of a part of the step
-SUBSTEP = _progress()  # s, of the last part that was solved
 IMPULSE_RATIO = _progress()  # of the length of a substep to that of the part before
 
 # status of a step: done, an array that is too short, a value that is not valid, done with no
@@ -290,6 +290,7 @@ HORIZON = _broad_phase()  # steps for which the list is made
 STEPS_SINCE = _broad_phase()  # steps since it was made
 LIST_HOLDS = _broad_phase()  # 1 if it holds all pairs that may touch
 FIRST_RUN = _broad_phase()  # contacts of the first sorted run
+NEXT_LEVEL = _broad_phase()  # that the part which begins has at least
 UPDATED = _broad_phase()  # bodies whose bounds were updated since the list was made
 
 _frame = Columns()
@@ -316,7 +317,11 @@ SHAPE_OF_RANK, RANK = range(2)  # rows of canonical
 class BroadPhase(NamedTuple):
     """Which shapes may touch; read by the broad phase, its bounds by continuous collision."""
 
-    counts: Annotated[Ranks, Sized(_broad_phase.width), Saved(2**62)]
+    counts: Annotated[
+        Ranks,
+        Sized(_broad_phase.width),
+        Saved({**dict.fromkeys(range(_broad_phase.width), 2**62), NEXT_LEVEL: MOST_LEVEL + 1}),
+    ]
     frame: Annotated[Floats, Sized(_frame.width), Saved()]
     fat_bounds: Annotated[FloatRows, Sized("slots", _fat_bounds.width), Saved(numbers="infinite")]
     left: Annotated[Bytes, Sized("slots")]  # 1 if the body has left its bounds

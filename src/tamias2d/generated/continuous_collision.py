@@ -478,7 +478,7 @@ def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
         fraction: Part of a step that has passed, 1
         arc: Angle by which a wall turns before a body that it carries meets it again, rad
 
-    Source: DD49, srs/models/continuous_collision.md:340.
+    Source: DD49, srs/models/continuous_collision.md:376.
     """
     return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
 
@@ -495,7 +495,7 @@ def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scala
         inward_share: Part of its distance by which a carried body comes nearer to its carrier,
             1
 
-    Source: DD49, srs/models/continuous_collision.md:341.
+    Source: DD49, srs/models/continuous_collision.md:377.
     """
     shift_x, shift_y = shift
     span_x, span_y = span

@@ -206,6 +206,15 @@ class Simulator(Views):
         """In how many parts a step solves contacts."""
         return self._substeps
 
+    @property
+    def parts(self) -> int:
+        """In how many parts the last step was taken where it was finest: 1 unless crowds go far.
+
+        A step in which many bodies go farther than they are thick towards others is taken in parts,
+        so that none passes another or stands still; each costs about as much as a step (IM12).
+        """
+        return self._engine.parts
+
     # -- pushing
 
     @exclusive

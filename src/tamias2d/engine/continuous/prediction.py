@@ -11,7 +11,7 @@ from tamias2d.engine.continuous.events import bounces
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of
-from tamias2d.engine.narrow_phase.touching import CLOSE
+from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
 from tamias2d.engine.tables import (
     ALL,
     ARRANGED,
@@ -26,6 +26,7 @@ from tamias2d.engine.tables import (
     NORMAL_IMPULSE,
     PART_TIME,
     POINT,
+    POINT_COUNT,
     SHAPE_RADIUS,
     SPIN,
     TOUCHING,
@@ -121,21 +122,21 @@ def foresee_contact(
     contacts: Contacts,
     events: Events,
 ) -> bool:
-    """Write the manifold of two shapes as they meet; return whether they do."""
+    """Write the manifold of two shapes as they meet; return whether they do, or are close."""
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     time = control.progress[PART_TIME]
     path = path_ahead(i, j, time, bodies)
     at = time_of_impact(s, t, path, shapes, events)
+    margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
+    manifold, flags = contacts.manifolds[p], contacts.flags[p]
     if at > 1.0:
-        return False
+        return smallest_gap(manifold, flags[POINT_COUNT]) < margin
     a, b, rows = core_of(s, shapes), core_of(t, shapes), events.scratch[1:]
     place_vertices(a, path.turn_a * at, shapes.world_vertices, 0, rows)
     place_vertices(b, path.turn_b * at, shapes.world_vertices, a.vertex_count, rows)
     placed_a = Core(a.kind, 0, a.vertex_count, a.radius, 0.0)
     placed_b = Core(b.kind, a.vertex_count, b.vertex_count, b.radius, 0.0)
     x, y = path.x + at * path.dx, path.y + at * path.dy
-    margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
-    manifold, flags = contacts.manifolds[p], contacts.flags[p]
     first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, rows)
     manifold[FORESEEN] = at * time
     return match_impulses(manifold, flags, first, second) > 0
