@@ -48,6 +48,7 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.continuous_collision import motion_bound
 
 FEW = 3  # pairs that are left to continuous collision
+THIN = 0.1  # of the smaller radius: thinner bodies are as if they were so thick
 LIMIT = 0.7  # of the depth from which bodies are held back: how far a pair may go in a part
 
 
@@ -142,7 +143,10 @@ def shorten_part(world: World, contacts: Contacts) -> None:
 
 
 def find_wanted_levels(world: World, contacts: Contacts) -> None:
-    """Count the pairs that want a part of each level, where that is shorter than this one."""
+    """Count the pairs that want a part of each level, where that is shorter than this one.
+
+    Pairs for which the shortest part is too long want none.
+    """
     control, bodies, shapes = world.control, world.bodies, world.shapes
     wanted, level = control.wanted, control.counts[LEVEL]
     for k in range(len(wanted)):
@@ -152,14 +156,14 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         far = motion_of_pair(i, j, control.progress[PART_TIME], bodies)
         reach = smaller_radius(s, t, shapes.material)
-        deep = LIMIT * allowed_depth(i, j, reach, bodies.properties)
+        deep = LIMIT * max(allowed_depth(i, j, reach, bodies.properties), THIN * reach)
         if far > deep and not senses(s, t, shapes.filters):
             gap = manifold_at(s, t, 0.0, bodies, shapes, world.events)
             k = level
             while k < MOST_LEVEL and far > deep and far > gap:
                 k += 1
                 far *= 0.5
-            wanted[k] += 1
+            wanted[k] += 1 if far <= max(deep, gap) else 0
 
 
 def motion_of_pair(i: int, j: int, time: float, bodies: Bodies) -> float:

@@ -27,6 +27,7 @@ from tamias2d.engine.continuous.events import (
     goes_little,
     manifold_at,
     next_event,
+    relative_motion,
     smaller_radius,
     update_events_of,
 )
@@ -35,6 +36,7 @@ from tamias2d.engine.continuous.gap_bound import UNBOUNDED
 from tamias2d.engine.continuous.impact import rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (
+    BOUNDING_RADIUS,
     CONTACTS,
     DEPTH_SHARE,
     DYNAMIC,
@@ -115,14 +117,14 @@ def solve_continuous(
             least = -MOST_UPDATES if cannot_freeze(event, bodies.flight, bodies.kind) else 0
             if updates_left > least:
                 return now
-            if may_retake(control):
+            wide = bodies.properties[event, BOUNDING_RADIUS]
+            if may_retake(path_length(event, bodies.motion, bodies.properties), wide, control):
                 return TOO_LONG
             i, j, frozen = event, event, True
             freeze(i, now, control, bodies)
         else:
             p, frozen = event - body_count, impacts_left <= 0
-            far = frozen and not reaches_little(p, now, bodies, shapes, contacts)
-            if far and may_retake(control):
+            if frozen and pair_may_retake(p, now, control, bodies, shapes, contacts):
                 return TOO_LONG
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
@@ -140,9 +142,21 @@ def solve_continuous(
     return MISSED
 
 
-def may_retake(control: Control) -> bool:
-    """Return whether a part can be taken again, in shorter ones."""
-    return bool((control.counts[GOES_FAR] == 1) & (control.counts[LEVEL] < MOST_LEVEL))
+def may_retake(length: float, deep: float, control: Control) -> bool:
+    """Return whether shorter parts make a way, m, short."""
+    shortest = length / (1 << (MOST_LEVEL - control.counts[LEVEL]))
+    return bool((control.counts[GOES_FAR] == 1) & (length > deep) & (shortest <= deep))
+
+
+def pair_may_retake(
+    p: int, now: float, control: Control, bodies: Bodies, shapes: Shapes, contacts: Contacts
+) -> bool:
+    """Return whether a pair that goes too far does not in shorter parts."""
+    if reaches_little(p, now, bodies, shapes, contacts):
+        return False
+    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    reach = smaller_radius(contacts.pairs[p, 0], contacts.pairs[p, 1], shapes.material)
+    return may_retake(relative_motion(i, j, bodies), reach, control)
 
 
 def count_located(flags: Integers) -> None:

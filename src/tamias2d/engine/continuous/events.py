@@ -206,11 +206,15 @@ def update_events_of(
 
 def goes_little(i: int, j: int, now: float, share: float, reach: float, bodies: Bodies) -> bool:
     """Return whether two bodies come together by no more than a share of the allowed depth."""
+    deep = allowed_depth(i, j, reach, bodies.properties)
+    return bool(relative_motion(i, j, bodies) * (1.0 - now) <= share * deep)
+
+
+def relative_motion(i: int, j: int, bodies: Bodies) -> float:
+    """Return how far two bodies may come together in a part of a step, m."""
     motion = bodies.motion
     by = abs(motion[j, DX] - motion[i, DX]) + abs(motion[j, DY] - motion[i, DY])
-    by += turning_reach(i, j, motion, bodies.properties)
-    deep = allowed_depth(i, j, reach, bodies.properties)
-    return bool(by * (1.0 - now) <= share * deep)
+    return float(by + turning_reach(i, j, motion, bodies.properties))
 
 
 def next_event(
