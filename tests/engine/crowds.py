@@ -11,7 +11,7 @@ import tamias2d as t2
 Array = NDArray[np.float64]
 
 
-def shape_of(kind: int, size: float) -> object:
+def shape_of(kind: int, size: float) -> Any:
     """A disc, a box, a pentagon or a capsule that a circle of the size, m, contains."""
     angles = 2 * math.pi / 5 * np.arange(5)
     corners = [(size * math.cos(a), size * math.sin(a)) for a in angles]

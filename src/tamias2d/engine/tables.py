@@ -178,7 +178,8 @@ PATH_LENGTH = _flight()  # m, that some point of the body goes
 PATH_EXCESS = _flight()  # m, by which that is more than its thickness
 
 
-UNMOVED, MOVED, UNTOUCHED = range(3)  # by the solver, or sleep; the last: no contact changed it
+# moved: by the solver, or sleep; with contacts that change nothing; and pressed by overlaps
+UNMOVED, MOVED, UNTOUCHED, PRESSED = range(4)
 
 
 class BodyState(NamedTuple):

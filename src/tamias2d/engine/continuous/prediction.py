@@ -58,11 +58,13 @@ def foresee(world: World, contacts: Contacts) -> None:
         meets = contacts.flags[p, LOCATED] > 0
         contacts.flags[p, LOCATED] = 0
         if is_located(meets, p, i, j, bodies, shapes, contacts, touching):
-            contacts.flags[p, LOCATED] = MOST_LOCATED
+            contacts.flags[p, LOCATED], contacts.flags[p, POINT_COUNT] = MOST_LOCATED, 0
             touching.counts[LOCATED_PAIRS] += 1
         elif not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events):
             touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
             stay += 1
+        else:
+            contacts.flags[p, POINT_COUNT] = 0
     touching.counts[TOUCHING] = stay
     touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
 

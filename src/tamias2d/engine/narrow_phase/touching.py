@@ -97,6 +97,7 @@ def find_touching(
                 p, i, j, count, smaller, control, bodies, contacts
             )
             if not meets and smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
+                contacts.flags[p, POINT_COUNT] = 0
                 continue
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j

@@ -14,6 +14,7 @@ from tamias2d.engine.tables import (
     GRAVITY_Y,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    MOVED,
     SPIN,
     STEP_START,
     SUBSTEP_START,
@@ -48,7 +49,7 @@ def sum_step_energy(
         if bodies.kind[i] != DYNAMIC:
             energy[TOTAL_WORK] = UNLIMITED
             continue
-        if unchanged_by_contacts(then, now):
+        if bodies.moved[i] == MOVED and unchanged_by_contacts(then, now):
             bodies.moved[i] = UNTOUCHED
         mass, inertia = mass_and_inertia(i, bodies.properties)
         velocity = (then[STEP_START], then[STEP_START + 1])
