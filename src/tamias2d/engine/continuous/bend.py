@@ -16,20 +16,17 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.continuous_collision import coordinate_bend, coordinate_rest_gain
 
 MOST_BENDS = 12  # of Newton's method
-CLOSER = 2.0**-20  # than what counts as meeting on lines: gaps here are positive, too
+CLOSER = 2.0**-30  # than what counts as meeting on lines: gaps here are positive, too
 SETTLED = 2.0**-45  # of the step
 
 
-def is_bent(i: int, j: int, bodies: Bodies) -> bool:
-    """Return whether two bodies are on paths that no impact has changed, one of them bent."""
-    flight, bent = bodies.flight, False
-    for k in (i, j):
-        if flight[k, REDIRECTED] + flight[k, SUPPORTED] > 0.0:
-            return False
-        if bodies.kind[k] == DYNAMIC:
-            for n in range(3):
-                bent = bent or flight[k, FORCE_GAIN + n] != 0.0
-    return bent
+def is_first(i: int, j: int, bodies: Bodies) -> bool:
+    """Return whether no impact and no contact has changed the paths of two bodies."""
+    flight = bodies.flight
+    return bool(
+        flight[i, REDIRECTED] + flight[i, SUPPORTED] + flight[j, REDIRECTED] + flight[j, SUPPORTED]
+        == 0.0
+    )
 
 
 def bend_paths(

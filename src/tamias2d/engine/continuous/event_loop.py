@@ -11,7 +11,7 @@ Cost: for each impact, the contacts of both bodies. Source: Mirtich, Impulse-bas
 simulation (1996).
 """
 
-from tamias2d.engine.continuous.bend import bend_paths, is_bent
+from tamias2d.engine.continuous.bend import bend_paths, is_first
 from tamias2d.engine.continuous.bounds import path_length, time_of_leaving
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.event_queue import (
@@ -234,7 +234,7 @@ def resolve_impact(
         s, t = t, s
         sense = -1.0
     i, j = shapes.slot[s], shapes.slot[t]
-    if contacts.flags[p, LOCATED] > 0 and is_bent(i, j, bodies):
+    if contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies):
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
     manifold_at(s, t, now, bodies, shapes, events)
     manifold = events.scratch[0]

@@ -52,8 +52,8 @@ from tamias2d.generated.continuous_collision import fraction_closest, motion_bou
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
-# how far one body may go into another, from where the solver pushes it back, as a fraction of half
-# the widths of both; it is not farther than the smaller bounding radius
+# how far one body may go into another, from where the solver pushes it back, as a fraction of the
+# width of the thinner one; it is not farther than the smaller bounding radius
 PUSHED_BACK = 0.7
 SHALLOW = 0.15  # of that: how far one goes in before its impact is looked for
 BOUNCY = 0.7  # restitution that gives half of the energy back
@@ -146,13 +146,13 @@ def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
 
 def allowed_depth(i: int, j: int, reach: float, properties: Array) -> float:
     """Return how far one body may go into another and be pushed back, m."""
-    half = half_widths(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT])
-    return min(PUSHED_BACK * half, reach)
+    width = thinner_width(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT])
+    return min(PUSHED_BACK * width, reach)
 
 
-def half_widths(one: float, other: float) -> float:
-    """Return half the widths of two bodies, m; of a half-plane only the other's counts."""
-    return one if other > UNBOUNDED else other if one > UNBOUNDED else one + other
+def thinner_width(one: float, other: float) -> float:
+    """Return the width of the thinner of two bodies, m; half of it where one is a half-plane."""
+    return one if other > UNBOUNDED else other if one > UNBOUNDED else 2.0 * min(one, other)
 
 
 def stay_near(one: Array, other: Array, reach: float) -> bool:
