@@ -47,9 +47,9 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.generated.continuous_collision import motion_bound
 
-FEW = 3  # pairs that are left to continuous collision
-THIN = 0.1  # of the smaller radius: thinner bodies are as if they were so thick
-LIMIT = 0.7  # of the depth from which bodies are held back: how far a pair may go in a part
+FEW, OF_ALL = 3, 64  # pairs that are left to continuous collision: so many, or one of so many
+CHEAP = 5  # a level beyond which twice as many are left for each: their impacts cost less
+THIN = 0.25  # of the smaller radius: thinner bodies are as if they were so thick
 
 
 def begin_part(world: World) -> None:
@@ -134,7 +134,8 @@ def shorten_part(world: World, contacts: Contacts) -> None:
     level = counts[LEVEL]
     find_wanted_levels(world, contacts)
     longer, highest = 0, MOST_LEVEL
-    while highest > level and longer + wanted[highest] <= FEW:
+    few = max(FEW, broad_phase.counts[CONTACTS] // OF_ALL)
+    while highest > level and longer + wanted[highest] <= few << max(highest - CHEAP, 0):
         longer += wanted[highest]
         highest -= 1
     set_level(highest, world)
@@ -156,7 +157,7 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         far = motion_of_pair(i, j, control.progress[PART_TIME], bodies)
         reach = smaller_radius(s, t, shapes.material)
-        deep = LIMIT * max(allowed_depth(i, j, reach, bodies.properties), THIN * reach)
+        deep = max(allowed_depth(i, j, reach, bodies.properties), THIN * reach)
         if far > deep and not senses(s, t, shapes.filters):
             gap = manifold_at(s, t, 0.0, bodies, shapes, world.events)
             k = level

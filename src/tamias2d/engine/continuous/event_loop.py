@@ -68,7 +68,7 @@ from tamias2d.engine.tables import (
     Shapes,
 )
 
-MOST_IMPACTS, MOST_IMPACTS_OF_PAIR = 64, 4  # in one step: in all, and for every pair that meets
+MOST_IMPACTS, MOST_IMPACTS_OF_PAIR = 256, 4  # in one step: in all, and for every pair that meets
 MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried
 TOO_LONG = -1.0  # a part of the step that is to be taken in shorter ones
 MOST_UPDATES = 32  # of pairs in one step, and as many for bodies that cannot be frozen

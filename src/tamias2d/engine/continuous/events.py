@@ -40,6 +40,8 @@ from tamias2d.engine.tables import (
     SLOT_A,
     SLOT_B,
     SPENT,
+    TOUCHES,
+    WAS_TOUCHING,
     Bodies,
     BroadPhase,
     Contacts,
@@ -57,9 +59,10 @@ from tamias2d.state import Array
 PUSHED_BACK = 0.7
 SHALLOW = 0.15  # of that: how far one goes in before its impact is looked for
 BOUNCY = 0.7  # restitution that gives half of the energy back
-MOST_SHALLOW = 24  # pairs in a part that are looked at for that
+MOST_SHALLOW = 8  # pairs in a part that are looked at for that
 MANY = -1  # more than these
-CLOSE = 0.02  # of the smaller radius: how far thin bodies may turn about a contact
+SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
+CLOSE = 0.02  # the same, where it has just met another
 
 
 def find_events(
@@ -128,13 +131,12 @@ def may_pass(
     motion = bodies.motion
     by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
     turn = turning_reach(i, j, motion, bodies.properties)
-    deep = share * allowed_depth(i, j, reach, bodies.properties)
-    if abs(by_x) + abs(by_y) + turn <= deep:
-        return False
-    into = UNBOUNDED
-    if contacts.flags[p, POINT_COUNT] > 0:
-        into = max(0.0, -contacts.manifolds[p, NX] * by_x - contacts.manifolds[p, NY] * by_y)
-    return bool(into + turn > max(deep, CLOSE * reach))
+    deep = allowed_depth(i, j, reach, bodies.properties)
+    if contacts.flags[p, POINT_COUNT] == 0:
+        return bool(abs(by_x) + abs(by_y) + turn > share * deep)
+    into = max(0.0, -contacts.manifolds[p, NX] * by_x - contacts.manifolds[p, NY] * by_y)
+    swung = SWUNG if contacts.flags[p, TOUCHES] & WAS_TOUCHING else CLOSE
+    return bool(into + turn > max(deep, swung * reach))
 
 
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:

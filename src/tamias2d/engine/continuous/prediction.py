@@ -52,10 +52,10 @@ def foresee(world: World, contacts: Contacts) -> None:
     if touching.counts[MEETING] == 0:
         return
     count_contacts(contacts, touching)
-    stay = 0
+    stay, changed = 0, False
     for k in range(touching.counts[TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
-        meets = contacts.flags[p, LOCATED] > 0
+        meets, points = contacts.flags[p, LOCATED] > 0, contacts.flags[p, POINT_COUNT]
         contacts.flags[p, LOCATED] = 0
         if is_located(meets, p, i, j, bodies, shapes, contacts, touching):
             contacts.flags[p, LOCATED], contacts.flags[p, POINT_COUNT] = MOST_LOCATED, 0
@@ -63,10 +63,12 @@ def foresee(world: World, contacts: Contacts) -> None:
         elif not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events):
             touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
             stay += 1
+            changed = changed or contacts.flags[p, POINT_COUNT] != points
         else:
             contacts.flags[p, POINT_COUNT] = 0
-    touching.counts[TOUCHING] = stay
-    touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
+    if changed or stay < touching.counts[TOUCHING]:
+        touching.counts[TOUCHING] = stay
+        touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
 
 
 def count_contacts(contacts: Contacts, touching: Touching) -> None:
