@@ -132,6 +132,8 @@ def shorten_part(world: World, contacts: Contacts) -> None:
     control, broad_phase = world.control, world.broad_phase
     counts, wanted = control.counts, control.wanted
     level = counts[LEVEL]
+    if counts[GOES_FAR] == 0 and level == 0:
+        return
     find_wanted_levels(world, contacts)
     longer, highest = 0, MOST_LEVEL
     few = max(FEW, broad_phase.counts[CONTACTS] // OF_ALL)

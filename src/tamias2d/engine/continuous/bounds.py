@@ -30,7 +30,6 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.continuous_collision import motion_bound
 from tamias2d.state import Array
 
-NOTICED = 0.2  # of half its width: a body that goes less far comes nowhere near through another
 ANY_TURN = 2.0  # rad: with so large an angle margin, pairs are known whichever way the body turns
 
 

@@ -40,8 +40,6 @@ from tamias2d.engine.tables import (
     SLOT_A,
     SLOT_B,
     SPENT,
-    TOUCHES,
-    WAS_TOUCHING,
     Bodies,
     BroadPhase,
     Contacts,
@@ -62,7 +60,6 @@ BOUNCY = 0.7  # restitution that gives half of the energy back
 MOST_SHALLOW = 8  # pairs in a part that are looked at for that
 MANY = -1  # more than these
 SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
-CLOSE = 0.02  # the same, where it has just met another
 
 
 def find_events(
@@ -135,8 +132,7 @@ def may_pass(
     if contacts.flags[p, POINT_COUNT] == 0:
         return bool(abs(by_x) + abs(by_y) + turn > share * deep)
     into = max(0.0, -contacts.manifolds[p, NX] * by_x - contacts.manifolds[p, NY] * by_y)
-    swung = SWUNG if contacts.flags[p, TOUCHES] & WAS_TOUCHING else CLOSE
-    return bool(into + turn > max(deep, swung * reach))
+    return bool(into + turn > max(deep, SWUNG * reach))
 
 
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
