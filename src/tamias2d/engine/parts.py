@@ -20,6 +20,7 @@ from tamias2d.engine.tables import (
     DX,
     FINEST,
     FRAME_MOVES,
+    GOES_FAR,
     LEVEL,
     LIST_HOLDS,
     MOST_LEVEL,

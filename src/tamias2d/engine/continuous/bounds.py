@@ -36,9 +36,7 @@ ANY_TURN = 2.0  # rad: with so large an angle margin, pairs are known whichever 
 def goes_far(i: int, bodies: Bodies) -> bool:
     """Return whether a body goes farther in this step than the solver could push it back from."""
     length = path_length(i, bodies.motion, bodies.properties)
-    return bool(
-        (length > NOTICED * bodies.properties[i, MIN_EXTENT]) & (bodies.kind[i] >= KINEMATIC)
-    )
+    return bool((length > FAST * bodies.properties[i, MIN_EXTENT]) & (bodies.kind[i] >= KINEMATIC))
 
 
 def path_length(i: int, motion: Array, properties: Array) -> float:
