@@ -50,6 +50,7 @@ from tamias2d.generated.continuous_collision import motion_bound
 
 FEW, OF_ALL = 3, 64  # pairs that are left to continuous collision: so many, or one of so many
 CHEAP = 5  # a level beyond which twice as many are left for each: their impacts cost less
+LIMIT = 1.5  # depths from which bodies are pushed back: how far a pair may go in a part
 THIN = 0.25  # of the smaller radius: thinner bodies are as if they were so thick
 
 
@@ -160,7 +161,7 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         far = motion_of_pair(i, j, control.progress[PART_TIME], bodies)
         reach = smaller_radius(s, t, shapes.material)
-        deep = max(allowed_depth(i, j, reach, bodies.properties), THIN * reach)
+        deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
         if far > deep and not senses(s, t, shapes.filters):
             gap = manifold_at(s, t, 0.0, bodies, shapes, world.events)
             k = level

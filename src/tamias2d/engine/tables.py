@@ -175,7 +175,6 @@ SUPPORTED = (
     _flight()
 )  # 1 if the body had contacts under gravity: its velocity says little of its way
 PATH_LENGTH = _flight()  # m, that some point of the body goes
-PATH_EXCESS = _flight()  # m, by which that is more than its thickness
 
 
 # moved: by the solver, or sleep; with contacts that change nothing; and pressed by overlaps

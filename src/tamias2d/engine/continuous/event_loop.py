@@ -21,7 +21,6 @@ from tamias2d.engine.continuous.event_queue import (
 )
 from tamias2d.engine.continuous.events import (
     MANY,
-    PUSHED_BACK,
     SHALLOW,
     find_events,
     goes_little,
@@ -32,7 +31,6 @@ from tamias2d.engine.continuous.events import (
     update_events_of,
 )
 from tamias2d.engine.continuous.freeze import cannot_freeze, freeze, freeze_or_carry
-from tamias2d.engine.continuous.gap_bound import UNBOUNDED
 from tamias2d.engine.continuous.impact import rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (
@@ -47,10 +45,8 @@ from tamias2d.engine.tables import (
     HALF_PLANE,
     LEVEL,
     LOCATED,
-    MIN_EXTENT,
     MOST_LEVEL,
     PART_TIME,
-    PATH_EXCESS,
     PATH_LENGTH,
     REDIRECTED,
     SLOT_A,
@@ -172,11 +168,10 @@ def begin_continuous(control: Control, bodies: Bodies) -> None:
     """
     falls = control.settings[GRAVITY_X] != 0.0 or control.settings[GRAVITY_Y] != 0.0
     for i in range(len(bodies.kind)):
-        flight, wide = bodies.flight[i], bodies.properties[i, MIN_EXTENT]
+        flight = bodies.flight[i]
         held = flight[FORCE_GAIN] == 0.0 and flight[FORCE_GAIN + 1] == 0.0
         length = path_length(i, bodies.motion, bodies.properties)
         flight[REDIRECTED], flight[PATH_LENGTH] = 0.0, length
-        flight[PATH_EXCESS] = length - (SHALLOW * PUSHED_BACK * wide if wide <= UNBOUNDED else 0.0)
         flight[SUPPORTED] = 1.0 if falls and held and bodies.kind[i] == DYNAMIC else 0.0
 
 

@@ -31,7 +31,6 @@ from tamias2d.engine.tables import (
     NX,
     NY,
     PART_TIME,
-    PATH_EXCESS,
     PATH_LENGTH,
     POINT_COUNT,
     REDIRECTED,
@@ -54,8 +53,8 @@ from tamias2d.state import Array
 
 # how far one body may go into another, from where the solver pushes it back, as a fraction of the
 # width of the thinner one; it is not farther than the smaller bounding radius
-PUSHED_BACK = 0.7
-SHALLOW = 0.15  # of that: how far one goes in before its impact is looked for
+PUSHED_BACK = 0.35
+SHALLOW = 0.3  # of that: how far one goes in before its impact is looked for
 BOUNCY = 0.7  # restitution that gives half of the energy back
 MOST_SHALLOW = 8  # pairs in a part that are looked at for that
 MANY = -1  # more than these
@@ -84,11 +83,11 @@ def find_events(
         redirected = bodies.flight[i, REDIRECTED] + bodies.flight[j, REDIRECTED] > 0.0
         reach = smaller_radius(s, t, shapes.material)
         located = 0 < contacts.flags[p, LOCATED] < SPENT
-        if not (redirected or located) and stay_near(bodies.flight[i], bodies.flight[j], reach):
+        share = control.progress[DEPTH_SHARE]
+        if not (redirected or located) and stay_near(i, j, share, reach, bodies):
             continue
         if senses(s, t, shapes.filters):
             continue
-        share = control.progress[DEPTH_SHARE]
         if redirected or located or may_pass(p, i, j, share, reach, bodies, contacts):
             sought += 1
             if share < 1.0 and sought > MOST_SHALLOW:
@@ -153,15 +152,13 @@ def thinner_width(one: float, other: float) -> float:
     return one if other > UNBOUNDED else other if one > UNBOUNDED else 2.0 * min(one, other)
 
 
-def stay_near(one: Array, other: Array, reach: float) -> bool:
+def stay_near(i: int, j: int, share: float, reach: float, bodies: Bodies) -> bool:
     """Return whether two bodies go too little for one to get far into the other.
 
     This is what follows from how far each goes, and not from where both go.
     """
-    return bool(
-        (one[PATH_EXCESS] + other[PATH_EXCESS] <= 0.0)
-        & (one[PATH_LENGTH] + other[PATH_LENGTH] <= reach)
-    )
+    length: float = bodies.flight[i, PATH_LENGTH] + bodies.flight[j, PATH_LENGTH]
+    return length <= share * allowed_depth(i, j, reach, bodies.properties)
 
 
 def update_events_of(
