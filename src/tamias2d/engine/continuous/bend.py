@@ -37,10 +37,10 @@ def bend_paths(
     From then on their paths are the chords of the rest of the step.
     """
     i, j = shapes.slot[s], shapes.slot[t]
-    target = CLOSER * manifold_at(s, t, chord, bodies, shapes, events)
+    near = manifold_at(s, t, chord, bodies, shapes, events)
     start_i = (bodies.pose[i, 0], bodies.pose[i, 1], bodies.pose[i, 2])
     start_j = (bodies.pose[j, 0], bodies.pose[j, 1], bodies.pose[j, 2])
-    now = chord
+    now, target = chord, CLOSER * near
     for _ in range(MOST_BENDS):
         place_beside(i, start_i, now, time_step, bodies)
         place_beside(j, start_j, now, time_step, bodies)
@@ -51,6 +51,10 @@ def bend_paths(
         if abs(later - now) <= SETTLED:
             break
         now = later
+    if not abs(gap) <= near:  # they graze each other: no iteration ends at the gap
+        for n in range(3):
+            bodies.pose[i, n], bodies.pose[j, n] = start_i[n], start_j[n]
+        return chord
     take_rest(i, now, time_step, bodies)
     take_rest(j, now, time_step, bodies)
     return now
