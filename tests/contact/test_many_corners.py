@@ -23,14 +23,6 @@ def scene_of(corners: int) -> t2.Scene:
     return scene
 
 
-def test_a_run_has_the_bits_of_a_loop(monkeypatch: pytest.MonkeyPatch) -> None:
-    fast = t2.simulate(scene_of(40), duration=0.6)
-    assert len(fast.impacts) > 1
-    monkeypatch.setattr(gap, "_MANY", math.inf)
-    slow = t2.simulate(scene_of(40), duration=0.6)
-    assert fast.position.tobytes() == slow.position.tobytes()
-
-
 @pytest.mark.parametrize("turn", [0.0, 0.3, 2.0])
 def test_gaps_along_all_sides_have_the_bits_of_a_loop(
     turn: float, monkeypatch: pytest.MonkeyPatch
