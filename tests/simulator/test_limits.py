@@ -93,6 +93,19 @@ def test_one_thread_at_a_time() -> None:
                 call()
 
 
+VIEWS = ("gravity", "position", "orientation", "velocity", "angular_velocity", "force", "torque")
+
+
+@pytest.mark.parametrize("name", VIEWS)
+def test_no_view_is_taken_or_set_while_another_call_runs(name: str) -> None:
+    sim = ground()
+    with sim._lock:
+        for call in (lambda: getattr(sim, name), lambda: setattr(sim, name, 0.0)):
+            with pytest.raises(t2.SimulationError, match=f"^{name} of the simulator: another call"):
+                call()
+    setattr(sim, name, getattr(sim, name).copy())
+
+
 @pytest.fixture
 def heard() -> Iterator[None]:
     """A process that was started in the background ignores Ctrl-C; here it is heard."""

@@ -61,7 +61,6 @@ class Simulator(Views):
     """
 
     __slots__ = (
-        "_lock",
         "_names",
         "_pushed",
         "_scene",
