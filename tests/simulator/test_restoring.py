@@ -118,6 +118,7 @@ EDITS = {
     "type": ("engine.state.pose", lambda pose: pose.astype("f4"), "must be float64"),
     "shape": ("engine.shapes.radius", lambda radius: radius[:-1], "must be float64 of shape"),
     "report": ("touching.contacts.bodies", put((0, 0), 99), "names a body that is not there"),
+    "report length": ("touching.contacts.impulse", lambda a: a[:-1], "must have one length"),
     "pushed": ("pushed", put((0, 0), np.inf), "must be numbers"),
     "no time step": ("about", told(time_step=0.0), "must be > 0"),
     "time step": ("about", told(time_step=1e300), "must be from"),
