@@ -757,7 +757,7 @@ SYMBOLS: dict[str, Symbol] = {
     "applied_impulse": Symbol(
         "applied_impulse",
         "N*s",
-        "impulse that is given in one visit of a row, to B along the line",
+        "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
         line=513,
@@ -774,7 +774,7 @@ SYMBOLS: dict[str, Symbol] = {
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
         "N*s",
-        "push after a visit of a soft contact",
+        "accumulated impulse after an iteration of a soft contact",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
@@ -783,7 +783,7 @@ SYMBOLS: dict[str, Symbol] = {
     "restitution_impulse": Symbol(
         "restitution_impulse",
         "N*s",
-        "push after the visit that makes bodies part again",
+        "accumulated impulse after restitution",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
@@ -800,7 +800,7 @@ SYMBOLS: dict[str, Symbol] = {
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
         "N*s",
-        "rub after a visit, held within what friction can give",
+        "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
         line=536,
@@ -843,7 +843,7 @@ SYMBOLS: dict[str, Symbol] = {
     "impulse_share": Symbol(
         "impulse_share",
         "1",
-        "part of its push that a soft contact gives back in a visit",
+        "part of its impulse that a soft contact gives back in an iteration",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
@@ -888,7 +888,7 @@ SYMBOLS: dict[str, Symbol] = {
     "preload": Symbol(
         "preload",
         "m",
-        "overlap at which a spring without preload would push as much",
+        "overlap at which a spring without preload would give as much",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
@@ -991,7 +991,7 @@ SYMBOLS: dict[str, Symbol] = {
     "propagator_lift": Symbol(
         "propagator_lift",
         "s^2",
-        "way in a step for one unit of acceleration",
+        "displacement in a step for one unit of acceleration",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
@@ -1026,7 +1026,7 @@ SYMBOLS: dict[str, Symbol] = {
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
         "1",
-        "part of the push of two contacts that is that of the first",
+        "part of the normal impulse of two contacts that is that of the first",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
