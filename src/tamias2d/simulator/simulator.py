@@ -37,10 +37,9 @@ from tamias2d.simulator.settings import (
 )
 from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.simulator.views import Views
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
-Whole = NDArray[np.int64]
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
@@ -373,7 +372,7 @@ class Simulator(Views):
 
     @property
     @exclusive
-    def ended(self) -> Whole:
+    def ended(self) -> IntArray:
         """The pairs (k, 2) that touched before the last step, and not in it.
 
         What was removed is in none of them.
@@ -396,13 +395,13 @@ class Simulator(Views):
         return cast_rays(self._engine, start, end, mask)
 
     @exclusive
-    def at_point(self, point: object, *, mask: int | None = None) -> Whole:
+    def at_point(self, point: object, *, mask: int | None = None) -> IntArray:
         """Return the bodies (k,) at a point (2,), m, but for sensors; `mask` as in `ray_cast`."""
         self._settle_between()
         return bodies_at_point(self._engine, point, mask)
 
     @exclusive
-    def in_box(self, low: object, high: object, *, mask: int | None = None) -> Whole:
+    def in_box(self, low: object, high: object, *, mask: int | None = None) -> IntArray:
         """Return the bodies (k,) that reach into a box between two corners (2,), m.
 
         Sensors are not among them; `mask` is as in `ray_cast`.
@@ -497,7 +496,7 @@ class Simulator(Views):
     def __repr__(self) -> str:
         return f"<Simulator of {len(self)} bodies at {self.time:.6g} s>"
 
-    def _rows(self, bodies: Bodies) -> Whole:
+    def _rows(self, bodies: Bodies) -> IntArray:
         return selected(bodies, self._engine.kind, self._names)
 
     def _name_of(self, row: int) -> str:
