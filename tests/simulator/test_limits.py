@@ -59,6 +59,24 @@ def test_values_are_refused_before_a_step(view: str, value: float, says: str) ->
     assert (sim.position == before).all()
 
 
+@pytest.mark.parametrize(
+    ("view", "value"),
+    [("angular_velocity", 1e90), ("torque", 1e90), ("velocity", 1e90), ("force", 1e100)],
+)
+def test_a_body_in_free_flight_is_refused_at_once(view: str, value: float) -> None:
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    for x in (0.0, 5.0):
+        scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(x, 0.0), restitution=0.3)
+    sim = t2.Simulator(scene, compiled=False)
+    sim.step(3)
+    before = sim.orientation.copy(), sim.position.copy()
+    getattr(sim, view)[1] = value
+    with pytest.raises(t2.InputError, match=rf"{view}\[1\] of body 'body1': .* must be at most"):
+        sim.step()
+    assert (sim.orientation == before[0]).all()
+    assert (sim.position == before[1]).all()
+
+
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("mass", [1e-300, 1e-240])
 def test_what_overflows_within_a_step_leaves_no_state_that_is_not_finite(
