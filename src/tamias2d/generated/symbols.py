@@ -457,6 +457,93 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=316,
     ),
+    "half_turn": Symbol(
+        "half_turn",
+        "rad",
+        "half of the angle by which a body turns in a step",
+        tex="\\vartheta",
+        file="srs/symbols.md",
+        line=321,
+    ),
+    "half_turn_sine": Symbol(
+        "half_turn_sine",
+        "1",
+        "sine of half of the angle by which a body turns in a step",
+        tex="\\sin\\vartheta",
+        file="srs/symbols.md",
+        line=325,
+    ),
+    "damping_step": Symbol(
+        "damping_step",
+        "1",
+        "half of the share of a velocity that a damper would take in a step with the force of its beginning",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="z",
+        file="srs/symbols.md",
+        line=329,
+    ),
+    "resistance_along": Symbol(
+        "resistance_along",
+        "kg",
+        "impulse by which a spring resists a velocity along its axis, over it",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_{\\parallel}",
+        file="srs/symbols.md",
+        line=336,
+    ),
+    "resistance_across": Symbol(
+        "resistance_across",
+        "kg",
+        "impulse by which a spring resists a velocity across its axis, over it",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_{\\perp}",
+        file="srs/symbols.md",
+        line=341,
+    ),
+    "velocity_along": Symbol(
+        "velocity_along",
+        "m/s",
+        "velocity at which the ends of a spring part",
+        tex="u_{\\parallel}",
+        file="srs/symbols.md",
+        line=346,
+    ),
+    "end_velocity": Symbol(
+        "end_velocity",
+        "m/s",
+        "velocity of a spring's end B as seen from its end A",
+        shape="vector",
+        tex="\\boldsymbol{u}^{\\mathrm{spr}}",
+        file="srs/symbols.md",
+        line=350,
+    ),
+    "spring_impulse": Symbol(
+        "spring_impulse",
+        "N*s",
+        "impulse of a spring in a substep on the end at body A, at rest",
+        shape="vector",
+        tex="\\boldsymbol{J}^{\\mathrm{spr}}",
+        file="srs/symbols.md",
+        line=355,
+    ),
+    "resisting_impulse": Symbol(
+        "resisting_impulse",
+        "N*s",
+        "impulse on the end at body A by which a spring resists velocities",
+        shape="vector",
+        tex="\\boldsymbol{J}^{\\mathrm{res}}",
+        file="srs/symbols.md",
+        line=360,
+    ),
+    "critical_step": Symbol(
+        "critical_step",
+        "s",
+        "step from which on kicks and drifts let an oscillation grow",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="h_{\\mathrm{crit}}",
+        file="srs/symbols.md",
+        line=365,
+    ),
     "angular_frequency": Symbol(
         "angular_frequency",
         "rad/s",
@@ -464,7 +551,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=321,
+        line=370,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -473,7 +560,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=326,
+        line=375,
     ),
     "field_force": Symbol(
         "field_force",
@@ -482,7 +569,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=331,
+        line=380,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -490,7 +577,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=336,
+        line=385,
     ),
     "normal": Symbol(
         "normal",
@@ -499,7 +586,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=349,
+        line=398,
     ),
     "tangent": Symbol(
         "tangent",
@@ -508,7 +595,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=354,
+        line=403,
     ),
     "direction": Symbol(
         "direction",
@@ -516,7 +603,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=359,
+        line=408,
     ),
     "arm": Symbol(
         "arm",
@@ -525,7 +612,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=363,
+        line=412,
     ),
     "separation": Symbol(
         "separation",
@@ -533,7 +620,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=368,
+        line=417,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -541,7 +628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=372,
+        line=421,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -549,7 +636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=378,
+        line=427,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -557,7 +644,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=384,
+        line=433,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -565,7 +652,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=388,
+        line=437,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -574,7 +661,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=392,
+        line=441,
     ),
     "coupling": Symbol(
         "coupling",
@@ -582,7 +669,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=397,
+        line=446,
     ),
     "impulse": Symbol(
         "impulse",
@@ -591,7 +678,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=403,
+        line=452,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -599,7 +686,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=408,
+        line=457,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -607,7 +694,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=412,
+        line=461,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -616,7 +703,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=418,
+        line=467,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -625,7 +712,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=423,
+        line=472,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -633,7 +720,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=430,
+        line=479,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -641,7 +728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=436,
+        line=485,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -649,7 +736,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=440,
+        line=489,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -658,7 +745,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=444,
+        line=493,
     ),
     "share": Symbol(
         "share",
@@ -667,7 +754,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=449,
+        line=498,
     ),
     "sense": Symbol(
         "sense",
@@ -676,7 +763,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=456,
+        line=505,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -685,7 +772,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=463,
+        line=512,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -694,7 +781,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=468,
+        line=517,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -702,7 +789,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=473,
+        line=522,
     ),
     "overlap": Symbol(
         "overlap",
@@ -710,7 +797,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=477,
+        line=526,
     ),
     "line": Symbol(
         "line",
@@ -719,7 +806,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=489,
+        line=538,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -727,7 +814,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=494,
+        line=543,
     ),
     "bend": Symbol(
         "bend",
@@ -735,7 +822,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=499,
+        line=548,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -743,7 +830,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=504,
+        line=553,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -752,7 +839,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=508,
+        line=557,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -760,7 +847,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that is given in one visit of a row, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=513,
+        line=562,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -769,7 +856,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=517,
+        line=566,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -778,7 +865,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=522,
+        line=571,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -787,7 +874,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=527,
+        line=576,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -795,7 +882,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=532,
+        line=581,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -803,7 +890,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rub after a visit, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=536,
+        line=585,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -812,7 +899,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=540,
+        line=589,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -821,7 +908,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=545,
+        line=594,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -829,7 +916,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=550,
+        line=599,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -838,7 +925,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=554,
+        line=603,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -847,7 +934,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=559,
+        line=608,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -856,7 +943,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=564,
+        line=613,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -865,7 +952,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=571,
+        line=620,
     ),
     "extent": Symbol(
         "extent",
@@ -874,7 +961,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=578,
+        line=627,
     ),
     "firmest": Symbol(
         "firmest",
@@ -883,7 +970,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=585,
+        line=634,
     ),
     "preload": Symbol(
         "preload",
@@ -892,7 +979,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=590,
+        line=639,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -901,7 +988,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=595,
+        line=644,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -910,7 +997,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=600,
+        line=649,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -919,7 +1006,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=605,
+        line=654,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -928,7 +1015,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=610,
+        line=659,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -936,7 +1023,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=615,
+        line=664,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -944,7 +1031,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=619,
+        line=668,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -952,7 +1039,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=623,
+        line=672,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -960,7 +1047,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=627,
+        line=676,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -968,7 +1055,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=631,
+        line=680,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -977,7 +1064,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=635,
+        line=684,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -986,7 +1073,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=640,
+        line=689,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -995,7 +1082,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=645,
+        line=694,
     ),
     "shift": Symbol(
         "shift",
@@ -1004,7 +1091,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=650,
+        line=699,
     ),
     "turn": Symbol(
         "turn",
@@ -1012,7 +1099,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=655,
+        line=704,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1021,7 +1108,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=659,
+        line=708,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1030,7 +1117,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=666,
+        line=715,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1039,7 +1126,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=671,
+        line=720,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1048,7 +1135,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=678,
+        line=727,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1057,7 +1144,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=685,
+        line=734,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1066,7 +1153,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=691,
+        line=740,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1074,7 +1161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=698,
+        line=747,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1083,7 +1170,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=711,
+        line=760,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1092,7 +1179,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=716,
+        line=765,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1101,7 +1188,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=721,
+        line=770,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1109,7 +1196,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=726,
+        line=775,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1118,7 +1205,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=730,
+        line=779,
     ),
     "advance": Symbol(
         "advance",
@@ -1127,7 +1214,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=735,
+        line=784,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1135,7 +1222,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=740,
+        line=789,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1143,7 +1230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=744,
+        line=793,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1151,7 +1238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=748,
+        line=797,
     ),
     "slip": Symbol(
         "slip",
@@ -1159,7 +1246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=753,
+        line=802,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1167,7 +1254,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=759,
+        line=808,
     ),
     "circling": Symbol(
         "circling",
@@ -1176,7 +1263,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=763,
+        line=812,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1184,7 +1271,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=770,
+        line=819,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1193,7 +1280,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=774,
+        line=823,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1202,7 +1289,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=779,
+        line=828,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1211,7 +1298,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=784,
+        line=833,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1219,7 +1306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=789,
+        line=838,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1228,7 +1315,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=793,
+        line=842,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1236,7 +1323,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=798,
+        line=847,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1244,7 +1331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=802,
+        line=851,
     ),
     "arc": Symbol(
         "arc",
@@ -1253,7 +1340,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=808,
+        line=857,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1262,7 +1349,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=813,
+        line=862,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1270,7 +1357,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=823,
+        line=872,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1278,7 +1365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=827,
+        line=876,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1287,7 +1374,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=831,
+        line=880,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1296,7 +1383,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=836,
+        line=885,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1305,7 +1392,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=841,
+        line=890,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1314,7 +1401,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=846,
+        line=895,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1323,7 +1410,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=851,
+        line=900,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1331,7 +1418,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=856,
+        line=905,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1340,7 +1427,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=865,
+        line=914,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1348,7 +1435,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=870,
+        line=919,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1357,7 +1444,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=874,
+        line=923,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1365,7 +1452,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=879,
+        line=928,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1373,7 +1460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=883,
+        line=932,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1382,7 +1469,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=887,
+        line=936,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1391,7 +1478,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=892,
+        line=941,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1400,7 +1487,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=897,
+        line=946,
     ),
     "work": Symbol(
         "work",
@@ -1408,7 +1495,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=902,
+        line=951,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1417,7 +1504,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=906,
+        line=955,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1425,7 +1512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=911,
+        line=960,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1434,7 +1521,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=915,
+        line=964,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1442,7 +1529,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=920,
+        line=969,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1451,7 +1538,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=925,
+        line=974,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1460,7 +1547,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=930,
+        line=979,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1469,7 +1556,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=935,
+        line=984,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1478,7 +1565,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=942,
+        line=991,
     ),
     "energy": Symbol(
         "energy",
@@ -1486,7 +1573,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=947,
+        line=996,
     ),
     "radius": Symbol(
         "radius",
@@ -1495,7 +1582,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=956,
+        line=1005,
     ),
     "length": Symbol(
         "length",
@@ -1504,7 +1591,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=961,
+        line=1010,
     ),
     "width": Symbol(
         "width",
@@ -1513,7 +1600,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=968,
+        line=1017,
     ),
     "height": Symbol(
         "height",
@@ -1522,7 +1609,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=973,
+        line=1022,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1531,7 +1618,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=978,
+        line=1027,
     ),
     "center": Symbol(
         "center",
@@ -1540,7 +1627,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=983,
+        line=1032,
     ),
     "offset": Symbol(
         "offset",
@@ -1548,7 +1635,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=988,
+        line=1037,
     ),
     "area": Symbol(
         "area",
@@ -1557,7 +1644,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=992,
+        line=1041,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1566,6 +1653,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=997,
+        line=1046,
     ),
 }
