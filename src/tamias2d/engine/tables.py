@@ -244,6 +244,8 @@ class Tree(NamedTuple):
     boxes: Annotated[FloatRows, Sized("shapes", _boxes.width), Saved(numbers="infinite")]
     # boxes, m; node k holds 2k and 2k + 1
     nodes: Annotated[FloatRows, Sized("nodes", 4), Saved(numbers="infinite")]
+    # category, mask and group that the shapes under a node have in common
+    filters: Annotated[RankRows, Sized("nodes", 3)]
     centres: Annotated[FloatRows, Sized("shapes", 8), Saved(numbers="infinite")]
     morton: Annotated[PlaceRows, Sized(2, "shapes")]  # in Morton order
     leaf_of_shape: Annotated[Places, Sized("shapes"), Saved("shapes")]
