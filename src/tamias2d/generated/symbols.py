@@ -465,6 +465,93 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=320,
     ),
+    "half_turn": Symbol(
+        "half_turn",
+        "rad",
+        "half of the angle by which a body turns in a step",
+        tex="\\vartheta",
+        file="srs/symbols.md",
+        line=325,
+    ),
+    "half_turn_sine": Symbol(
+        "half_turn_sine",
+        "1",
+        "sine of half of the angle by which a body turns in a step",
+        tex="\\sin\\vartheta",
+        file="srs/symbols.md",
+        line=329,
+    ),
+    "damping_step": Symbol(
+        "damping_step",
+        "1",
+        "half of the share of a velocity that a damper would take in a step with the force of its beginning",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="z",
+        file="srs/symbols.md",
+        line=333,
+    ),
+    "resistance_along": Symbol(
+        "resistance_along",
+        "kg",
+        "impulse by which a spring resists a velocity along its axis, over it",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_{\\parallel}",
+        file="srs/symbols.md",
+        line=340,
+    ),
+    "resistance_across": Symbol(
+        "resistance_across",
+        "kg",
+        "impulse by which a spring resists a velocity across its axis, over it",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_{\\perp}",
+        file="srs/symbols.md",
+        line=345,
+    ),
+    "velocity_along": Symbol(
+        "velocity_along",
+        "m/s",
+        "velocity at which the ends of a spring part",
+        tex="u_{\\parallel}",
+        file="srs/symbols.md",
+        line=350,
+    ),
+    "end_velocity": Symbol(
+        "end_velocity",
+        "m/s",
+        "velocity of a spring's end B as seen from its end A",
+        shape="vector",
+        tex="\\boldsymbol{u}^{\\mathrm{spr}}",
+        file="srs/symbols.md",
+        line=354,
+    ),
+    "spring_impulse": Symbol(
+        "spring_impulse",
+        "N*s",
+        "impulse of a spring in a substep on the end at body A, at rest",
+        shape="vector",
+        tex="\\boldsymbol{J}^{\\mathrm{spr}}",
+        file="srs/symbols.md",
+        line=359,
+    ),
+    "resisting_impulse": Symbol(
+        "resisting_impulse",
+        "N*s",
+        "impulse on the end at body A by which a spring resists velocities",
+        shape="vector",
+        tex="\\boldsymbol{J}^{\\mathrm{res}}",
+        file="srs/symbols.md",
+        line=364,
+    ),
+    "critical_step": Symbol(
+        "critical_step",
+        "s",
+        "step from which on kicks and drifts let an oscillation grow",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="h_{\\mathrm{crit}}",
+        file="srs/symbols.md",
+        line=369,
+    ),
     "angular_frequency": Symbol(
         "angular_frequency",
         "rad/s",
@@ -472,7 +559,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=325,
+        line=374,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -481,7 +568,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=330,
+        line=379,
     ),
     "field_force": Symbol(
         "field_force",
@@ -490,7 +577,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=335,
+        line=384,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -498,7 +585,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=340,
+        line=389,
     ),
     "normal": Symbol(
         "normal",
@@ -507,7 +594,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=353,
+        line=402,
     ),
     "tangent": Symbol(
         "tangent",
@@ -516,7 +603,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=358,
+        line=407,
     ),
     "direction": Symbol(
         "direction",
@@ -524,7 +611,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=363,
+        line=412,
     ),
     "arm": Symbol(
         "arm",
@@ -533,7 +620,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=367,
+        line=416,
     ),
     "separation": Symbol(
         "separation",
@@ -541,7 +628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=372,
+        line=421,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -549,7 +636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=376,
+        line=425,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -557,7 +644,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=382,
+        line=431,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -565,7 +652,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=388,
+        line=437,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -573,7 +660,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=392,
+        line=441,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -582,7 +669,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=396,
+        line=445,
     ),
     "coupling": Symbol(
         "coupling",
@@ -590,7 +677,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=401,
+        line=450,
     ),
     "impulse": Symbol(
         "impulse",
@@ -599,7 +686,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=407,
+        line=456,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -607,7 +694,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=412,
+        line=461,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -615,7 +702,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=416,
+        line=465,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -624,7 +711,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=422,
+        line=471,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -633,7 +720,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=427,
+        line=476,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -641,7 +728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=434,
+        line=483,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -649,7 +736,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=440,
+        line=489,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -657,7 +744,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=444,
+        line=493,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -666,7 +753,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=448,
+        line=497,
     ),
     "share": Symbol(
         "share",
@@ -675,7 +762,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=453,
+        line=502,
     ),
     "sense": Symbol(
         "sense",
@@ -684,7 +771,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=460,
+        line=509,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -693,7 +780,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=467,
+        line=516,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -702,7 +789,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=472,
+        line=521,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -710,7 +797,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=477,
+        line=526,
     ),
     "overlap": Symbol(
         "overlap",
@@ -718,7 +805,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=481,
+        line=530,
     ),
     "line": Symbol(
         "line",
@@ -727,7 +814,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=493,
+        line=542,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -735,7 +822,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=498,
+        line=547,
     ),
     "bend": Symbol(
         "bend",
@@ -743,7 +830,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=503,
+        line=552,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -751,7 +838,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=508,
+        line=557,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -760,7 +847,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=512,
+        line=561,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -768,7 +855,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=517,
+        line=566,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -777,7 +864,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=521,
+        line=570,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -786,7 +873,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=526,
+        line=575,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -795,7 +882,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=531,
+        line=580,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -803,7 +890,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=536,
+        line=585,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -811,7 +898,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=540,
+        line=589,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -820,7 +907,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=544,
+        line=593,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -829,7 +916,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=549,
+        line=598,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -837,7 +924,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=554,
+        line=603,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -846,7 +933,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=558,
+        line=607,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -855,7 +942,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=563,
+        line=612,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -864,7 +951,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=568,
+        line=617,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -873,7 +960,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=575,
+        line=624,
     ),
     "extent": Symbol(
         "extent",
@@ -882,7 +969,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=582,
+        line=631,
     ),
     "firmest": Symbol(
         "firmest",
@@ -891,7 +978,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=589,
+        line=638,
     ),
     "preload": Symbol(
         "preload",
@@ -900,7 +987,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=594,
+        line=643,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -909,7 +996,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=599,
+        line=648,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -918,7 +1005,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=604,
+        line=653,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -927,7 +1014,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=609,
+        line=658,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -936,7 +1023,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=614,
+        line=663,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -944,7 +1031,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=619,
+        line=668,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -952,7 +1039,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=623,
+        line=672,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -960,7 +1047,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=627,
+        line=676,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -968,7 +1055,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=631,
+        line=680,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -976,7 +1063,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=635,
+        line=684,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -985,7 +1072,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=639,
+        line=688,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -994,7 +1081,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=644,
+        line=693,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1003,7 +1090,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=649,
+        line=698,
     ),
     "shift": Symbol(
         "shift",
@@ -1012,7 +1099,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=654,
+        line=703,
     ),
     "turn": Symbol(
         "turn",
@@ -1020,7 +1107,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=659,
+        line=708,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1029,7 +1116,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=663,
+        line=712,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1038,7 +1125,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=670,
+        line=719,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1047,7 +1134,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=675,
+        line=724,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1056,7 +1143,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=682,
+        line=731,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1065,7 +1152,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=689,
+        line=738,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1074,7 +1161,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=695,
+        line=744,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1082,7 +1169,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=702,
+        line=751,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1091,7 +1178,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=715,
+        line=764,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1100,7 +1187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=720,
+        line=769,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1109,7 +1196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=725,
+        line=774,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1117,7 +1204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=730,
+        line=779,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1126,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=734,
+        line=783,
     ),
     "advance": Symbol(
         "advance",
@@ -1135,7 +1222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=739,
+        line=788,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1143,7 +1230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=744,
+        line=793,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1151,7 +1238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=748,
+        line=797,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1159,7 +1246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=752,
+        line=801,
     ),
     "slip": Symbol(
         "slip",
@@ -1167,7 +1254,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=757,
+        line=806,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1175,7 +1262,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=763,
+        line=812,
     ),
     "circling": Symbol(
         "circling",
@@ -1184,7 +1271,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=767,
+        line=816,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1192,7 +1279,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=774,
+        line=823,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1201,7 +1288,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=778,
+        line=827,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1210,7 +1297,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=783,
+        line=832,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1219,7 +1306,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=788,
+        line=837,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1227,7 +1314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=793,
+        line=842,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1236,7 +1323,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=797,
+        line=846,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1244,7 +1331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=802,
+        line=851,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1252,7 +1339,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=806,
+        line=855,
     ),
     "arc": Symbol(
         "arc",
@@ -1261,7 +1348,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=812,
+        line=861,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1270,7 +1357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=817,
+        line=866,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1278,7 +1365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=827,
+        line=876,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1286,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=831,
+        line=880,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1295,7 +1382,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=835,
+        line=884,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1304,7 +1391,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=840,
+        line=889,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1313,7 +1400,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=845,
+        line=894,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1322,7 +1409,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=850,
+        line=899,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1331,7 +1418,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=855,
+        line=904,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1339,7 +1426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=860,
+        line=909,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1348,7 +1435,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=869,
+        line=918,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1356,7 +1443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=874,
+        line=923,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1365,7 +1452,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=878,
+        line=927,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1373,7 +1460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=883,
+        line=932,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1381,7 +1468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=887,
+        line=936,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1390,7 +1477,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=891,
+        line=940,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1399,7 +1486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=896,
+        line=945,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1408,7 +1495,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=901,
+        line=950,
     ),
     "work": Symbol(
         "work",
@@ -1416,7 +1503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=906,
+        line=955,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1425,7 +1512,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=910,
+        line=959,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1433,7 +1520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=915,
+        line=964,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1442,7 +1529,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=919,
+        line=968,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1450,7 +1537,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=924,
+        line=973,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1459,7 +1546,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=929,
+        line=978,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1468,7 +1555,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=934,
+        line=983,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1477,7 +1564,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=939,
+        line=988,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1486,7 +1573,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=946,
+        line=995,
     ),
     "energy": Symbol(
         "energy",
@@ -1494,7 +1581,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=951,
+        line=1000,
     ),
     "radius": Symbol(
         "radius",
@@ -1503,7 +1590,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=960,
+        line=1009,
     ),
     "length": Symbol(
         "length",
@@ -1512,7 +1599,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=965,
+        line=1014,
     ),
     "width": Symbol(
         "width",
@@ -1521,7 +1608,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=972,
+        line=1021,
     ),
     "height": Symbol(
         "height",
@@ -1530,7 +1617,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=977,
+        line=1026,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1539,7 +1626,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=982,
+        line=1031,
     ),
     "center": Symbol(
         "center",
@@ -1548,7 +1635,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=987,
+        line=1036,
     ),
     "offset": Symbol(
         "offset",
@@ -1556,7 +1643,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=992,
+        line=1041,
     ),
     "area": Symbol(
         "area",
@@ -1565,7 +1652,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=996,
+        line=1045,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1574,6 +1661,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1001,
+        line=1050,
     ),
 }

@@ -51,6 +51,7 @@ def _reached(plan: Plan, stepper: Stepper) -> Run:
         f"energy: {run.energy[0]:.6g} J at first, {run.energy[-1]:.6g} J at last, "
         f"never more than {run.energy.max():.6g} J",
         "error: not bounded; `certify` finds how much shorter steps change",
+        *stepper.warnings,
     )
     cost = cost_of(run.impacts, tally, contacts=stepper.contacts)
     return replace(run, notes=run.notes + notes, cost=cost)
