@@ -29,7 +29,7 @@ def explain_scene(name: str, *, as_json: bool) -> None:
 
 
 def _entries(scene: Scene) -> Sequence[Need]:
-    """What the scene needs; a way through contacts is located or stepped."""
+    """What the scene needs; contacts are located or stepped."""
     found = needs(scene)
     reason = steps_because(scene, scene.duration or 0.0)  # `needs` had one
     if reason is None:
@@ -55,7 +55,7 @@ def explain_source(name: str, method: str) -> None:
     if demand is None:
         raise InputError(
             f"{name} by {method}: no code is made for it (R5): kernels are made for methods with a "
-            "fixed step, and for bodies that do not act on each other. `run` takes the general "
-            "way. Choose another scene or --method."
+            "fixed step, and for bodies that do not act on each other. `run` takes general "
+            "code. Choose another scene or --method."
         )
     say(source(demand).rstrip())

@@ -4,7 +4,8 @@ The broad phase finds pairs of shapes that may touch, the narrow phase their man
 that touch are arranged in blocks, slabs and trees. Each substep applies forces and the impulses of
 before, solves soft constraints, integrates positions, and relaxes the constraints; then restitution
 acts. Bodies without contacts follow their closed form instead (IM1, IM6). Continuous collision
-stops bodies that move far where they meet others, and islands at rest fall asleep.
+stops bodies that move far where they meet others, and islands at rest fall asleep. Springs pull
+through the whole step, or in its substeps where their bodies have contacts (IM14, DD52).
 
 Cost: a substep visits each contact twice. Source: Macklin et al. (2019), Catto (2024).
 """
@@ -29,6 +30,7 @@ from tamias2d.engine.sleep import (
     update_sleep,
     wake_touched,
 )
+from tamias2d.engine.springs.held import hold_springs, release_springs
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import (
@@ -53,6 +55,7 @@ from tamias2d.engine.tables import (
     OVERFLOWED,
     PAIRS_KNOWN,
     PAIRS_STALE,
+    PART_TIME,
     RETAKEN,
     SLEEP_STEPS,
     SLEEPING,
@@ -88,7 +91,8 @@ def step(world: World) -> int:
         if not scatter_state(world.state, world.bodies):
             return OVERFLOWED
         pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[SLEEP_STEPS]
-        clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0
+        sprung = world.springs.counts[SPRINGS] > 0
+        clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0 and not sprung
     return CLEAR if clear else DONE
 
 
@@ -114,6 +118,7 @@ def take_part(world: World) -> int:
     counts = control.counts
     if counts[STAGE] == AT_START:
         begin_part(world)
+        hold_springs(world)
         left = find_moved(world)
         counts[STAGE] = PAIRS_KNOWN if update_pairs(left, world) else PAIRS_STALE
     if counts[STAGE] == PAIRS_STALE:
@@ -123,7 +128,11 @@ def take_part(world: World) -> int:
         counts[STAGE] = PAIRS_KNOWN
     contacts = current_contacts(broad_phase, buffers)
     if counts[STAGE] == PAIRS_KNOWN:
+        length = control.progress[PART_TIME]
         shorten_part(world, contacts)
+        if control.progress[PART_TIME] != length:
+            release_springs(bodies, world.springs)
+            hold_springs(world)
         again = counts[TICK] + counts[RETAKEN] > 0
         find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
         while islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands):
@@ -152,6 +161,7 @@ def take_part(world: World) -> int:
             control, bodies, shapes, broad_phase, near, world.events, updates, flown
         )
         if flown == TOO_LONG:
+            release_springs(bodies, world.springs)
             retake_part(world, near)
             return AGAIN
         control.progress[FLOWN] = flown
@@ -159,6 +169,7 @@ def take_part(world: World) -> int:
     last = counts[TICK] + (1 << (MOST_LEVEL - counts[LEVEL])) == 1 << MOST_LEVEL
     if islands.counts[SLEEP_STEPS] > 0 and last:
         fall_asleep(control, bodies, islands)
+    release_springs(bodies, world.springs)
     broad_phase.counts[STEPS_SINCE] += 1
     counts[STAGE] = AT_START
     return DONE
