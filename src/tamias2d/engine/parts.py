@@ -86,6 +86,12 @@ def end_part(world: World) -> bool:
     return False
 
 
+def is_last_part(control: Control) -> bool:
+    """Return whether the step ends with this part."""
+    counts = control.counts
+    return counts[TICK] + (1 << (MOST_LEVEL - counts[LEVEL])) == 1 << MOST_LEVEL
+
+
 def note_start(bodies: Bodies) -> None:
     """Note poses and velocities as a part begins that may have to be taken again."""
     for i in range(len(bodies.pose)):

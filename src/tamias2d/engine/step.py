@@ -21,7 +21,14 @@ from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_
 from tamias2d.engine.continuous.prediction import foresee
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
-from tamias2d.engine.parts import begin_part, end_part, note_start, retake_part, shorten_part
+from tamias2d.engine.parts import (
+    begin_part,
+    end_part,
+    is_last_part,
+    note_start,
+    retake_part,
+    shorten_part,
+)
 from tamias2d.engine.sleep import (
     fall_asleep,
     hold_sleeping,
@@ -46,11 +53,9 @@ from tamias2d.engine.tables import (
     IN_FLIGHT,
     INVALID,
     KINEMATIC,
-    LEVEL,
     LIST_HOLDS,
     LOCATED_PAIRS,
     MANIFOLDS_KNOWN,
-    MOST_LEVEL,
     OUT_OF_BOUNDS,
     OVERFLOWED,
     PAIRS_KNOWN,
@@ -59,6 +64,7 @@ from tamias2d.engine.tables import (
     RETAKEN,
     SLEEP_STEPS,
     SLEEPING,
+    SPRINGS,
     STAGE,
     STATIC,
     STEPS_LEFT,
@@ -166,8 +172,7 @@ def take_part(world: World) -> int:
             return AGAIN
         control.progress[FLOWN] = flown
         counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
-    last = counts[TICK] + (1 << (MOST_LEVEL - counts[LEVEL])) == 1 << MOST_LEVEL
-    if islands.counts[SLEEP_STEPS] > 0 and last:
+    if islands.counts[SLEEP_STEPS] > 0 and is_last_part(control):
         fall_asleep(control, bodies, islands)
     release_springs(bodies, world.springs)
     broad_phase.counts[STEPS_SINCE] += 1
