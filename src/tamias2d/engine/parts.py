@@ -44,6 +44,7 @@ from tamias2d.engine.tables import (
     WAS_TOUCHING,
     Bodies,
     Contacts,
+    Control,
     World,
 )
 from tamias2d.generated.continuous_collision import motion_bound
