@@ -25,6 +25,7 @@ from tamias2d.engine.tables import (
     DY,
     DYNAMIC,
     FIRST_OF_BODY,
+    GAP,
     HALF_PLANE,
     LOCATED,
     MIN_EXTENT,
@@ -32,6 +33,7 @@ from tamias2d.engine.tables import (
     NY,
     PART_TIME,
     PATH_LENGTH,
+    POINT,
     POINT_COUNT,
     REDIRECTED,
     SENSOR,
@@ -58,6 +60,7 @@ SHALLOW = 0.3  # of that: how far one goes in before its impact is looked for
 BOUNCY = 0.7  # restitution that gives half of the energy back
 MOST_SHALLOW = 8  # pairs in a part that are looked at for that
 MANY = -1  # more than these
+RESTING = 0.1  # of the limit: how far bodies go in a part that rest in each other
 SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
 
 
@@ -130,8 +133,12 @@ def may_pass(
     deep = allowed_depth(i, j, reach, bodies.properties)
     if contacts.flags[p, POINT_COUNT] == 0:
         return bool(abs(by_x) + abs(by_y) + turn > share * deep)
-    into = max(0.0, -contacts.manifolds[p, NX] * by_x - contacts.manifolds[p, NY] * by_y)
-    return bool(into + turn > max(deep, SWUNG * reach))
+    manifold, limit = contacts.manifolds[p], max(deep, SWUNG * reach)
+    into = max(0.0, -manifold[NX] * by_x - manifold[NY] * by_y)
+    overlap = -manifold[GAP]
+    if contacts.flags[p, POINT_COUNT] == 2:
+        overlap = max(overlap, -manifold[GAP + POINT])
+    return bool(into + turn > max(limit - max(overlap, 0.0), RESTING * limit))
 
 
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
