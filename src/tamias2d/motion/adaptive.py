@@ -7,16 +7,17 @@ Ordinary Differential Equations I, section II.4).
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import astuple, dataclass
 from typing import TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated.schemes import Pair
+from tamias2d.motion.marching import Control, Start
 from tamias2d.motion.memoised_field import MemoisedField
-from tamias2d.motion.polynomial import DenseStep
+from tamias2d.motion.polynomial import DenseStep, dense_path
+from tamias2d.motion.step_batch import StepBatch
 from tamias2d.spec.functions import Scalar, largest, sqrt
 from tamias2d.state import Array
 
@@ -99,6 +100,13 @@ class Adaptive:
         Raises:
             StepSizeError: it allows none.
         """
+        end, pair = self._accepted(field, start, limit, position, velocity)
+        return dense_step(start, end, (position, velocity), pair)
+
+    def _accepted(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> tuple[float, Pair]:
+        """Return the end of a step whose error is small enough, and what it came to."""
         memory = self.memory(field, start, limit, position, velocity)
         wanted = step = memory.step
         rejected = False
@@ -115,7 +123,41 @@ class Adaptive:
         longer = step * growth(error, memory.error, self.power, self.damping, rejected)
         memory.step = max(longer, wanted) if end == limit and not rejected else longer
         memory.error = max(error, 1e-4)
-        return dense_step(start, end, (position, velocity), pair)
+        return end, pair
+
+    def batch(
+        self,
+        field: MemoisedField,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: int,
+    ) -> StepBatch:
+        """Take several steps at once, if the field can.
+
+        Raises as `step` does.
+        """
+        memory = self.memory(field, start, limit, position, velocity)
+        if field.marching is not None:
+            now = Start(position, velocity, field.known(start, position, velocity))
+            allowed = astuple(self.tolerance)
+            control = Control(memory.step, memory.error, *allowed, self.power, self.damping)
+            name = self.scheme.__name__
+            steps = field.marching.adaptive(name, start, limit, most, now, control)
+            field.took(steps)
+            if len(steps.times) > 1:
+                memory.step, memory.error = control.step, control.error
+                return StepBatch(steps.times, steps.knots, steps.dense)
+        end, pair = self._accepted(field, start, limit, position, velocity)
+        knots = np.stack(
+            [
+                np.stack((position, velocity, np.zeros_like(position))),
+                np.stack((pair.position, pair.velocity, np.zeros_like(position))),
+            ]
+        )
+        return StepBatch([start, end], knots, np.array(pair.dense)[:, None])
 
     def memory(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
@@ -205,31 +247,3 @@ def dense_step(start: float, end: float, first: tuple[Array, Array], pair: Pair)
     last = pair.position, pair.velocity
     coefficients = dense_path(end - start, first, pair.position, pair.dense)
     return DenseStep(start, end, first, last, coefficients)
-
-
-def dense_path(
-    step: float | Array, first: tuple[Array, Array], end: Array, dense: Sequence[Array]
-) -> Array:
-    """Return the coefficients of the path of a step: the dense velocity, integrated once.
-
-    It ends at the position of the pair. What the integral lacks of that, of the order of the
-    dense output's own error, is added as a cubic that is level at both ends.
-    """
-    position, velocity = first
-    powers = [position, step * velocity]
-    powers += [step * step * c / (k + 2) for k, c in enumerate(dense)]
-    lacking = end - sum(powers[1:], powers[0])
-    powers[2] = powers[2] + 3 * lacking
-    powers[3] = powers[3] - 2 * lacking
-    matrix = _centred(len(powers)).reshape(-1, len(powers), *[1] * position.ndim)
-    total = matrix[:, 0] * powers[0]
-    for k, power in enumerate(powers[1:], start=1):  # in this order, whatever their number
-        total = total + matrix[:, k] * power
-    return total
-
-
-@cache
-def _centred(count: int) -> Array:
-    """Return the matrix from powers of s, from 0 to 1, to those of x = 2 s - 1."""
-    rows = [[math.comb(k, j) / 2.0**k for k in range(count)] for j in range(count)]
-    return np.array(rows)

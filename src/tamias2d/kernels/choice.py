@@ -1,0 +1,59 @@
+"""Whether a kernel is compiled, or runs as plain Python: whichever ends sooner.
+
+Serves: the steps of smooth motion. Hides: what compiling costs. Results do not depend on the
+choice: compiled and plain code have the same bits.
+"""
+
+import sys
+from collections.abc import Callable
+from functools import cache
+from time import perf_counter
+from typing import Any
+
+from tamias2d.kernels.compiled import is_kept, loaded, plainly
+
+_IMPORT = 0.7  # s, of the compiler
+_LOAD = 0.1  # s, of what was compiled before
+_COMPILE = 0.5, 9000.0  # s, and characters of source a second
+
+
+class Kernel:
+    """One function of a source, which counts what its plain runs have cost."""
+
+    def __init__(self, text: str, plain: str, name: str) -> None:
+        self._text = text
+        self._plain = plain
+        self._name = name
+        self._compiled: Callable[..., Any] | None = None
+        self._spent = 0.0
+        self._steps = 0
+
+    def compiled(self, ahead: float) -> Callable[..., Any] | None:
+        """Return it compiled if that pays for the steps that are ahead, or were taken plainly."""
+        if self._compiled is None:
+            coming = ahead * self._spent / self._steps if self._steps else 0.0
+            if self._spent + coming > self._price():
+                self._compiled = getattr(loaded(self._text), self._name)
+        return self._compiled
+
+    def plain(self, *arguments: Any) -> int:
+        """Run it as plain Python; return how many steps it took, and take the time."""
+        start = perf_counter()
+        steps: int = plainly(self._plain)[self._name](*arguments)
+        self._spent += perf_counter() - start
+        self._steps += steps
+        return steps
+
+    def _price(self) -> float:
+        """Return what compiling costs now, s."""
+        compiler = 0.0 if "numba" in sys.modules else _IMPORT
+        if is_kept(self._text):
+            return compiler + _LOAD
+        least, pace = _COMPILE
+        return compiler + least + len(self._text) / pace
+
+
+@cache
+def kernel(text: str, plain: str, name: str) -> Kernel:
+    """Return the kernel of a source, the same one each time."""
+    return Kernel(text, plain, name)
