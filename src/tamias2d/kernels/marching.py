@@ -21,6 +21,7 @@ from tamias2d.kernels.march_source import (
     REJECTED,
     SETTLED,
     STEP,
+    March,
     march,
 )
 from tamias2d.motion.integrated import IntegratedMotion
@@ -55,65 +56,83 @@ class KernelMarching:
     """Steps of some bodies by kernels (`Marching`)."""
 
     def __init__(self, demand: ForceDemand, tables: Tables, *, felt: bool) -> None:
-        self._demand = demand
-        self._tables = [tables[name] for name in arguments(demand)]
-        self._lists = [table.tolist() for table in self._tables]
-        self._felt = felt
+        self.demand = demand
+        self.tables = [tables[name] for name in arguments(demand)]
+        self.lists = [table.tolist() for table in self.tables]
+        self.felt = felt
 
-    def fixed(self, scheme: str, times: Sequence[float], start: Start, ahead: float) -> Steps:
+    def fixed(
+        self, scheme: str, times: Sequence[float], start: Start, ahead: float
+    ) -> Steps | None:
         """Step from each of the times to the next."""
-        call = _Call(self, scheme, start, len(times) - 1, ahead)
+        found = march(scheme, self.demand)
+        if found is None or not self._covers(start):
+            return None
+        call = _Call(self, found, start, len(times) - 1, ahead)
         call.rows[0][:] = times[: call.most + 1]
         count = call.go()
         return call.steps(count, finished=count == call.most)
 
     def adaptive(
         self, scheme: str, time: float, limit: float, most: int, start: Start, control: Control
-    ) -> Steps:
+    ) -> Steps | None:
         """Take at most some steps towards a limit."""
-        ahead = (limit - time) / control.step
-        call = _Call(self, scheme, start, most, ahead)
+        found = march(scheme, self.demand)
+        if found is None or not self._covers(start):
+            return None
+        call = _Call(self, found, start, most, (limit - time) / control.step)
         call.rows[0][0] = time
-        numbers = np.array(astuple(control)) if call.compiled else list(astuple(control))
+        numbers = call.array(list(astuple(control)))
         count = call.go(limit, control=numbers)
         finished = count == call.most or bool(call.rows[0][count] >= limit)
         if count:
             control.step, control.error = float(numbers[STEP]), float(numbers[ERROR])
         return call.steps(count, finished=finished)
 
+    def _covers(self, start: Start) -> bool:
+        """Whether nothing turns of which it is not known what turns it."""
+        return self.demand.rotation or not start.velocity[:, 2].any()
+
 
 class _Call:
     """One call of a kernel: its rows of numbers, and what they mean."""
 
     def __init__(
-        self, owner: KernelMarching, scheme: str, start: Start, most: int, ahead: float
+        self, owner: KernelMarching, found: March, start: Start, most: int, ahead: float
     ) -> None:
-        found = march(scheme, owner._demand)
         self._code = kernel(found.text, found.plain, "advance")
         self.compiled = self._code.compiled(ahead)
         self.most = most if self.compiled else min(most, _PLAIN)
         self._start = start
         self._slopes = found.slopes
-        self._axes = owner._demand.axes
-        self._size = self._axes * len(start.position)
-        shape = (self.most + 1, self._size)
-        make = _empty if self.compiled else _lists
-        self.rows = [make((self.most + 1,)), *(make(shape) for _ in range(3))]
-        self._dense = make((self.most, found.slopes * self._size)) if found.slopes else None
-        work = make((found.rows, self._size))
-        self._told = np.zeros(_TOLD, dtype=np.int64) if self.compiled else [0] * _TOLD
-        tables = owner._tables if self.compiled else owner._lists
-        self._rest = (work, self._told, owner._felt, *tables)
+        self._axes = owner.demand.axes
+        size = self._axes * len(start.position)
+        states = (self._rows(self.most + 1, size) for _ in range(3))
+        self.rows = [self.array([0.0] * (self.most + 1)), *states]
+        self._dense = self._rows(self.most, found.slopes, size) if found.slopes else None
+        self._told = self.array([0] * _TOLD)
+        scheme = (
+            self.array(part) if isinstance(part, list) else part for part in found.scheme
+        )
+        work = (self._rows(count, size) for count in found.work)
+        tables = owner.tables if self.compiled else owner.lists
+        self._rest = (*scheme, *work, self._told, owner.felt, *tables)
         for row, given in zip(self.rows[1:], start, strict=True):
             if given is not None:
                 flat = given[:, : self._axes].T.ravel()
                 row[0][:] = flat if self.compiled else flat.tolist()
         self._told[KNOWN] = int(start.acceleration is not None)
 
+    def array(self, values: list[Any]) -> Any:
+        """Return values as the code takes them."""
+        return np.array(values) if self.compiled else values
+
+    def _rows(self, *shape: int) -> Any:
+        rows = np.zeros(shape)
+        return rows if self.compiled else rows.tolist()
+
     def go(self, *first: Any, control: Any = None) -> int:
         """Run the kernel; return how many steps it took."""
-        if self._axes == 2 and self._start.velocity[:, 2].any():
-            return 0  # what turned them is unknown here
         extra = () if self._dense is None else (self._dense, control)
         arguments = (*first, *self.rows, *extra, *self._rest)
         if self.compiled is not None:
@@ -137,7 +156,7 @@ class _Call:
             knots[:, 0, :, 2] = position[:, 2]
         dense = np.zeros((self._slopes, count, len(position), 3))
         if self._dense is not None and count:
-            slopes = np.array(self._dense[:count]).reshape(count, self._slopes, self._size)
+            slopes = np.array(self._dense[:count])
             dense[..., : self._axes] = self._bodies(slopes.swapaxes(0, 1))
         ends = np.array(times[: count + 1]).tolist()
         return Steps(ends, knots, bool(self._told[KNOWN]), dense, int(told[0]), int(told[1]))
@@ -145,13 +164,3 @@ class _Call:
     def _bodies(self, rows: Array) -> Array:
         """Return rows (..., axes n) as (..., n, axes)."""
         return rows.reshape(*rows.shape[:-1], self._axes, -1).swapaxes(-1, -2)
-
-
-def _empty(shape: tuple[int, ...]) -> Array:
-    return np.zeros(shape)
-
-
-def _lists(shape: tuple[int, ...]) -> list[Any]:
-    if len(shape) == 1:
-        return [0.0] * shape[0]
-    return [[0.0] * shape[1] for _ in range(shape[0])]

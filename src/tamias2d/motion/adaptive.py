@@ -146,8 +146,7 @@ class Adaptive:
             control = Control(memory.step, memory.error, *allowed, self.power, self.damping)
             name = self.scheme.__name__
             steps = field.marching.adaptive(name, start, limit, most, now, control)
-            field.took(steps)
-            if len(steps.times) > 1:
+            if steps is not None and field.took(steps):
                 memory.step, memory.error = control.step, control.error
                 return StepBatch(steps.times, steps.knots, steps.dense)
         end, pair = self._accepted(field, start, limit, position, velocity)

@@ -61,8 +61,7 @@ class FixedSteps:
             now = Start(position, velocity, field.known(start, position, velocity))
             ahead = len(self.times) - first
             steps = field.marching.fixed(self.scheme.__name__, times, now, ahead)
-            field.took(steps)
-            if len(steps.times) > 1:
+            if steps is not None and field.took(steps):
                 return StepBatch(steps.times, steps.knots)
             times = times[:2]
         return self._one_by_one(field, times, position, velocity)

@@ -48,9 +48,14 @@ class Control:
 
 
 class Marching(Protocol):
-    """The steps of some bodies that no contact holds, with the bits of the general way."""
+    """The steps of some bodies that no contact holds, with the bits of the general way.
 
-    def fixed(self, scheme: str, times: Sequence[float], start: Start, ahead: float) -> Steps:
+    None are returned for what it does not know.
+    """
+
+    def fixed(
+        self, scheme: str, times: Sequence[float], start: Start, ahead: float
+    ) -> Steps | None:
         """Step by a generated scheme from each of the times, s, to the next, or to some of them.
 
         About as many steps as are `ahead` will be asked for in the end.
@@ -58,7 +63,7 @@ class Marching(Protocol):
 
     def adaptive(
         self, scheme: str, time: float, limit: float, most: int, start: Start, control: Control
-    ) -> Steps:
+    ) -> Steps | None:
         """Take at most some steps of a generated pair from a time towards a limit, s.
 
         None are taken where the first has to be looked at: forces have no value on its way, or it

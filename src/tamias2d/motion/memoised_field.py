@@ -59,12 +59,16 @@ class MemoisedField:
             return None
         return known[2]
 
-    def took(self, steps: Steps) -> None:
-        """Count what steps have cost that were taken at once, and remember how they ended."""
+    def took(self, steps: Steps) -> bool:
+        """Count what steps have cost that were taken at once, and remember how they ended.
+
+        Returns whether there are any.
+        """
         self.tally.force_evaluations += steps.evaluations
         self.tally.rejected += steps.rejected
         if steps.last_known:
             self._remember(steps.times[-1], *steps.knots[-1])
+        return len(steps.times) > 1
 
     def _remember(self, time: float, position: Array, velocity: Array, result: Array) -> None:
         if len(self._known) >= _REMEMBERED:
