@@ -52,7 +52,9 @@ class ForceDemand:
             "springs": self.springs,
             "attraction": self.attraction,
         }
-        acting = ", ".join(["constant loads", *(name for name, is_there in there.items() if is_there)])
+        acting = ", ".join(
+            ["constant loads", *(name for name, is_there in there.items() if is_there)]
+        )
         return f"{acting}; {'with' if self.rotation else 'without'} rotation"
 
 
@@ -101,14 +103,14 @@ def _laws(scene: Scene, bodies: Sequence[int]) -> _Laws | None:
     found: list[tuple[int, str, list[int], list[float]]] = []
     by_component = sorted(varying_laws(scene, bodies).items(), key=lambda item: item[0][0])
     for (component, law), rows in by_component:
-        shape, numbers = law.shape
+        shape, values = law.shape
         if any(name in shape for name in _LEFT_OUT):
             return None
         if found and found[-1][:2] == (component, shape) and not set(found[-1][2]) & set(rows):
             found[-1][2].extend(rows)
-            found[-1][3].extend([*numbers] * len(rows))
+            found[-1][3].extend([*values] * len(rows))
         else:
-            found.append((component, shape, list(rows), [*numbers] * len(rows)))
+            found.append((component, shape, list(rows), [*values] * len(rows)))
     if len(found) > _MOST:
         return None
     tables: Tables = {}
@@ -122,9 +124,7 @@ def _turns(shape: str) -> bool:
     return any(name in shape for name in _TURNS)
 
 
-def _tables(
-    scene: Scene, bodies: Sequence[int], demand: ForceDemand, laws: Tables
-) -> Tables:
+def _tables(scene: Scene, bodies: Sequence[int], demand: ForceDemand, laws: Tables) -> Tables:
     feeling = [scene.bodies[k] for k in bodies]
     tables: Tables = {
         "gravity": np.array(scene.gravity, dtype=np.float64),
@@ -161,8 +161,8 @@ def _springs(scene: Scene, bodies: Sequence[int], demand: ForceDemand) -> Tables
         return len(bodies) + len(still) - 1
 
     tables: Tables = {
-        "first": np.array([row(s.first, s.point) for s in springs], dtype=np.int64),
-        "second": np.array([row(s.second, s.point) for s in springs], dtype=np.int64),
+        "first_ends": np.array([row(s.first, s.point) for s in springs], dtype=np.int64),
+        "second_ends": np.array([row(s.second, s.point) for s in springs], dtype=np.int64),
         "still": np.array(still, dtype=np.float64).reshape(-1, 3).ravel(),
         "stiffness": np.array([s.stiffness for s in springs]),
         "rest_length": np.array([s.rest_length for s in springs]),
@@ -172,5 +172,3 @@ def _springs(scene: Scene, bodies: Sequence[int], demand: ForceDemand) -> Tables
         anchors = [(*s.anchor, *s.other_anchor) for s in springs]
         tables["anchors"] = np.array(anchors, dtype=np.float64).ravel()
     return tables
-
-

@@ -4,8 +4,8 @@ Serves: the makers of kernels. Hides: how terms become loops. No equation is wri
 state of n bodies is one row of numbers: all x, then all y, then all orientations.
 """
 
-from collections.abc import Callable, Iterator
 import re
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from tamias2d.generated import definitions, drag, gravitation, rotation, spring, translation
@@ -37,12 +37,12 @@ def arguments(demand: ForceDemand) -> list[str]:
         found += [f"{kind}_rows", kind] if getattr(demand, kind) else []
     found += ["angular_drag"] if demand.angular_drag else []
     if demand.springs:
-        found += ["first", "second", "still", "stiffness", "rest_length", "damping"]
+        found += ["first_ends", "second_ends", "still", "stiffness", "rest_length", "damping"]
         found += ["anchors"] if demand.anchors else []
     return found + (["gravitational_constant"] if demand.attraction else [])
 
 
-def source(demand: ForceDemand) -> tuple[str, list[str]]:
+def source(demand: ForceDemand) -> tuple[list[str], list[str]]:
     """Return the functions that the accelerations of a demand need, themselves the last.
 
     `accelerations` fills `rate` and returns whether all of it is finite. Returned beside it are the
@@ -128,7 +128,7 @@ def _drag(kind: str) -> Iterator[str]:
 
 def _springs(demand: ForceDemand) -> Iterator[str]:
     yield "for k in range(len(stiffness)):"
-    for name, end, first in (("a", "first", 0), ("b", "second", 2)):
+    for name, end, first in (("a", "first_ends", 0), ("b", "second_ends", 2)):
         yield f"    {name} = {end}[k]"
         yield f"    if {name} < count:"
         yield f"        place_{name} = (position[{name}], position[count + {name}])"
@@ -145,7 +145,8 @@ def _springs(demand: ForceDemand) -> Iterator[str]:
             yield f"        spin_{name} = 0.0"
             anchor = f"(anchors[4 * k + {first}], anchors[4 * k + {first + 1}])"
             yield f"    arm_{name} = arm({anchor}, turned_{name})"
-            yield f"    place_{name} = (place_{name}[0] + arm_{name}[0], place_{name}[1] + arm_{name}[1])"
+            x, y = (f"place_{name}[{k}] + arm_{name}[{k}]" for k in (0, 1))
+            yield f"    place_{name} = ({x}, {y})"
             yield f"    speed_{name} = point_velocity(speed_{name}, spin_{name}, arm_{name})"
     ends = "place_a, speed_a, place_b, speed_b"
     yield f"    x, y = spring_force(stiffness[k], rest_length[k], damping[k], {ends})"

@@ -73,7 +73,7 @@ def weighted(first, last, columns, weights, slopes, total):
         slope, weight = slopes[columns[k]], weights[k]
         for j in range(len(total)):
             total[j] = total[j] + weight * slope[j]'''
-_BEGIN = '''        time = times[k]
+_BEGIN = """        time = times[k]
         position, velocity, rate = places[k], speeds[k], rates[k]
         position_end, velocity_end, rate_end = places[k + 1], speeds[k + 1], rates[k + 1]
         told[{done}] = k
@@ -83,7 +83,7 @@ _BEGIN = '''        time = times[k]
                 return k
             told[{known}] = 1
         told[{settled}] = told[{evaluations}]
-        told[{settled} + 1] = told[{rejected}]'''
+        told[{settled} + 1] = told[{rejected}]"""
 _FIXED = '''def advance(times, places, speeds, rates, {scheme}, {work}, told, felt, {tables}):
     """Step from each time to the next, as long as forces have values; return how many steps."""
 {rows}
@@ -166,7 +166,7 @@ _ADAPTIVE = '''def advance(
             told[{known}] = 0
     return len(times) - 1
 '''
-_RUNGE_KUTTA = '''copy(velocity, velocities[0])
+_RUNGE_KUTTA = """copy(velocity, velocities[0])
 copy(rate, slopes[0])
 for s in range(1, stages):
     first, last = starts[s - 1], starts[s]
@@ -192,8 +192,8 @@ if at_end > 0:
     reused = moment == end and same(asked_places[at_end], position_end)
     reused = reused and (not felt or same(velocities[at_end], velocity_end))
 else:
-    asked = rate'''
-_SPLITTING = '''copy(position, position_end)
+    asked = rate"""
+_SPLITTING = """copy(position, position_end)
 copy(velocity, velocity_end)
 copy(rate, asked)
 moment, asked_is_known = time, True
@@ -213,7 +213,7 @@ for p in range(len(kicks)):
         asked_is_known = False
         moved(position_end, factor, velocity_end, position_end)
 reused = moment == end and same(asked_place, position_end)
-reused = reused and (not felt or same(asked_speed, velocity_end))'''
+reused = reused and (not felt or same(asked_speed, velocity_end))"""
 
 
 @dataclass(frozen=True)

@@ -111,9 +111,7 @@ class _Call:
         self.rows = [self.array([0.0] * (self.most + 1)), *states]
         self._dense = self._rows(self.most, found.slopes, size) if found.slopes else None
         self._told = self.array([0] * _TOLD)
-        scheme = (
-            self.array(part) if isinstance(part, list) else part for part in found.scheme
-        )
+        scheme = (self.array(part) if isinstance(part, list) else part for part in found.scheme)
         work = (self._rows(count, size) for count in found.work)
         tables = owner.tables if self.compiled else owner.lists
         self._rest = (*scheme, *work, self._told, owner.felt, *tables)
@@ -148,7 +146,7 @@ class _Call:
         told = self._told[SETTLED : SETTLED + 2]
         if finished:
             told = self._told[EVALUATIONS], self._told[REJECTED]
-        position, velocity, _ = self._start
+        position = self._start.position
         knots = np.zeros((count + 1, 3, len(position), 3))
         for part, rows in enumerate(states):
             knots[:, part, :, : self._axes] = self._bodies(np.array(rows[: count + 1]))

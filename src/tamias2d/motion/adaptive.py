@@ -7,7 +7,7 @@ Ordinary Differential Equations I, section II.4).
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -142,8 +142,10 @@ class Adaptive:
         memory = self.memory(field, start, limit, position, velocity)
         if field.marching is not None:
             now = Start(position, velocity, field.known(start, position, velocity))
-            allowed = astuple(self.tolerance)
-            control = Control(memory.step, memory.error, *allowed, self.power, self.damping)
+            control = Control(
+                memory.step, memory.error, **vars(self.tolerance),
+                power=self.power, damping=self.damping,
+            )  # fmt: skip
             name = self.scheme.__name__
             steps = field.marching.adaptive(name, start, limit, most, now, control)
             if steps is not None and field.took(steps):
@@ -229,16 +231,17 @@ def combined(first: Scalar, second: Scalar = 0.0) -> Scalar:
     return first * first / largest(size, NONE)
 
 
-def growth(error: float, before: float, power: float, damping: float, rejected: bool) -> float:  # noqa: FBT001
+def growth(error: float, before: float, power: float, damping: float, rejected: bool) -> float:
     """Return how much longer than a step the next should be."""
     slope = 1 / power - 0.75 * damping
-    factor = SAFETY * max(error, 1e-10) ** -slope * before**damping
+    factor: float = SAFETY * max(error, 1e-10) ** -slope * before**damping
     return min(max(factor, SHORTER), 1.0 if rejected else LONGER)
 
 
 def shrinking(error: float, power: float) -> float:
     """Return how much shorter than a step that erred too much its next trial should be."""
-    return max(SHORTER, SAFETY * error ** (-1 / power))
+    factor: float = SAFETY * error ** (-1 / power)
+    return max(SHORTER, factor)
 
 
 def dense_step(start: float, end: float, first: tuple[Array, Array], pair: Pair) -> DenseStep:

@@ -48,9 +48,7 @@ class StepBatch:
     def step(self, k: int) -> DenseStep:
         """Return one of the steps."""
         first, last = ((knot[0], knot[1]) for knot in self.knots[k : k + 2])
-        return DenseStep(
-            self.times[k], self.times[k + 1], first, last, self.coefficients[:, k]
-        )
+        return DenseStep(self.times[k], self.times[k + 1], first, last, self.coefficients[:, k])
 
     def at(self, times: Array) -> Array:
         """Return coordinates and rates (k, 2, n, 3) at times (k,), s, within the steps.

@@ -26,7 +26,10 @@ def _each(function: Callable[..., float]) -> Callable[..., Scalar]:
         for operand in operands:
             if isinstance(operand, np.ndarray):
                 columns = np.broadcast_arrays(*operands)
-                values = [function(*row) for row in zip(*(column.tolist() for column in columns), strict=True)]
+                values = [
+                    function(*row)
+                    for row in zip(*(column.tolist() for column in columns), strict=True)
+                ]
                 return np.array(values, dtype=np.float64)
         return function(*operands)
 
@@ -84,4 +87,3 @@ def phi2(argument: Any) -> Scalar:
     """(exp z - 1 - z)/z^2, as `tamias2d.spec.functions` has it."""
     near = np.abs(argument) < 1
     return np.where(near, series(argument), (phi1(argument) - 1) / argument)[()]
-
