@@ -14,7 +14,7 @@ from tamias2d.kernels.compiled import is_kept, loaded, plainly
 
 _IMPORT = 0.7  # s, of the compiler
 _LOAD = 0.1  # s, of what was compiled before
-_COMPILE = 0.5, 9000.0  # s, and characters of source a second
+_COMPILE = 0.8, 6000.0  # s, and characters of source a second
 
 
 class Kernel:
@@ -26,23 +26,28 @@ class Kernel:
         self._name = name
         self._compiled: Callable[..., Any] | None = None
         self._spent = 0.0
-        self._steps = 0
+        self._calls = 0
 
     def compiled(self, ahead: float) -> Callable[..., Any] | None:
-        """Return it compiled if that pays for the steps that are ahead, or were taken plainly."""
+        """Return it compiled if that pays for the calls that are ahead, or were made otherwise."""
         if self._compiled is None:
-            coming = ahead * self._spent / self._steps if self._steps else 0.0
-            if self._spent + coming > self._price():
+            coming = ahead * self._spent / self._calls if self._calls else 0.0
+            if self._spent + coming > _LOAD and self._spent + coming > self._price():
                 self._compiled = getattr(loaded(self._text), self._name)
         return self._compiled
 
+    def otherwise(self, calls: int, seconds: float) -> None:
+        """Hear that calls, or steps, of some seconds each were made without it."""
+        self._spent += calls * seconds
+        self._calls += calls
+
     def plain(self, *arguments: Any) -> int:
-        """Run it as plain Python; return how many steps it took, and take the time."""
+        """Run it as plain Python; return what it returns, and take the time of that many calls."""
         start = perf_counter()
-        steps: int = plainly(self._plain)[self._name](*arguments)
-        self._spent += perf_counter() - start
-        self._steps += steps
-        return steps
+        calls: int = plainly(self._plain)[self._name](*arguments)
+        self.otherwise(1, perf_counter() - start)
+        self._calls += calls - 1
+        return calls
 
     def _price(self) -> float:
         """Return what compiling costs now, s."""

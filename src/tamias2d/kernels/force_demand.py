@@ -38,6 +38,12 @@ class ForceDemand:
     attraction: bool = False
 
     @property
+    def terms(self) -> int:
+        """How many kinds of terms there are."""
+        drags = self.linear_drag + self.quadratic_drag + self.angular_drag
+        return len(self.laws) + drags + self.springs + self.attraction
+
+    @property
     def axes(self) -> int:
         """How many coordinates of each body change."""
         return 3 if self.rotation else 2

@@ -259,6 +259,14 @@ def march(scheme: str, demand: ForceDemand) -> March | None:
     return March(*texts, (stages, errors, at_end, *lists), work_sizes, len(table.dense))
 
 
+@cache
+def alone(demand: ForceDemand) -> tuple[str, str]:
+    """Return the source of the accelerations of a demand: for the compiler, and plain."""
+    helpers, imports = forces(demand)
+    head = _HEAD.replace("Steps", "Accelerations").format(family="all forces", demand=demand)
+    return _joined(head, imports, helpers[:-1], helpers[-1])
+
+
 def _flat(rows: Sequence[Weighted], moments: Sequence[tuple[float, float]]) -> tuple[Any, ...]:
     """Return rows of weights one after the other, and moments: starts, columns, and so on."""
     starts, columns, weights = [0], [], []
@@ -286,12 +294,19 @@ def _texts(
     helpers += _ROWS.split("\n\n\n")
     if template is _ADAPTIVE:
         helpers += _controls()
-    used = sorted({*imports, *(["sqrt"] if template is _ADAPTIVE else [])})
-    head = _HEAD.format(family=family, demand=demand)
-    head += f"\nfrom math import {', '.join(used)}" if used else ""
+        imports = [*imports, "sqrt"]
+    return _joined(_HEAD.format(family=family, demand=demand), imports, helpers, text)
+
+
+def _joined(
+    head: str, imports: Sequence[str], helpers: Sequence[str], entry: str
+) -> tuple[str, str]:
+    """Return a source for the compiler, and without its marks."""
+    if imports:
+        head += f"\nfrom math import {', '.join(sorted(set(imports)))}"
     marked = (f"{HELPER}\n{each}" for each in helpers)
-    compiled = "\n\n\n".join([f"{head}\nfrom numba import njit", *marked, f"{ENTRY}\n{text}"])
-    return compiled + "\n", "\n\n\n".join([head, *helpers, text]) + "\n"
+    compiled = "\n\n\n".join([f"{head}\nfrom numba import njit", *marked, f"{ENTRY}\n{entry}"])
+    return compiled + "\n", "\n\n\n".join([head, *helpers, entry]) + "\n"
 
 
 def _controls() -> list[str]:

@@ -6,11 +6,13 @@ whether they are compiled.
 
 from collections.abc import Callable, Sequence
 from dataclasses import astuple
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 
-from tamias2d.kernels.choice import kernel
+from tamias2d.generated.schemes import FACTS
+from tamias2d.kernels.choice import Kernel, kernel
 from tamias2d.kernels.force_demand import ForceDemand, Tables, forces_on
 from tamias2d.kernels.force_source import arguments
 from tamias2d.kernels.march_source import (
@@ -22,6 +24,7 @@ from tamias2d.kernels.march_source import (
     SETTLED,
     STEP,
     March,
+    alone,
     march,
 )
 from tamias2d.motion.integrated import IntegratedMotion
@@ -34,6 +37,9 @@ from tamias2d.state import Array
 
 _PLAIN = 32  # steps at once as plain Python, after which compiling may have come to pay
 _TOLD = 6  # places in `told`
+_HEAVY = 150  # numbers of forces, from which NumPy is faster than plain Python
+_GENERALLY = 4e-5, 5e-8  # s, of a term and of each number, by NumPy
+_LIKELY = 1000  # accelerations are asked for by those who cannot say how often they will
 
 
 def march_by_kernels(motion: Motion, scene: Scene) -> None:
@@ -45,11 +51,12 @@ def march_by_kernels(motion: Motion, scene: Scene) -> None:
 def _makers(scene: Scene) -> Callable[[Sequence[int]], Marching | None]:
     felt = bool(Loads(scene).varying) and felt_velocity(scene)
 
-    def marching(bodies: Sequence[int]) -> Marching | None:
+    @cache
+    def of(bodies: tuple[int, ...]) -> Marching | None:
         found = forces_on(scene, bodies) if bodies else None
         return None if found is None else KernelMarching(*found, felt=felt)
 
-    return marching
+    return lambda bodies: of(tuple(bodies))
 
 
 class KernelMarching:
@@ -58,17 +65,48 @@ class KernelMarching:
     def __init__(self, demand: ForceDemand, tables: Tables, *, felt: bool) -> None:
         self.demand = demand
         self.tables = [tables[name] for name in arguments(demand)]
-        self.lists = [table.tolist() for table in self.tables]
         self.felt = felt
+        work = sum(len(table) for table in self.tables)
+        if demand.attraction:
+            work += len(tables["mass"]) ** 2
+        self._heavy = work > _HEAVY
+        self._pace = _GENERALLY[0] * max(demand.terms, 1) + _GENERALLY[1] * work
+
+    @cached_property
+    def lists(self) -> list[list[Any]]:
+        """The tables as plain Python takes them."""
+        return [table.tolist() for table in self.tables]
+
+    def accelerations(self, time: float, position: Array, velocity: Array) -> Array | None:
+        """Return the accelerations (n, 3), or None where one is not finite."""
+        code = kernel(*alone(self.demand), "accelerations")
+        compiled = code.compiled(_LIKELY)
+        if compiled is None and self._heavy:
+            code.otherwise(1, self._pace)
+            return None
+        axes, count = self.demand.axes, len(position)
+        states = [part[:, :axes].T.ravel() for part in (position, velocity)]
+        rate = np.zeros(axes * count)
+        if compiled is not None:
+            good = compiled(time, *states, rate, *self.tables)
+        else:
+            row = rate.tolist()
+            try:
+                good = code.plain(time, *(part.tolist() for part in states), row, *self.lists)
+            except (ArithmeticError, ValueError):
+                return None
+            rate = np.array(row)
+        rows = np.zeros((count, 3))
+        rows[:, :axes] = rate.reshape(axes, count).T
+        return rows if good else None
 
     def fixed(
         self, scheme: str, times: Sequence[float], start: Start, ahead: float
     ) -> Steps | None:
         """Step from each of the times to the next."""
-        found = march(scheme, self.demand)
-        if found is None or not self._covers(start):
+        call = self._call(scheme, start, len(times) - 1, ahead)
+        if call is None:
             return None
-        call = _Call(self, found, start, len(times) - 1, ahead)
         call.rows[0][:] = times[: call.most + 1]
         count = call.go()
         return call.steps(count, finished=count == call.most)
@@ -77,10 +115,9 @@ class KernelMarching:
         self, scheme: str, time: float, limit: float, most: int, start: Start, control: Control
     ) -> Steps | None:
         """Take at most some steps towards a limit."""
-        found = march(scheme, self.demand)
-        if found is None or not self._covers(start):
+        call = self._call(scheme, start, most, (limit - time) / control.step)
+        if call is None:
             return None
-        call = _Call(self, found, start, most, (limit - time) / control.step)
         call.rows[0][0] = time
         numbers = call.array(list(astuple(control)))
         count = call.go(limit, control=numbers)
@@ -89,19 +126,34 @@ class KernelMarching:
             control.step, control.error = float(numbers[STEP]), float(numbers[ERROR])
         return call.steps(count, finished=finished)
 
-    def _covers(self, start: Start) -> bool:
-        """Whether nothing turns of which it is not known what turns it."""
-        return self.demand.rotation or not start.velocity[:, 2].any()
+    def _call(self, scheme: str, start: Start, most: int, ahead: float) -> "_Call | None":
+        """Return what is to be called; None where it is not known, or the general way is faster."""
+        found = march(scheme, self.demand)
+        turned = not self.demand.rotation and start.velocity[:, 2].any()
+        if found is None or turned:  # what turns it is unknown here
+            return None
+        code = kernel(found.text, found.plain, "advance")
+        compiled = code.compiled(ahead)
+        if compiled is None and self._heavy:
+            code.otherwise(most, FACTS[scheme].evaluations * self._pace)
+            return None
+        return _Call(self, found, code, compiled, start, most)
 
 
 class _Call:
     """One call of a kernel: its rows of numbers, and what they mean."""
 
     def __init__(
-        self, owner: KernelMarching, found: March, start: Start, most: int, ahead: float
+        self,
+        owner: KernelMarching,
+        found: March,
+        code: Kernel,
+        compiled: Callable[..., Any] | None,
+        start: Start,
+        most: int,
     ) -> None:
-        self._code = kernel(found.text, found.plain, "advance")
-        self.compiled = self._code.compiled(ahead)
+        self._code = code
+        self.compiled = compiled
         self.most = most if self.compiled else min(most, _PLAIN)
         self._start = start
         self._slopes = found.slopes

@@ -14,7 +14,7 @@ import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated.schemes import Pair
-from tamias2d.motion.marching import Control, Start
+from tamias2d.motion.marching import Control, Start, name_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, dense_path
 from tamias2d.motion.step_batch import StepBatch
@@ -146,7 +146,7 @@ class Adaptive:
                 memory.step, memory.error, **vars(self.tolerance),
                 power=self.power, damping=self.damping,
             )  # fmt: skip
-            name = self.scheme.__name__
+            name = name_of(self.scheme)
             steps = field.marching.adaptive(name, start, limit, most, now, control)
             if steps is not None and field.took(steps):
                 memory.step, memory.error = control.step, control.error

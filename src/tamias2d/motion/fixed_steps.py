@@ -8,7 +8,7 @@ import numpy as np
 
 from tamias2d.errors import TamiasError
 from tamias2d.motion.loads import Field
-from tamias2d.motion.marching import Start
+from tamias2d.motion.marching import Start, name_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, hermite
 from tamias2d.motion.step_batch import StepBatch
@@ -60,7 +60,7 @@ class FixedSteps:
         if field.marching is not None:
             now = Start(position, velocity, field.known(start, position, velocity))
             ahead = len(self.times) - first
-            steps = field.marching.fixed(self.scheme.__name__, times, now, ahead)
+            steps = field.marching.fixed(name_of(self.scheme), times, now, ahead)
             if steps is not None and field.took(steps):
                 return StepBatch(steps.times, steps.knots)
             times = times[:2]

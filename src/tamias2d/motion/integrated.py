@@ -9,7 +9,7 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
-from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
+from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.marching import Marching
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
@@ -199,14 +199,15 @@ class IntegratedMotion:
         held = tuple(constraints[i] for i in bodies)
         known = self._fields.get(tuple(bodies))
         if known is None or known.constraints != held:
-            field = self._loads.field(bodies, held)
+            marching = None if any(held) else self.marching(bodies)
+            field = _quicker(self._loads.field(bodies, held), marching)
             known = MemoisedField(
                 field,
                 bodies,
                 held,
                 self.tally,
                 felt_velocity=self._felt_velocity,
-                marching=None if any(held) else self.marching(bodies),
+                marching=marching,
             )
             self._fields[tuple(bodies)] = known
         return known
@@ -242,6 +243,18 @@ class IntegratedMotion:
                         raise
             yield batch
             start, now = batch.end, batch.last
+
+
+def _quicker(field: Field, marching: Marching | None) -> Field:
+    """Return accelerations from where they are found faster; what is wrong with them is told."""
+    if marching is None:
+        return field
+
+    def quicker(time: float, position: Array, velocity: Array) -> Array:
+        rows = marching.accelerations(time, position, velocity)
+        return field(time, position, velocity) if rows is None else rows
+
+    return quicker
 
 
 def _batching(integrator: Integrator) -> FixedSteps | Adaptive | None:

@@ -4,7 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
+from tamias2d.generated import schemes
 from tamias2d.state import Array
+
+
+def name_of(scheme: object) -> str:
+    """Return the name of a generated scheme; none of any other function."""
+    name = getattr(scheme, "__name__", "")
+    return name if getattr(schemes, name, None) is scheme else ""
 
 
 class Start(NamedTuple):
@@ -52,6 +59,9 @@ class Marching(Protocol):
 
     None are returned for what it does not know.
     """
+
+    def accelerations(self, time: float, position: Array, velocity: Array) -> Array | None:
+        """Return the accelerations (n, 3) at a time in s; None where one is not finite."""
 
     def fixed(
         self, scheme: str, times: Sequence[float], start: Start, ahead: float
