@@ -20,13 +20,13 @@ def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
 
 
 def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
-    names = ["drag-fall", "two-body", "cradle-touching"]
+    names = ["driven", "cradle-touching"]
     new = [scene for scene in held_out.scenes() if scene.name == "throw 0"]
-    monkeypatch.setattr(certificates, "TOLERANCES", (1e-4,))
+    monkeypatch.setattr(certificates, "TOLERANCES", (1e-2,))
     monkeypatch.setattr(catalogue, "names", lambda *_: names)
     monkeypatch.setattr(held_out, "scenes", lambda: iter(new))
     found, _ = lines_of(certificates)
-    assert [row["scene"] for row in found["rows"]] == ["drag-fall", "two-body", "throw 0"]
+    assert [row["scene"] for row in found["rows"]] == ["driven", "throw 0"]
     assert found["left_out"] == ["cradle-touching"]
     assert "cradle-touching" in certificates.notes(found)[0]
 

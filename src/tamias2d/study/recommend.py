@@ -30,6 +30,7 @@ from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 TIGHTEST, LOOSEST = 1e-15, 0.1
+_MORE = 4  # times the work of the first pilot run may the tightest one take
 
 
 class ToleranceError(SimulationError):
@@ -136,8 +137,8 @@ def _beyond(
     """Return the error that says how far pilot runs came, and what a whole one would take."""
     remedy = "End the run before"
     if spent.time > 0:
-        needed = 2 * work_limit * duration / spent.time
-        remedy = f"End the run at about {spent.time / 2:.2g} s"
+        needed = _MORE * work_limit * duration / spent.time
+        remedy = f"End the run at about {spent.time / _MORE:.2g} s"
         remedy += f", give a work_limit of about {needed:.2g}"
     return ToleranceError(
         f"tolerance {tolerance:g}: the run that methods are compared with came to {spent.time:.4g} "
