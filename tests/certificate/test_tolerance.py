@@ -163,7 +163,9 @@ def rattling() -> t2.Scene:
 
 
 def test_pilots_that_would_take_too_long_are_refused_with_what_to_do() -> None:
-    with pytest.raises(t2.ToleranceError, match=r"End the run at about .* work_limit of about") as e:
+    with pytest.raises(
+        t2.ToleranceError, match=r"End the run at about .* work_limit of about"
+    ) as e:
         t2.simulate(rattling(), duration=1.0, tolerance=1e-6, work_limit=100)
     needed = int(float(str(e.value).split("work_limit of about ")[1].split(",")[0]))
     run = t2.simulate(rattling(), duration=1.0, tolerance=1e-6, work_limit=needed)

@@ -9,7 +9,7 @@ from tamias2d.kernels.compiled import compiled, plain
 from tamias2d.kernels.demand import Demand, demand_of
 from tamias2d.kernels.flight import flight, flown
 from tamias2d.kernels.library import Library
-from tamias2d.kernels.marching import march_by_kernels
+from tamias2d.kernels.marching import march_by_kernels, march_source
 from tamias2d.kernels.source import source
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "flight",
     "flown",
     "march_by_kernels",
+    "march_source",
     "plain",
     "source",
 ]

@@ -27,6 +27,7 @@ from tamias2d.kernels.march_source import (
     alone,
     march,
 )
+from tamias2d.motion import Method
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads
 from tamias2d.motion.marching import Control, Marching, Start, Steps
@@ -46,6 +47,13 @@ def march_by_kernels(motion: Motion, scene: Scene) -> None:
     """Let a motion by a generated scheme take its steps by kernels."""
     if isinstance(motion, IntegratedMotion):
         motion.marching = _makers(scene)
+
+
+def march_source(scene: Scene, method: Method) -> str | None:
+    """Return the source by which all bodies of a scene are stepped, if there is one."""
+    found = forces_on(scene, [k for k, body in enumerate(scene.bodies) if body.dynamic])
+    made = None if found is None else march(method.scheme or "", found[0])
+    return None if made is None else made.text
 
 
 def _makers(scene: Scene) -> Callable[[Sequence[int]], Marching | None]:
