@@ -106,6 +106,7 @@ def at_price(monkeypatch: pytest.MonkeyPatch) -> Callable[[float], None]:
 
     def set_price(price: float) -> None:
         choice.kernel.cache_clear()
+        monkeypatch.setattr(choice, "_LOAD", price)
         monkeypatch.setattr(choice.Kernel, "_price", lambda _: price)
 
     return set_price

@@ -32,7 +32,7 @@ def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_drift(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(drift, "_STEPS", 2000)
+    monkeypatch.setattr(drift, "_STEPS", 20_000)
     monkeypatch.setattr(drift, "ORBITERS", (RungeKutta4(),))
     _, rows = lines_of(drift)
     assert len(rows) == 3

@@ -4,12 +4,14 @@ Serves: the steps of smooth motion. Hides: what compiling costs. Results do not 
 choice: compiled and plain code have the same bits.
 """
 
+import logging
 import sys
 from collections.abc import Callable
 from functools import cache
 from time import perf_counter
 from typing import Any
 
+from tamias2d.errors import InputError
 from tamias2d.kernels.compiled import is_kept, loaded, plainly
 
 _IMPORT = 0.7  # s, of the compiler
@@ -27,14 +29,23 @@ class Kernel:
         self._compiled: Callable[..., Any] | None = None
         self._spent = 0.0
         self._calls = 0
+        self._barred = False
 
     def compiled(self, ahead: float) -> Callable[..., Any] | None:
         """Return it compiled if that pays for the calls that are ahead, or were made otherwise."""
-        if self._compiled is None:
+        if self._compiled is None and not self._barred:
             coming = ahead * self._spent / self._calls if self._calls else 0.0
             if self._spent + coming > _LOAD and self._spent + coming > self._price():
-                self._compiled = getattr(loaded(self._text), self._name)
+                self._compile()
         return self._compiled
+
+    def _compile(self) -> None:
+        """Compile it, or never, where others may write to what would be loaded."""
+        try:
+            self._compiled = getattr(loaded(self._text), self._name)
+        except InputError as refused:
+            logging.getLogger("tamias2d").warning("Runs are not compiled: %s", refused)
+            self._barred = True
 
     def otherwise(self, calls: int, seconds: float) -> None:
         """Hear that calls, or steps, of some seconds each were made without it."""
