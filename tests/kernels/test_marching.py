@@ -82,17 +82,17 @@ def scenes(draw: st.DrawFn) -> Scene:
     return scene
 
 
-Outcome = list[bytes] | str
+Outcome = list[object] | str
 
 
 def outcome(scene: Scene, method: Method, step: float | None) -> Outcome:
-    """The bits of all states, or why there are none."""
+    """The bits of all states and the cost, or why there are none."""
     try:
         run = t2.simulate(scene, duration=0.3, method=method, time_step=step)
     except (t2.SimulationError, t2.InputError) as fault:
         return str(fault)
     states = (run.position, run.orientation, run.velocity, run.angular_velocity)
-    return [state.tobytes() for state in states]
+    return [run.cost, *(state.tobytes() for state in states)]
 
 
 @pytest.fixture(autouse=True)

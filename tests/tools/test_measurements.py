@@ -41,7 +41,7 @@ def test_drift(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_kinds(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kinds, "_EACH", 1)
     monkeypatch.setattr(kinds, "_TIGHT", (RungeKutta4(),))
-    monkeypatch.setattr(catalogue, "names", lambda *_: ["tc1", "kepler"])
+    monkeypatch.setattr(catalogue, "names", lambda *_: ["tc1"])
     monkeypatch.setattr(held_out, "scenes", lambda: iter(()))
     lines_of(kinds)
 

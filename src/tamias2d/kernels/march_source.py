@@ -175,6 +175,11 @@ for s in range(1, stages):
     moved(velocity, factor, total, velocities[s])
     weighted(first, last, columns, weights, velocities, total)
     moved(position, factor, total, asked_places[s])
+    again = moments[2 * s] * moments[2 * s - 1] == moments[2 * s - 2] * moments[2 * s + 1]
+    again = again and s > 1 and same(asked_places[s], asked_places[s - 1])
+    if again and (not felt or same(velocities[s], velocities[s - 1])):
+        copy(slopes[s - 1], slopes[s])
+        continue
     told[{evaluations}] += 1
     moment = time + moments[2 * s] * time_step / moments[2 * s + 1]
     if not accelerations(moment, asked_places[s], velocities[s], slopes[s], {tables}):

@@ -152,6 +152,8 @@ class Adaptive:
                 memory.step, memory.error = control.step, control.error
                 return StepBatch(steps.times, steps.knots, steps.dense)
         end, pair = self._accepted(field, start, limit, position, velocity)
+        if field.marching is not None:
+            field.settle(end, pair.position, pair.velocity)
         knots = np.stack(
             [
                 np.stack((position, velocity, np.zeros_like(position))),

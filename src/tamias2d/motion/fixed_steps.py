@@ -63,8 +63,11 @@ class FixedSteps:
             steps = field.marching.fixed(name_of(self.scheme), times, now, ahead)
             if steps is not None and field.took(steps):
                 return StepBatch(steps.times, steps.knots)
-            times = times[:2]
-        return self._one_by_one(field, times, position, velocity)
+            times = times if steps is None else times[:2]
+        batch = self._one_by_one(field, times, position, velocity)
+        if field.marching is not None:
+            field.settle(batch.end, *batch.last)
+        return batch
 
     def _one_by_one(
         self, field: MemoisedField, times: list[float], position: Array, velocity: Array

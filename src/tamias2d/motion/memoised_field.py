@@ -57,7 +57,15 @@ class MemoisedField:
             or (self._felt_velocity and not _same(known[1], velocity))
         ):
             return None
+        self._known[time] = self._known.pop(time)  # what is asked for stays longest
         return known[2]
+
+    def settle(self, time: float, position: Array, velocity: Array) -> None:
+        """Forget all but one state, so that costs do not depend on who took the steps before."""
+        known = self.known(time, position, velocity)
+        self._known.clear()
+        if known is not None:
+            self._known[time] = (position, velocity, known)
 
     def took(self, steps: Steps) -> bool:
         """Count what steps have cost that were taken at once, and remember how they ended.
@@ -66,13 +74,15 @@ class MemoisedField:
         """
         self.tally.force_evaluations += steps.evaluations
         self.tally.rejected += steps.rejected
+        self._known.clear()
         if steps.last_known:
             self._remember(steps.times[-1], *steps.knots[-1])
         return len(steps.times) > 1
 
     def _remember(self, time: float, position: Array, velocity: Array, result: Array) -> None:
+        self._known.pop(time, None)
         if len(self._known) >= _REMEMBERED:
-            self._known.clear()
+            del self._known[next(iter(self._known))]
         self._known[time] = (position, velocity, result)
 
 
