@@ -13,6 +13,12 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.certificate import Certificate as Certificate
     from tamias2d.cost import Cost as Cost
     from tamias2d.engine.contact_report import Contacts as Contacts
+    from tamias2d.ensemble import (
+        Grid as Grid,
+        ensemble as ensemble,
+        random_stream as random_stream,
+        world_scene as world_scene,
+    )
     from tamias2d.errors import (
         ArgumentError as ArgumentError,
         InputError as InputError,
@@ -68,6 +74,7 @@ _HOMES = {
     "certificate": "Certificate",
     "cost": "Cost",
     "engine.contact_report": "Contacts",
+    "ensemble": "Grid ensemble random_stream world_scene",
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
