@@ -7,9 +7,17 @@ come back as they are done; which worker took which one changes no number.
 import os
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    wait,
+)
 from typing import Any, Protocol, TypeAlias, TypeVar
 
+from tamias2d.certificate import source_digest
 from tamias2d.errors import SimulationError, TamiasError
 from tamias2d.record.dataset import extra
 from tamias2d.scene.rules import RuleError, shown
@@ -84,6 +92,12 @@ def done(
                     "finished is kept where `out` says."
                 ) from death
             left.extendleft(reversed(begun.values()))
+        except CancelledError as loss:  # the scheduler is gone
+            raise _lost(loss) from loss
+        except Exception as fault:
+            if type(fault).__module__.partition(".")[0] != "distributed":
+                raise
+            raise _lost(fault) from fault
         finally:
             for future in begun:
                 future.cancel()
@@ -141,15 +155,20 @@ def _answered(call: Callable[..., Any], *arguments: Any) -> Any:
     except TamiasError:
         raise
     except Exception as fault:
-        raise SimulationError(
-            f"client: the cluster does not answer ({type(fault).__name__}: {_first_line(fault)}). "
-            "Check that its scheduler and its workers run, then call again."
-        ) from fault
+        raise _lost(fault) from fault
+
+
+def _lost(fault: BaseException) -> SimulationError:
+    return SimulationError(
+        f"client: the cluster has failed ({type(fault).__name__}: {_first_line(fault)}). Check "
+        "that its scheduler and its workers run, and have memory enough, then call again: what "
+        "was finished is kept where `out` says."
+    )
 
 
 def _refuse_other_programs(client: Any) -> None:
     """Refuse workers that have another Tamias2D than this process, or none."""
-    here = _program()
+    here = source_digest()
     for worker, there in _answered(client.run, _program_text()).items():
         if there != here:
             what = "no Tamias2D" if there is None else "another version of Tamias2D"
@@ -157,12 +176,6 @@ def _refuse_other_programs(client: Any) -> None:
                 f"client: worker {worker} has {what} (R8): all must have the same, or their bits "
                 "differ. Install it there."
             )
-
-
-def _program() -> str:
-    from tamias2d.certificate import source_digest
-
-    return source_digest()
 
 
 def _program_text() -> Callable[[], str | None]:
