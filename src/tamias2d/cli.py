@@ -144,6 +144,83 @@ def run(
 
 
 @app.command()
+def ensemble(
+    scene: _Scene,
+    vary: Annotated[
+        list[str],
+        typer.Option(
+            metavar="PLACE=FORM",
+            help="Such as 'bodies.ball.restitution=uniform(0.2, 0.8)', normal(MEAN, DEVIATION), "
+            "grid(A, B, ...) or A, B, ... Repeat it for more.",
+        ),
+    ],
+    worlds: Annotated[
+        int | None, typer.Option(metavar="COUNT", min=1, help="Else as the values given say.")
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Of what is drawn.")] = 0,
+    duration: Annotated[
+        str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
+    ] = None,
+    method: Annotated[Method | None, typer.Option(help="As for `run`.")] = None,
+    time_step: Annotated[
+        str | None, typer.Option(metavar="TIME", help="Of a stepped method: '1 ms' or 0.001.")
+    ] = None,
+    tolerance: Annotated[
+        str | None, typer.Option(metavar="ERROR", help="As for `run`, in each world.")
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="PATH", help="A Zarr store; called again, it goes on where it was."),
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="PATH", help="Draw the spread: .png, .svg or .pdf.")
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(metavar="COUNT", min=1, help="Processes; else one a core.")
+    ] = None,
+    scheduler: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Of a running Dask cluster.")
+    ] = None,
+    world: Annotated[
+        int | None, typer.Option(metavar="NUMBER", help="Simulate this world alone, to --record.")
+    ] = None,
+    record: Annotated[
+        Path | None, typer.Option(metavar="PATH", help="Where --world goes: .rrd or .npz.")
+    ] = None,
+    as_json: _Json = False,
+) -> None:
+    """Simulate a scene in many worlds that differ as --vary says, and print how they spread."""
+    from tamias2d.commands.ensemble import record_world, run_ensemble
+    from tamias2d.errors import InputError
+
+    if (world is None) != (record is None):
+        raise InputError(
+            "--world and --record: found one without the other (R5). Give both, or neither."
+        )
+    asked: dict[str, Any] = {
+        "vary": vary,
+        "worlds": worlds,
+        "seed": seed,
+        "duration": duration,
+        "method": method,
+        "time_step": time_step,
+        "tolerance": tolerance,
+    }
+    if world is not None and record is not None:
+        record_world(scene, world, record=record, **asked)
+        return
+    run_ensemble(
+        scene,
+        out=out,
+        plot=plot,
+        workers=workers,
+        scheduler=scheduler,
+        as_json=as_json,
+        **asked,
+    )
+
+
+@app.command()
 def recommend(
     scene: _Scene,
     tolerance: Annotated[
