@@ -15,8 +15,11 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.engine.contact_report import Contacts as Contacts
     from tamias2d.ensemble import (
         Grid as Grid,
+        Mean as Mean,
         ensemble as ensemble,
+        ensemble_mean as ensemble_mean,
         random_stream as random_stream,
+        sensitivities as sensitivities,
         world_scene as world_scene,
     )
     from tamias2d.errors import (
@@ -74,7 +77,7 @@ _HOMES = {
     "certificate": "Certificate",
     "cost": "Cost",
     "engine.contact_report": "Contacts",
-    "ensemble": "Grid ensemble random_stream world_scene",
+    "ensemble": "Grid Mean ensemble ensemble_mean random_stream sensitivities world_scene",
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "

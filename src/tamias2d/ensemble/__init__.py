@@ -5,7 +5,17 @@ and how results are kept.
 """
 
 from tamias2d.ensemble.dataset import world_scene
+from tamias2d.ensemble.mean import Mean, ensemble_mean
 from tamias2d.ensemble.run_ensemble import ensemble
 from tamias2d.ensemble.sampling import Grid, random_stream
+from tamias2d.ensemble.sensitivity import sensitivities
 
-__all__ = ["Grid", "ensemble", "random_stream", "world_scene"]
+__all__ = [
+    "Grid",
+    "Mean",
+    "ensemble",
+    "ensemble_mean",
+    "random_stream",
+    "sensitivities",
+    "world_scene",
+]
