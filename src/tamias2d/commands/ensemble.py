@@ -84,7 +84,8 @@ def run_ensemble(
 
 def record_world(
     name: str,
-    number: int,
+    number: int | None,
+    record: Path | None,
     *,
     vary: list[str],
     worlds: int | None,
@@ -93,13 +94,16 @@ def record_world(
     method: str | None,
     time_step: str | None,
     tolerance: str | None,
-    record: Path,
 ) -> None:
     """Simulate one world of an ensemble again, and save it.
 
     Raises:
         InputError: the ensemble has no such world, or an argument breaks a rule.
     """
+    if number is None or record is None:
+        raise InputError(
+            "--world and --record: found one without the other (R5). Give both, or neither."
+        )
     scene = find_scene(name)
     refuse_file(record)
     made = worlds_of(scene, _varied(scene, vary), worlds, seed, None)

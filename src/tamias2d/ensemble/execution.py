@@ -13,6 +13,7 @@ from concurrent.futures import (
     CancelledError,
     Executor,
     Future,
+    ThreadPoolExecutor,
     wait,
 )
 from typing import Any, Protocol, TypeAlias, TypeVar
@@ -39,8 +40,10 @@ class Executors(Protocol):
         """Return one that works, a new one after one that broke."""
 
 
-def executors_of(workers: int | None, client: Any) -> Executors | None:
+def executors_of(workers: int | None, client: Any, *, threads: bool = False) -> Executors | None:
     """Return where to compute, None for this process alone.
+
+    `threads` are enough where compiled code does most of the work, without Python's lock.
 
     Raises:
         RuleError: the number of workers is none, or the client is no Dask client.
@@ -53,7 +56,9 @@ def executors_of(workers: int | None, client: Any) -> Executors | None:
             )
         return _Cluster(client)
     count = _cores() if workers is None else checked_count(workers, "workers", 1)
-    return None if count == 1 else _Processes(count)
+    if count == 1:
+        return None
+    return _Threads(count) if threads else _Processes(count)
 
 
 def done(
@@ -112,6 +117,17 @@ def _cores() -> int:
 
 def _first_line(fault: BaseException) -> str:
     return (str(fault).strip().splitlines() or [type(fault).__name__])[0]
+
+
+class _Threads:
+    """Threads of this process."""
+
+    def __init__(self, count: int) -> None:
+        self._executor = ThreadPoolExecutor(count)
+        self.waiting = 2 * count
+
+    def executor(self) -> Executor:
+        return self._executor
 
 
 class _Processes:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tamias2d.ensemble.dataset import dataset_of
+from tamias2d.ensemble.discs import mostly_followed
 from tamias2d.ensemble.execution import done, executors_of
 from tamias2d.ensemble.request import STATE, Quantity, Request, request_of
 from tamias2d.ensemble.sampling import Design
@@ -99,7 +100,8 @@ def ensemble(
         quantities=quantities,
         work_limit=work_limit,
     )
-    executors = executors_of(workers, client)
+    threads = client is None and workers != 1 and mostly_followed(described, request)
+    executors = executors_of(workers, client, threads=threads)
     hands = 1 if executors is None else executors.waiting // 2
     size = _chunk(chunk, len(described), hands, request)
     found: Dataset

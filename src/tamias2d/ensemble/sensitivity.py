@@ -5,7 +5,8 @@ Communications 181 (2010) 259-270, as scipy.stats.sobol_indices has it.
 """
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -70,39 +71,22 @@ def sensitivities(
             f"confidence {confidence!r}: must lie between 0 and 1 (R5). Give one such as 0.95.",
             "confidence",
         )
-    for path, given in vary.items():
-        if not hasattr(given, "ppf"):
-            raise RuleError(
-                f"vary {path!r}: found {shown(given)}: must be a distribution, of which the shares "
-                "are taken (R2). Give one of scipy.stats.",
-                "vary",
-            )
+    _refuse_no_distributions(vary)
 
-    def quantities(values: Array) -> Array:
-        """Return the quantity (1, k) for the values (places, k) of worlds."""
-        found = ensemble(
-            scene,
-            duration=duration,
-            vary=dict(zip(vary, values, strict=True)),
-            method=method,
-            time_step=time_step,
-            tolerance=tolerance,
-            keep=(),
-            quantities={"quantity": quantity},
-            workers=workers,
-            client=client,
-        )
-        numbers: Array = found["quantity"].values
-        refused = int(np.count_nonzero(~np.isfinite(numbers)))
-        if refused:
-            raise SimulationError(
-                f"sensitivities: {refused} of {len(numbers)} worlds were refused, so that shares "
-                "of the variance are not known (R8). Narrow the distributions."
-            )
-        return numbers[None]
-
+    ask = partial(
+        _quantities,
+        scene,
+        tuple(vary),
+        duration=duration,
+        method=method,
+        time_step=time_step,
+        tolerance=tolerance,
+        quantities={"quantity": quantity},
+        workers=workers,
+        client=client,
+    )
     seeds = np.random.default_rng(checked_seed(seed))
-    found = sobol_indices(func=quantities, n=count, dists=list(vary.values()), rng=seeds)
+    found = sobol_indices(func=ask, n=count, dists=list(vary.values()), rng=seeds)
     if not np.isfinite(found.first_order).all():
         raise SimulationError(
             "sensitivities: the quantity is the same in all worlds: there is no variance to share "
@@ -113,6 +97,30 @@ def sensitivities(
         spread = found.bootstrap(confidence_level=confidence)
     shares: Dataset = _dataset(found, spread, list(vary), confidence)
     return shares
+
+
+def _refuse_no_distributions(vary: Mapping[str, Any]) -> None:
+    for path, given in vary.items():
+        if not hasattr(given, "ppf"):
+            raise RuleError(
+                f"vary {path!r}: found {shown(given)}: must be a distribution, of which the shares "
+                "are taken (R2). Give one of scipy.stats.",
+                "vary",
+            )
+
+
+def _quantities(scene: Scene, paths: Sequence[str], values: Array, **arguments: Any) -> Array:
+    """Return the quantity (1, k) for the values (places, k) of worlds."""
+    vary = dict(zip(paths, values, strict=True))
+    found = ensemble(scene, vary=vary, keep=(), **arguments)
+    numbers: Array = found["quantity"].values
+    refused = int(np.count_nonzero(~np.isfinite(numbers)))
+    if refused:
+        raise SimulationError(
+            f"sensitivities: {refused} of {len(numbers)} worlds were refused, so that shares "
+            "of the variance are not known (R8). Narrow the distributions."
+        )
+    return numbers[None]
 
 
 def _dataset(found: Any, spread: Any, paths: list[str], confidence: float) -> Any:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.balance import balance
+from tamias2d.ensemble.discs import followed
 from tamias2d.ensemble.request import Request, kept_of
 from tamias2d.ensemble.worlds import Worlds
 from tamias2d.errors import InputError, SceneError, SimulationError, TamiasError
@@ -61,7 +62,15 @@ def solved_block(worlds: Worlds, request: Request, first: int, last: int) -> Blo
     arrays = {name: np.full((count, *request.shape(name)), np.nan) for name in request.kept}
     outcome = np.full(count, REFUSED, dtype=np.int8)
     refusal: TamiasError | None = None
-    for row, world in enumerate(range(first, last)):
+    compiled = followed(worlds, request, first, last)
+    left = np.arange(count)
+    if compiled is not None:
+        left = np.flatnonzero(~compiled.done)
+        outcome[compiled.done] = LOCATED
+        for name, values in compiled.arrays.items():
+            arrays[name][compiled.done] = values[compiled.done]
+    for row in left.tolist():
+        world = first + row
         scene = worlds.scene(world)
         _refuse_other_bodies(scene, world, request)
         try:
