@@ -14,6 +14,7 @@ import pytest
 import xarray as xr
 
 import tamias2d as t2
+from tamias2d.ensemble import dataset
 from tests.ensemble.scenes import bouncing
 
 ARGUMENTS: dict[str, Any] = {
@@ -143,6 +144,16 @@ def test_another_ensemble_is_not_mixed_in(tmp_path: Path, other: dict[str, Any])
     t2.ensemble(bouncing(), out=out, workers=1, **ARGUMENTS)
     with pytest.raises(t2.RecordingError, match=r"e\.zarr: holds another ensemble.*\(R8\)"):
         t2.ensemble(bouncing(), out=out, workers=1, **(ARGUMENTS | other))
+
+
+def test_a_store_of_another_version_of_the_program_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "e.zarr"
+    t2.ensemble(bouncing(), out=out, workers=1, **ARGUMENTS)
+    monkeypatch.setattr(dataset, "source_digest", lambda: "another")
+    with pytest.raises(t2.RecordingError, match="or one of another version of the program"):
+        t2.ensemble(bouncing(), out=out, workers=1, **ARGUMENTS)
 
 
 def test_what_is_no_store_is_left_alone(tmp_path: Path) -> None:
