@@ -2,7 +2,7 @@
 
 import math
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from itertools import zip_longest
 
@@ -54,6 +54,30 @@ class Pair(NamedTuple):
     dense: tuple[Any, ...]
 
 
+Weighted = tuple[float, tuple[tuple[int, float], ...]]
+"""A divisor of the time step, and the slopes that are summed, each with its weight."""
+
+
+class RungeKutta(NamedTuple):
+    """A scheme of slopes, as numbers: what its function says, for code that loops over them."""
+
+    moments: tuple[tuple[float, float], ...]
+    """Of each slope: a factor of the time step, and a divisor."""
+    stages: tuple[Weighted, ...]
+    """What each slope but the first is taken from."""
+    end: Weighted
+    errors: tuple[Weighted, ...]
+    dense: tuple[Weighted, ...]
+
+
+class Splitting(NamedTuple):
+    """A scheme of kicks and drifts, as numbers, likewise."""
+
+    parts: tuple[tuple[bool, float, float, float, float], ...]
+    """In order: whether it is a kick; factor and divisor of the time step for its length, and for
+    the time that has passed before it."""
+
+
 '''
 _LARGEST = 10**12  # denominators beyond it are those of decimal coefficients
 _STEP = "time: Any, time_step: Any, position: Any, velocity: Any, acceleration: Acceleration"
@@ -67,8 +91,66 @@ def emit(specification: Specification) -> str:
     files = dict.fromkeys(item.file for item in items)
     bodies = [_function(item) for item in items]
     return "\n\n".join(
-        [HEADER.format(sources=",\n".join(map(quoted, files))), *bodies, _facts(items)]
+        [
+            HEADER.format(sources=",\n".join(map(quoted, files))),
+            *bodies,
+            _facts(items),
+            _tables(items, "RUNGE_KUTTA", "RungeKutta", "runge_kutta", _as_runge_kutta),
+            _tables(items, "SPLITTING", "Splitting", "splitting", _as_splitting),
+        ]
     )
+
+
+def _tables(
+    items: Sequence[Item], name: str, kind: str, family: str, printed: Callable[[Scheme], str]
+) -> str:
+    schemes = [scheme for item in items if (scheme := scheme_of(item, print)) is not None]
+    lines = [f"{name}: dict[str, {kind}] = {{"]
+    lines += [f'    "{s.name}": {printed(s)},' for s in schemes if s.family == family]
+    return "\n".join([*lines, "}"])
+
+
+def _as_runge_kutta(scheme: Scheme) -> str:
+    moments = _many(_factor(moment) for moment in scheme.c)
+    stages = _many(_weighted(row) for row in scheme.a[1:])
+    errors = _many(_weighted(row) for row in scheme.error)
+    dense = _many(_weighted(row, 1) for row in zip(*scheme.dense, strict=True))
+    return f"RungeKutta({moments}, {stages}, {_weighted(scheme.b)}, {errors}, {dense})"
+
+
+def _as_splitting(scheme: Scheme) -> str:
+    parts = []
+    passed = Fraction(0)
+    for kick, drift in zip_longest(scheme.kick, scheme.drift, fillvalue=Fraction(0)):
+        if kick:
+            parts.append(f"(True, {_factor(kick)[1:-1]}, {_factor(passed)[1:-1]})")
+        if drift:
+            parts.append(f"(False, {_factor(drift)[1:-1]}, {_factor(passed)[1:-1]})")
+        passed += drift
+    return f"Splitting(({', '.join(parts)},))"
+
+
+def _factor(weight: Fraction) -> str:
+    """The numbers with which `_times` multiplies and divides."""
+    if weight.denominator > _LARGEST:
+        return f"({float(weight)!r}, 1)"
+    return f"({weight.numerator}, {weight.denominator})"
+
+
+def _weighted(weights: Sequence[Fraction], divisor: int | None = None) -> str:
+    """The numbers in what `_increment` prints; in what `_sum` prints, if the divisor is 1."""
+    common = divisor or math.lcm(*(weight.denominator for weight in weights))
+    if common > _LARGEST:
+        common = 1
+    terms = [(k, weight * common) for k, weight in enumerate(weights) if weight]
+    short = (f"({k}, {w.numerator if w.denominator == 1 else float(w)!r})" for k, w in terms)
+    return f"({common}, {_many(short)})"
+
+
+def _many(parts: Iterable[str]) -> str:
+    """A tuple, however many there are."""
+    found = list(parts)
+    return f"({found[0]},)" if len(found) == 1 else f"({', '.join(found)})"
 
 
 def _facts(items: Sequence[Item]) -> str:

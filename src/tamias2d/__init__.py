@@ -13,6 +13,15 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.certificate import Certificate as Certificate
     from tamias2d.cost import Cost as Cost
     from tamias2d.engine.contact_report import Contacts as Contacts
+    from tamias2d.ensemble import (
+        Grid as Grid,
+        Mean as Mean,
+        ensemble as ensemble,
+        ensemble_mean as ensemble_mean,
+        random_stream as random_stream,
+        sensitivities as sensitivities,
+        world_scene as world_scene,
+    )
     from tamias2d.errors import (
         ArgumentError as ArgumentError,
         InputError as InputError,
@@ -69,6 +78,7 @@ _HOMES = {
     "certificate": "Certificate",
     "cost": "Cost",
     "engine.contact_report": "Contacts",
+    "ensemble": "Grid Mean ensemble ensemble_mean random_stream sensitivities world_scene",
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "StepWarning TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "

@@ -87,7 +87,7 @@ def not_claimed(horizon: float | None) -> tuple[str, ...]:
 
 def hashes(scene: Scene) -> dict[str, str]:
     """Return the SHA-256 of all that an answer rests on."""
-    return {"spec": _of_specification(), "scene": scene.digest(), "code": _of_sources()}
+    return {"spec": _of_specification(), "scene": scene.digest(), "code": source_digest()}
 
 
 @cache
@@ -97,7 +97,8 @@ def _of_specification() -> str:
 
 
 @cache
-def _of_sources() -> str:
+def source_digest() -> str:
+    """Return the SHA-256 of the package's sources."""
     total = hashlib.sha256()
     _add(total, resources.files("tamias2d"), "")
     return total.hexdigest()

@@ -97,21 +97,56 @@ class Method(StrEnum):
 _Scene = Annotated[
     str, typer.Argument(metavar="SCENE", help="A name of the catalogue, or a YAML file.")
 ]
+_Duration = Annotated[
+    str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
+]
+_TimeStep = Annotated[
+    str | None, typer.Option(metavar="TIME", help="Of a stepped method: '1 ms' or 0.001.")
+]
+_Tolerance = Annotated[
+    str | None, typer.Option(metavar="ERROR", help="As for `run`, in each world.")
+]
+_Vary = Annotated[
+    list[str],
+    typer.Option(
+        metavar="PLACE=FORM",
+        help="Such as 'bodies.ball.restitution=uniform(0.2, 0.8)', normal(MEAN, DEVIATION), "
+        "grid(A, B, ...) or A, B, ... Repeat it for more.",
+    ),
+]
+_Worlds = Annotated[
+    int | None, typer.Option(metavar="COUNT", min=1, help="Else as the values given say.")
+]
+_Out = Annotated[
+    Path | None,
+    typer.Option(metavar="PATH", help="A Zarr store; called again, it goes on where it was."),
+]
+_Plot = Annotated[
+    Path | None, typer.Option(metavar="PATH", help="Draw the spread: .png, .svg or .pdf.")
+]
+_Workers = Annotated[
+    int | None, typer.Option(metavar="COUNT", min=1, help="Processes; else one a core.")
+]
+_Scheduler = Annotated[
+    str | None, typer.Option(metavar="ADDRESS", help="Of a running Dask cluster.")
+]
+_World = Annotated[
+    int | None, typer.Option(metavar="NUMBER", help="Simulate this world alone, to --record.")
+]
+_WorldRecord = Annotated[
+    Path | None, typer.Option(metavar="PATH", help="Where --world goes: .rrd or .npz.")
+]
 _Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
 
 
 @app.command()
 def run(
     scene: _Scene,
-    duration: Annotated[
-        str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
-    ] = None,
+    duration: _Duration = None,
     method: Annotated[
         Method | None, typer.Option(help="Else closed-form where loads are constant.")
     ] = None,
-    time_step: Annotated[
-        str | None, typer.Option(metavar="TIME", help="Of a stepped method: '1 ms' or 0.001.")
-    ] = None,
+    time_step: _TimeStep = None,
     tolerance: Annotated[
         str | None,
         typer.Option(metavar="ERROR", help="Such as 1e-6: the cheapest method and step within it."),
@@ -144,6 +179,44 @@ def run(
 
 
 @app.command()
+def ensemble(
+    scene: _Scene,
+    *,
+    vary: _Vary,
+    worlds: _Worlds = None,
+    seed: Annotated[int, typer.Option(min=0, help="Of what is drawn.")] = 0,
+    duration: _Duration = None,
+    method: Annotated[Method | None, typer.Option(help="As for `run`.")] = None,
+    time_step: _TimeStep = None,
+    tolerance: _Tolerance = None,
+    out: _Out = None,
+    plot: _Plot = None,
+    workers: _Workers = None,
+    scheduler: _Scheduler = None,
+    world: _World = None,
+    record: _WorldRecord = None,
+    as_json: _Json = False,
+) -> None:
+    """Simulate a scene in many worlds that differ as --vary says, and print how they spread."""
+    from tamias2d.commands.ensemble import record_world, run_ensemble
+
+    asked: dict[str, Any] = {
+        "vary": vary,
+        "worlds": worlds,
+        "seed": seed,
+        "duration": duration,
+        "method": method,
+        "time_step": time_step,
+        "tolerance": tolerance,
+    }
+    if world is not None or record is not None:
+        record_world(scene, world, record, **asked)
+        return
+    where: dict[str, Any] = {"out": out, "plot": plot, "workers": workers, "scheduler": scheduler}
+    run_ensemble(scene, **where, **asked, as_json=as_json)
+
+
+@app.command()
 def recommend(
     scene: _Scene,
     tolerance: Annotated[
@@ -152,9 +225,7 @@ def recommend(
             metavar="ERROR", help="Of places, relative to how far the farthest body goes."
         ),
     ],
-    duration: Annotated[
-        str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
-    ] = None,
+    duration: _Duration = None,
     as_json: _Json = False,
 ) -> None:
     """Say which method and step meet a tolerance at the least cost, and why others lost."""
@@ -241,9 +312,7 @@ def warm() -> None:
 @app.command()
 def tradeoff(
     scene: _Scene,
-    duration: Annotated[
-        str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
-    ] = None,
+    duration: _Duration = None,
     tolerance: Annotated[
         float | None, typer.Option(metavar="ERROR", help="Relative, such as 1e-6: who is within?")
     ] = None,

@@ -1,9 +1,14 @@
 """What a simulation gives back: its numbers, which can be saved to a file and loaded again."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tamias2d import record
 from tamias2d.run_data import Impacts, RunData
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 __all__ = ["Impacts", "Run", "load"]
 
@@ -19,6 +24,26 @@ class Run(RunData):
             RecordingError: it cannot be written.
         """
         record.save(self, path)
+
+    def to_xarray(self) -> "Dataset":
+        """Return the run as an `xarray.Dataset` over time, body and axis, units in `attrs`.
+
+        Raises:
+            RecordingError: xarray is not installed (`pip install tamias2d[ensemble]`).
+        """
+        found: Dataset = record.to_xarray(self)
+        return found
+
+    def to_dataframe(self) -> "DataFrame":
+        """Return the run as a `pandas.DataFrame`: a row for each time and body.
+
+        Columns are `position_x`, `position_y`, `orientation` and so on; units are in `attrs`.
+
+        Raises:
+            RecordingError: pandas is not installed (`pip install tamias2d[ensemble]`).
+        """
+        found: DataFrame = record.to_dataframe(self)
+        return found
 
 
 def load(path: str | Path) -> Run:

@@ -70,5 +70,10 @@ def simulate(
             "the tolerance (R5). Give one of the two."
         )
     return within(
-        scene, duration=plan.duration, tolerance=tolerance, times=plan.times, progress=progress
+        scene,
+        duration=plan.duration,
+        tolerance=tolerance,
+        times=plan.times,
+        progress=progress,
+        work_limit=work_limit,
     )

@@ -1,5 +1,7 @@
 """A tolerance is met by the cheapest way, or refused with what can be met."""
 
+import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +11,10 @@ import tamias2d as t2
 from tamias2d.certificate import Certificate, from_json
 from tamias2d.replay import check
 from tamias2d.run import load
+from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import history_error
+from tamias2d.study.pilot import Pilot
+from tamias2d.work_limit import WORK_LIMIT
 
 
 def oscillator() -> t2.Scene:
@@ -147,3 +152,39 @@ def test_a_scene_without_bodies_and_one_far_away_are_certified() -> None:
     assert far.certificate is not None
     assert far.certificate.bound is not None
     assert 1e-5 < far.certificate.bound < 1e-3
+
+
+def rattling() -> t2.Scene:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(
+        None, mass=1.0, position=(0.0, 0.0), force=("1[N]*sin(1e3[rad/s]*time)", "0[N]"), name="a"
+    )
+    return scene
+
+
+def test_pilots_that_would_take_too_long_are_refused_with_what_to_do() -> None:
+    with pytest.raises(
+        t2.ToleranceError, match=r"End the run at about .* work_limit of about"
+    ) as e:
+        t2.simulate(rattling(), duration=1.0, tolerance=1e-6, work_limit=100)
+    needed = int(float(str(e.value).split("work_limit of about ")[1].split(",")[0]))
+    run = t2.simulate(rattling(), duration=1.0, tolerance=1e-6, work_limit=needed)
+    assert run.certificate is not None
+    assert run.certificate.meets(1e-6)
+
+
+def test_pilots_together_take_twice_the_work_of_a_run_at_most() -> None:
+    limit = 2000
+    scene = rattling()
+    pilot = Pilot(scene, 1.0, 1e-6, limit)
+    for method in (t2.RungeKutta4(), t2.VelocityVerlet(), t2.SemiImplicitEuler()):
+        pilot.fixed_step(method, math.inf)
+    assert pilot.spent <= 16 * 2 * limit  # of all schemes, order 8 asks most often in a step
+
+
+def test_companions_of_a_long_run_may_be_longer() -> None:
+    run = t2.simulate(rattling(), duration=1.0, method=t2.Dop853(1e-8))
+    assert run.cost is not None
+    assert limit_beside(run) == WORK_LIMIT
+    long = replace(run, cost=replace(run.cost, steps=WORK_LIMIT))
+    assert limit_beside(long) == 4 * WORK_LIMIT

@@ -203,3 +203,14 @@ def test_scaled_scenes_are_the_same_to_the_bit(scale):
         return run.position / size
 
     assert np.array_equal(states(1.0), states(scale))
+
+
+def test_a_particle_is_passed_through() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    disc = t2.Disc(radius=0.2)
+    scene.add_body(disc, mass=1.0, position=(0.0, 0.0), velocity=(1.0, 0.0), restitution=1.0)
+    scene.add_body(None, mass=1.0, position=(1.0, 0.05), name="dust")
+    scene.add_body(disc, mass=1.0, position=(5.0, 0.0), restitution=1.0)
+    run = t2.simulate(scene, duration=2.0)
+    assert len(run.impacts) == 0
+    assert run.velocity[-1].tolist() == [[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]]

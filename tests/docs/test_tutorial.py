@@ -38,6 +38,7 @@ PAGES = (
     "docs/scenes.md",
     "docs/own_force.md",
     "docs/frame_loop.md",
+    "docs/ensembles.md",
     "docs/choosing.md",
     "docs/certificates.md",
     "docs/index.md",

@@ -64,10 +64,8 @@ def alone(scene: Scene, k: int, time: float) -> tuple[float, float, float]:
     for force in (
         drag.linear_drag_force(body.linear_drag, body.velocity),
         drag.quadratic_drag_force(body.quadratic_drag, body.velocity),
-        *(pull(scene, each) for each in scene.springs if each.first == k),
-        *(pull(scene, each, back=True) for each in scene.springs if each.second == k),
-        *(attracted(scene, k, other) for other in moving if other > k),
-        *(attracted(scene, k, other) for other in moving if other < k),
+        *(pull(scene, each, back=each.second == k) for each in scene.springs if k in each.bodies),
+        *(attracted(scene, k, other) for other in moving if other != k),
     ):
         for component, part in enumerate(force):
             load[component] += part

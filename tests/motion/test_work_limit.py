@@ -5,6 +5,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.motion import legacy
+from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.solve import Interrupted
 from tamias2d.work_limit import WORK_LIMIT, Work, WorkLimitError
@@ -121,20 +122,27 @@ def stopped_at(call: int, monkeypatch: pytest.MonkeyPatch, owner: object, name: 
     """Let Ctrl-C come at a call of a function."""
     function, calls = getattr(owner, name), []
 
-    def counted(*arguments: object) -> object:
+    def counted(*arguments: object, **more: object) -> object:
         calls.append(None)
         if len(calls) == call:
             raise KeyboardInterrupt
-        return function(*arguments)
+        return function(*arguments, **more)
 
     monkeypatch.setattr(owner, name, counted)
 
 
-@pytest.mark.parametrize("method", [None, t2.Dop853(rtol=1e-12)], ids=str)
+@pytest.mark.parametrize(
+    ("method", "owner", "name", "call"),
+    [
+        (None, MemoisedField, "__call__", 1000),
+        (t2.Dop853(rtol=1e-12), Adaptive, "batch", 5),
+    ],
+    ids=str,
+)
 def test_ctrl_c_ends_a_run_without_contacts_with_its_history(
-    method: object, monkeypatch: pytest.MonkeyPatch
+    method: object, owner: object, name: str, call: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    stopped_at(1000, monkeypatch, MemoisedField, "__call__")
+    stopped_at(call, monkeypatch, owner, name)
     with pytest.raises(Interrupted) as stopped:
         t2.simulate(driven("1[N]*sin(1e3[rad/s]*time)"), duration=1.0, method=method)
     run = stopped.value.run

@@ -45,17 +45,19 @@ def _entries(scene: Scene) -> Sequence[Need]:
 
 
 def explain_source(name: str, method: str) -> None:
-    """Print the kernel that a scene needs for a stepped method.
+    """Print the kernel that a scene needs for a method of steps.
 
     Raises InputError where none can be made for it.
     """
-    from tamias2d.kernels import demand_of, source
+    from tamias2d.kernels import demand_of, march_source, source
 
-    demand = demand_of(find_scene(name), find_method(method))
-    if demand is None:
+    scene, chosen = find_scene(name), find_method(method)
+    demand = demand_of(scene, chosen)
+    text = march_source(scene, chosen) if demand is None else source(demand)
+    if text is None:
         raise InputError(
-            f"{name} by {method}: no code is made for it (R5): kernels are made for methods with a "
-            "fixed step, and for bodies that do not act on each other. `run` takes general "
-            "code. Choose another scene or --method."
+            f"{name} by {method}: no code is made for it (R5): kernels are made for schemes of "
+            "slopes, and of kicks and drifts. `run` takes general code. Choose another scene or "
+            "--method."
         )
-    say(source(demand).rstrip())
+    say(text.rstrip())

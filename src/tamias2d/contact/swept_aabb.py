@@ -30,7 +30,12 @@ class SweptAabbs:
             self._aabbs[:, body] = _aabb(path, 2 * core.bounding_radius)
 
     def overlapping(self, body: int) -> list[int]:
-        """Return the bodies whose boxes overlap with that of a body, where one of the two moves."""
+        """Return the bodies whose boxes overlap with that of a body, where one of the two moves.
+
+        A particle touches nothing, whichever of the two it is.
+        """
+        if not self._cores[body].solid:
+            return []
         x, y, width, height = self._aabbs
         own = self._aabbs[:, body].tolist()
         overlaps = detection.overlap((own[0], own[1]), own[2], own[3], (x, y), width, height)

@@ -1,14 +1,26 @@
 """Compiled code: for exactly what a scene and a method need, and libraries of it.
 
-Serves: stepped histories of scenes in which nothing meets, and the engine,
-at the speed of compiled code and with the bits of the plain one. Hides: how the source is made,
-cached and compiled.
+Serves: smooth motion under all forces, by all generated schemes, and the engine, at the speed of
+compiled code and with the bits of the plain one. Hides: how the source is made, cached and
+compiled, and when that pays.
 """
 
 from tamias2d.kernels.compiled import compiled, plain
 from tamias2d.kernels.demand import Demand, demand_of
 from tamias2d.kernels.flight import flight, flown
 from tamias2d.kernels.library import Library
+from tamias2d.kernels.marching import march_by_kernels, march_source
 from tamias2d.kernels.source import source
 
-__all__ = ["Demand", "Library", "compiled", "demand_of", "flight", "flown", "plain", "source"]
+__all__ = [
+    "Demand",
+    "Library",
+    "compiled",
+    "demand_of",
+    "flight",
+    "flown",
+    "march_by_kernels",
+    "march_source",
+    "plain",
+    "source",
+]

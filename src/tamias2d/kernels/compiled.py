@@ -13,6 +13,7 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
+from tamias2d import storage
 from tamias2d.kernels.demand import Demand
 from tamias2d.kernels.source import source
 
@@ -31,10 +32,21 @@ def compiled(demand: Demand) -> Kernel:
 @cache
 def plain(demand: Demand) -> Kernel:
     """Return the same kernel as plain Python, which debuggers and tracebacks can look into."""
-    names: dict[str, Any] = {}
-    _run(source(demand, compiled=False), names)
-    kernel: Kernel = names["advance"]
+    kernel: Kernel = plainly(source(demand, compiled=False))["advance"]
     return kernel
+
+
+@cache
+def plainly(text: str) -> dict[str, Any]:
+    """Return what a source without marks for the compiler defines, by name."""
+    names: dict[str, Any] = {}
+    _run(text, names)
+    return names
+
+
+def is_kept(text: str) -> bool:
+    """Whether a source was compiled before, as far as can be told without the compiler."""
+    return any((storage.home_path() / "kernels").glob(f"{_hash(text)}.*"))
 
 
 @cache

@@ -8,23 +8,26 @@ Ordinary Differential Equations I, section II.4).
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated.schemes import Pair
+from tamias2d.motion.marching import Control, Start, name_of
 from tamias2d.motion.memoised_field import MemoisedField
-from tamias2d.motion.polynomial import DenseStep
+from tamias2d.motion.polynomial import DenseStep, dense_path
+from tamias2d.motion.step_batch import StepBatch
+from tamias2d.spec.functions import Scalar, largest, sqrt
 from tamias2d.state import Array
 
 EmbeddedScheme: TypeAlias = Callable[[float, float, Array, Array, MemoisedField], Pair]
 
-_SAFETY = 0.9
-_LONGER, _SHORTER = 6.0, 0.2  # a step is to the one before at most and at least
+SAFETY = 0.9
+LONGER, SHORTER = 6.0, 0.2  # a step is to the one before at most and at least
 _SMALLEST = 16.0  # times the resolution of float64 at the time reached
-_CORRECTION = 0.01  # of an estimate by one of lower order (ibid., section II.10)
+CORRECTION = 0.01  # of an estimate by one of lower order (ibid., section II.10)
+NONE = 1e-300  # of an error, beside which others can be divided
 
 
 class StepSizeError(SimulationError):
@@ -52,7 +55,9 @@ class Tolerance:
 
 
 @dataclass
-class _Memory:
+class Memory:
+    """What one step of some bodies leaves to the next."""
+
     step: float
     """The length that the next one should have, s."""
     error: float = 1e-4
@@ -78,14 +83,14 @@ class Adaptive:
         damping: float,
     ) -> None:
         self._name = name
-        self._scheme = scheme
-        self._tolerance = tolerance
+        self.scheme = scheme
+        self.tolerance = tolerance
         # an estimate of order p errs as h^(p+1); two of them combine to the first squared
         # over the second
         powers = [order + 1 for order in orders]
-        self._power = powers[0] if len(powers) == 1 else 2 * powers[0] - powers[1]
-        self._damping = damping
-        self._memory: dict[tuple[int, ...], _Memory] = {}
+        self.power = powers[0] if len(powers) == 1 else 2 * powers[0] - powers[1]
+        self.damping = damping
+        self._memory: dict[tuple[int, ...], Memory] = {}
 
     def step(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
@@ -95,10 +100,14 @@ class Adaptive:
         Raises:
             StepSizeError: it allows none.
         """
-        if field.bodies not in self._memory:
-            first = self._first(field, start, limit, position, velocity)
-            self._memory[field.bodies] = _Memory(first)
-        memory = self._memory[field.bodies]
+        end, pair = self._accepted(field, start, limit, position, velocity)
+        return dense_step(start, end, (position, velocity), pair)
+
+    def _accepted(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> tuple[float, Pair]:
+        """Return the end of a step whose error is small enough, and what it came to."""
+        memory = self.memory(field, start, limit, position, velocity)
         wanted = step = memory.step
         rejected = False
         while True:
@@ -109,12 +118,58 @@ class Adaptive:
                 break
             field.tally.rejected += 1
             rejected = True
-            step *= max(_SHORTER, _SAFETY * error ** (-1 / self._power))
+            step *= shrinking(error, self.power)
             self._refuse_small(start, step, error)
-        longer = step * self._growth(error, memory.error, rejected=rejected)
+        longer = step * growth(error, memory.error, self.power, self.damping, rejected)
         memory.step = max(longer, wanted) if end == limit and not rejected else longer
         memory.error = max(error, 1e-4)
-        return _dense_step(start, end, (position, velocity), pair)
+        return end, pair
+
+    def batch(
+        self,
+        field: MemoisedField,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        *,
+        most: int,
+    ) -> StepBatch:
+        """Take several steps at once, if the field can.
+
+        Raises as `step` does.
+        """
+        memory = self.memory(field, start, limit, position, velocity)
+        if field.marching is not None:
+            now = Start(position, velocity, field.known(start, position, velocity))
+            control = Control(
+                memory.step, memory.error, **vars(self.tolerance),
+                power=self.power, damping=self.damping,
+            )  # fmt: skip
+            name = name_of(self.scheme)
+            steps = field.marching.adaptive(name, start, limit, most, now, control)
+            if steps is not None and field.took(steps):
+                memory.step, memory.error = control.step, control.error
+                return StepBatch(steps.times, steps.knots, steps.dense)
+        end, pair = self._accepted(field, start, limit, position, velocity)
+        if field.marching is not None:
+            field.settle(end, pair.position, pair.velocity)
+        knots = np.stack(
+            [
+                np.stack((position, velocity, np.zeros_like(position))),
+                np.stack((pair.position, pair.velocity, np.zeros_like(position))),
+            ]
+        )
+        return StepBatch([start, end], knots, np.array(pair.dense)[:, None])
+
+    def memory(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> Memory:
+        """Return what the last step of some bodies left, or how long the first should be."""
+        if field.bodies not in self._memory:
+            first = self._first(field, start, limit, position, velocity)
+            self._memory[field.bodies] = Memory(first)
+        return self._memory[field.bodies]
 
     def _trial(
         self, field: MemoisedField, start: float, step: float, position: Array, velocity: Array
@@ -122,25 +177,19 @@ class Adaptive:
         """Return a step and its error, the largest of all, in shares of what is allowed."""
         with np.errstate(all="ignore"):
             try:
-                pair = self._scheme(start, step, position, velocity, field)
+                pair = self.scheme(start, step, position, velocity, field)
             except SimulationError:  # no finite force where it went, which was too far
                 return None, math.inf
-            allowed = self._tolerance.of(
+            allowed = self.tolerance.of(
                 np.maximum(np.abs(position), np.abs(pair.position)),
                 np.maximum(np.abs(velocity), np.abs(pair.velocity)),
             )
-            estimates = [
+            estimates = (
                 np.stack((q / allowed[0], rate / allowed[1]))
                 for q, rate in zip(pair.position_errors, pair.velocity_errors, strict=True)
-            ]
-        error = float(np.max(_combined(estimates)))
+            )
+            error = float(np.max(combined(*estimates)))
         return pair, error if math.isfinite(error) else math.inf
-
-    def _growth(self, error: float, before: float, *, rejected: bool) -> float:
-        """Return how much longer than this step the next should be."""
-        power = 1 / self._power - 0.75 * self._damping
-        factor = _SAFETY * max(error, 1e-10) ** -power * before**self._damping
-        return float(min(max(factor, _SHORTER), 1.0 if rejected else _LONGER))
 
     def _refuse_small(self, start: float, step: float, error: float) -> None:
         smallest = _SMALLEST * math.ulp(start)
@@ -157,7 +206,7 @@ class Adaptive:
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
     ) -> float:
         """Return the length of the first step, s (ibid., section II.4, starting step size)."""
-        allowed = np.stack(self._tolerance.of(position, velocity))
+        allowed = np.stack(self.tolerance.of(position, velocity))
         rates = np.stack((velocity, field(start, position, velocity)))
         value = _largest(np.stack((position, velocity)) / allowed)
         slope = _largest(rates / allowed)
@@ -171,42 +220,34 @@ class Adaptive:
         steepest = max(slope, bend)
         if steepest <= 1e-15:
             return limit - start
-        return min(100 * trial, float((0.01 / steepest) ** (1 / self._power)), limit - start)
+        return min(100 * trial, float((0.01 / steepest) ** (1 / self.power)), limit - start)
 
 
 def _largest(values: Array) -> float:
     return float(np.max(np.abs(values)))
 
 
-def _combined(estimates: Sequence[Array]) -> Array:
-    """Return the sizes of errors; one that happens to be small is held up by the next order."""
-    first, *others = (np.abs(estimate) for estimate in estimates)
-    if not others:
-        return first
-    size = np.hypot(first, math.sqrt(_CORRECTION) * others[0])
-    size[size == 0] = 1.0  # of no error at all
-    return first * first / size
+def combined(first: Scalar, second: Scalar = 0.0) -> Scalar:
+    """Return the size of an error; one that happens to be small is held up by the next order."""
+    size = sqrt(first * first + CORRECTION * second * second)
+    return first * first / largest(size, NONE)
 
 
-def _dense_step(start: float, end: float, first: tuple[Array, Array], pair: Pair) -> DenseStep:
-    """Return the path of a step: the dense velocity, integrated once.
-
-    It ends at the position of the pair. What the integral lacks of that, of the order of the
-    dense output's own error, is added as a cubic that is level at both ends.
-    """
-    position, velocity = first
-    step = end - start
-    powers = [position, step * velocity]
-    powers += [step * step * c / (k + 2) for k, c in enumerate(pair.dense)]
-    lacking = pair.position - sum(powers[1:], powers[0])
-    powers[2] = powers[2] + 3 * lacking
-    powers[3] = powers[3] - 2 * lacking
-    coefficients = np.tensordot(_centred(len(powers)), np.stack(powers), axes=1)
-    return DenseStep(start, end, first, (pair.position, pair.velocity), coefficients)
+def growth(error: float, before: float, power: float, damping: float, rejected: bool) -> float:
+    """Return how much longer than a step the next should be."""
+    slope = 1 / power - 0.75 * damping
+    factor: float = SAFETY * max(error, 1e-10) ** -slope * before**damping
+    return min(max(factor, SHORTER), 1.0 if rejected else LONGER)
 
 
-@cache
-def _centred(count: int) -> Array:
-    """Return the matrix from powers of s, from 0 to 1, to those of x = 2 s - 1."""
-    rows = [[math.comb(k, j) / 2.0**k for k in range(count)] for j in range(count)]
-    return np.array(rows)
+def shrinking(error: float, power: float) -> float:
+    """Return how much shorter than a step that erred too much its next trial should be."""
+    factor: float = SAFETY * error ** (-1 / power)
+    return max(SHORTER, factor)
+
+
+def dense_step(start: float, end: float, first: tuple[Array, Array], pair: Pair) -> DenseStep:
+    """Return the path of a step."""
+    last = pair.position, pair.velocity
+    coefficients = dense_path(end - start, first, pair.position, pair.dense)
+    return DenseStep(start, end, first, last, coefficients)

@@ -19,7 +19,7 @@ def energy_between(scene: Scene, history: History) -> Array:
 def _of_spring(spring: Spring, history: History) -> Array:
     ends = []
     for body, anchor in spring.ends:
-        x, y = arm(anchor, history.orientation[:, body])
+        x, y = arm(anchor, history.orientation[:, body]) if any(anchor) else (0.0, 0.0)
         ends.append((history.position[:, body, 0] + x, history.position[:, body, 1] + y))
     first, second = (*ends, spring.point)[:2]
     energy: Array = model.spring_energy(spring.stiffness, spring.rest_length, first, second)

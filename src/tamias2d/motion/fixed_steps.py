@@ -1,12 +1,14 @@
 """Steps of a generated scheme, all of one length but for the last and those around impacts."""
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import TamiasError
 from tamias2d.motion.loads import Field
+from tamias2d.motion.marching import Start, name_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, hermite
 from tamias2d.motion.step_batch import StepBatch
@@ -24,7 +26,7 @@ class FixedSteps:
     """Whether the path of a step is the polynomial through its ends."""
 
     def __init__(self, scheme: Scheme, duration: float, time_step: float) -> None:
-        self._scheme = scheme
+        self.scheme = scheme
         self.times = grid(duration, time_step)
 
     def step(
@@ -52,21 +54,35 @@ class FixedSteps:
             TamiasError: there is no value within the first step.
         """
         first = int(np.searchsorted(self.times, start, side="right"))
-        times, q, rate = [start], position, velocity
-        knots = [(q, rate, field(start, q, rate))]
-        for end in self.times[first : first + most].tolist():
-            if times[-1] >= limit:
-                break
-            end = min(end, limit)
+        ends = self.times[first : first + most]
+        count = int(np.searchsorted(ends, limit))  # up to the first that is not before it
+        times = [start, *ends[:count].tolist(), *([limit] if count < len(ends) else [])]
+        if field.marching is not None:
+            now = Start(position, velocity, field.known(start, position, velocity))
+            ahead = len(self.times) - first
+            steps = field.marching.fixed(name_of(self.scheme), times, now, ahead)
+            if steps is not None and field.took(steps):
+                return StepBatch(steps.times, steps.knots)
+            times = times if steps is None else times[:2]
+        batch = self._one_by_one(field, times, position, velocity)
+        if field.marching is not None:
+            field.settle(batch.end, *batch.last)
+        return batch
+
+    def _one_by_one(
+        self, field: MemoisedField, times: list[float], position: Array, velocity: Array
+    ) -> StepBatch:
+        q, rate = position, velocity
+        knots = [(q, rate, field(times[0], q, rate))]
+        for k, (start, end) in enumerate(pairwise(times)):
             try:
-                q, rate = self.advance(field, times[-1], end - times[-1], q, rate)
+                q, rate = self.advance(field, start, end - start, q, rate)
                 knots.append((q, rate, field(end, q, rate)))
             except TamiasError:  # it may be beyond a wall
-                if len(times) == 1:
+                if k == 0:
                     raise
                 break
-            times.append(end)
-        return StepBatch(times, np.array(knots))
+        return StepBatch(times[: len(knots)], np.array(knots))
 
     def _end(self, start: float, limit: float) -> float:
         return min(limit, float(self.times[np.searchsorted(self.times, start, side="right")]))
@@ -75,7 +91,7 @@ class FixedSteps:
         self, field: MemoisedField, start: float, time_step: float, position: Array, velocity: Array
     ) -> tuple[Array, Array]:
         """Return coordinates and rates (n, 3) after one step from `start`, s."""
-        after: tuple[Array, Array] = self._scheme(start, time_step, position, velocity, field)
+        after: tuple[Array, Array] = self.scheme(start, time_step, position, velocity, field)
         return after
 
 

@@ -6,9 +6,11 @@ from typing import Protocol
 import numpy as np
 
 from tamias2d.errors import TamiasError
+from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
-from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
+from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
+from tamias2d.motion.marching import Marching
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
 from tamias2d.motion.polynomial import DenseStep, JoinedPath
@@ -23,6 +25,7 @@ from tamias2d.work_limit import Work, WorkLimitError
 _STILL: Acceleration = (0.0, 0.0, 0.0)
 _NEAR = 1e-3  # of a step: so close to its ends a path is as good as there
 _MOST = 64  # steps that are taken at once
+_LONGEST = 256  # of a scene in which nothing meets
 _SHARE = 2  # of the steps since the last impact are taken at once: what is beyond the next is lost
 
 
@@ -48,9 +51,7 @@ class IntegratedMotion:
         self._scene = scene
         self._duration = duration
         self._integrator = integrator
-        self._fixed_steps = (
-            integrator if isinstance(integrator, FixedSteps) and integrator.plain else None
-        )
+        self._batching = _batching(integrator)
         self._steps_since_impact = 0  # steps without an impact
         self.tally = Tally()
         self.work = Work(duration)
@@ -59,6 +60,8 @@ class IntegratedMotion:
         self._constrained = ConstrainedMotion(scene, self.tally)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], MemoisedField] = {}
+        self.marching: Callable[[Sequence[int]], Marching | None] = lambda _: None
+        """What takes many steps at once of bodies that act on no others, if anything does."""
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
 
     def segment(
@@ -71,7 +74,8 @@ class IntegratedMotion:
         free = [i for i in self._moving if not _state_dependent(constraints[i])]
         field = self._field(free, constraints)
         now = coordinates([states[i] for i in free])
-        many = 1 if any(constraints) else min(self._steps_since_impact // _SHARE, _MOST)
+        plain = isinstance(self._integrator, FixedSteps) and not any(constraints)
+        many = min(self._steps_since_impact // _SHARE, _MOST) if plain else 1
         step = next(self._batches(field, start, self._duration, now, many))
         self._steps_since_impact += len(step.times) - 1 if isinstance(step, StepBatch) else 1
         end = step.end
@@ -174,11 +178,15 @@ class IntegratedMotion:
         field = self._field(self._moving, [None] * len(self._scene))
         moving = (states[0][self._moving], states[1][self._moving])
         done = int(np.searchsorted(times, 0.0, side="right"))
+        most = _LONGEST if field.marching is not None else 1
         try:
-            for step in self._dense_steps(field, 0.0, self._duration, *moving):
+            for step in self._batches(field, 0.0, self._duration, moving, most):
                 until = int(np.searchsorted(times, step.end, side="right"))
-                for k in range(done, until):
-                    rows[k, :, self._moving] = np.stack(step.at(float(times[k])), axis=1)
+                if isinstance(step, StepBatch):
+                    rows[done:until, :, self._moving] = step.at(times[done:until])
+                else:
+                    for k in range(done, until):
+                        rows[k, :, self._moving] = np.stack(step.at(float(times[k])), axis=1)
                 done = until
         finally:
             self.sampled = history_of(rows[:done])
@@ -191,9 +199,15 @@ class IntegratedMotion:
         held = tuple(constraints[i] for i in bodies)
         known = self._fields.get(tuple(bodies))
         if known is None or known.constraints != held:
-            field = self._loads.field(bodies, held)
+            marching = None if any(held) else self.marching(bodies)
+            field = _quicker(self._loads.field(bodies, held), marching)
             known = MemoisedField(
-                field, bodies, held, self.tally, felt_velocity=self._felt_velocity
+                field,
+                bodies,
+                held,
+                self.tally,
+                felt_velocity=self._felt_velocity,
+                marching=marching,
             )
             self._fields[tuple(bodies)] = known
         return known
@@ -213,14 +227,41 @@ class IntegratedMotion:
         self, field: MemoisedField, start: float, end: float, now: tuple[Array, Array], most: int
     ) -> Iterator[DenseStep | StepBatch]:
         """Yield steps, up to `most` of them as one where the integrator can do that."""
-        if self._fixed_steps is None or most <= 1:
+        if self._batching is None or (most <= 1 and field.marching is None):
             yield from self._dense_steps(field, start, end, *now)
             return
         while start < end:
-            batch = self._fixed_steps.batch(field, start, end, *now, most=most)
-            self.tally.steps += len(batch.times) - 1
+            batch = self._batching.batch(field, start, end, *now, most=max(most, 1))
+            for k, time in enumerate(batch.times[1:]):
+                self.tally.steps += 1
+                if not isinstance(self._integrator, FixedSteps):
+                    try:
+                        self.work.step(time)
+                    except WorkLimitError:
+                        if k:
+                            yield batch.only(k)
+                        raise
             yield batch
             start, now = batch.end, batch.last
+
+
+def _quicker(field: Field, marching: Marching | None) -> Field:
+    """Return accelerations from where they are found faster; what is wrong with them is told."""
+    if marching is None:
+        return field
+
+    def quicker(time: float, position: Array, velocity: Array) -> Array:
+        rows = marching.accelerations(time, position, velocity)
+        return field(time, position, velocity) if rows is None else rows
+
+    return quicker
+
+
+def _batching(integrator: Integrator) -> FixedSteps | Adaptive | None:
+    """Return an integrator that can take several steps at once."""
+    if isinstance(integrator, FixedSteps):
+        return integrator if integrator.plain else None
+    return integrator if isinstance(integrator, Adaptive) else None
 
 
 def _state_dependent(constraint: Constraint | None) -> bool:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tamias2d.motion.loads import Field
+from tamias2d.motion.marching import Marching, Steps
 from tamias2d.motion.motion import Tally
 from tamias2d.state import Array, Constraint
 
@@ -26,7 +27,10 @@ class MemoisedField:
         tally: Tally,
         *,
         felt_velocity: bool = True,
+        marching: Marching | None = None,
     ) -> None:
+        self.marching = marching
+        """What takes many steps at once under these accelerations, if anything does."""
         self.bodies = tuple(bodies)
         self.constraints = tuple(constraints)
         self._field = field
@@ -36,19 +40,50 @@ class MemoisedField:
 
     def __call__(self, time: float, position: Array, velocity: Array) -> Array:
         """Return the accelerations (n, 3) at a time in s, for coordinates and rates (n, 3)."""
-        known = self._known.get(time)
-        if (
-            known is not None
-            and _same(known[0], position)
-            and (not self._felt_velocity or _same(known[1], velocity))
-        ):
-            return known[2]
+        known = self.known(time, position, velocity)
+        if known is not None:
+            return known
         self.tally.force_evaluations += 1
         result = self._field(time, position, velocity)
-        if len(self._known) >= _REMEMBERED:
-            self._known.clear()
-        self._known[time] = (position, velocity, result)
+        self._remember(time, position, velocity, result)
         return result
+
+    def known(self, time: float, position: Array, velocity: Array) -> Array | None:
+        """Return the accelerations if they were computed before."""
+        known = self._known.get(time)
+        if (
+            known is None
+            or not _same(known[0], position)
+            or (self._felt_velocity and not _same(known[1], velocity))
+        ):
+            return None
+        self._known[time] = self._known.pop(time)  # what is asked for stays longest
+        return known[2]
+
+    def settle(self, time: float, position: Array, velocity: Array) -> None:
+        """Forget all but one state, so that costs do not depend on who took the steps before."""
+        known = self.known(time, position, velocity)
+        self._known.clear()
+        if known is not None:
+            self._known[time] = (position, velocity, known)
+
+    def took(self, steps: Steps) -> bool:
+        """Count what steps have cost that were taken at once, and remember how they ended.
+
+        Returns whether there are any.
+        """
+        self.tally.force_evaluations += steps.evaluations
+        self.tally.rejected += steps.rejected
+        self._known.clear()
+        if steps.last_known:
+            self._remember(steps.times[-1], *steps.knots[-1])
+        return len(steps.times) > 1
+
+    def _remember(self, time: float, position: Array, velocity: Array, result: Array) -> None:
+        self._known.pop(time, None)
+        if len(self._known) >= _REMEMBERED:
+            del self._known[next(iter(self._known))]
+        self._known[time] = (position, velocity, result)
 
 
 def _same(one: Array, other: Array) -> bool:

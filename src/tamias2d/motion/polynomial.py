@@ -7,7 +7,7 @@ polynomial, so that the place of a contact and the speed of its approach cannot 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
@@ -87,6 +87,34 @@ def quintic(half: float | Array, first: tuple[Array, ...], last: tuple[Array, ..
         fifth,
     ]
     return np.stack(powers)
+
+
+def dense_path(
+    step: float | Array, first: tuple[Array, Array], end: Array, dense: Sequence[Array]
+) -> Array:
+    """Return the coefficients of the path of a step: the dense velocity, integrated once.
+
+    It ends at the position of the pair. What the integral lacks of that, of the order of the
+    dense output's own error, is added as a cubic that is level at both ends.
+    """
+    position, velocity = first
+    powers = [position, step * velocity]
+    powers += [step * step * c / (k + 2) for k, c in enumerate(dense)]
+    lacking = end - sum(powers[1:], powers[0])
+    powers[2] = powers[2] + 3 * lacking
+    powers[3] = powers[3] - 2 * lacking
+    matrix = _centred(len(powers)).reshape(-1, len(powers), *[1] * position.ndim)
+    total = matrix[:, 0] * powers[0]
+    for k, power in enumerate(powers[1:], start=1):  # in this order, whatever their number
+        total = total + matrix[:, k] * power
+    return total
+
+
+@cache
+def _centred(count: int) -> Array:
+    """Return the matrix from powers of s, from 0 to 1, to those of x = 2 s - 1."""
+    rows = [[math.comb(k, j) / 2.0**k for k in range(count)] for j in range(count)]
+    return np.array(rows)
 
 
 class Polynomial:

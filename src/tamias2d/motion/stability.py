@@ -54,9 +54,10 @@ class Linear:
     """(3m, 3m), 1/s"""
 
     def __call__(self, _: float, position: Array, velocity: Array) -> Array:
-        """Return the accelerations (m, 3)."""
-        rows = self.by_position @ position.ravel() + self.by_velocity @ velocity.ravel()
-        return rows.reshape(position.shape)
+        """Return the accelerations (..., m, 3), for one state or for many."""
+        flat = (*position.shape[:-2], -1)
+        rows = position.reshape(flat) @ self.by_position.T
+        return (rows + velocity.reshape(flat) @ self.by_velocity.T).reshape(position.shape)
 
     @property
     def eigenvalues(self) -> NDArray[np.complex128]:
@@ -110,12 +111,18 @@ def _excess(linear: Linear, steps: FixedSteps, time_step: float) -> float:
     count = 3 * len(linear.bodies)
     field = MemoisedField(linear, linear.bodies, [None] * len(linear.bodies), Tally())
 
-    def after(state: Array) -> Array:
-        q, rate = state.reshape(2, -1, 3)
-        return np.concatenate(steps.advance(field, 0.0, time_step, q, rate), axis=None)
+    def after(states: Array) -> Array:
+        q, rate = states.reshape(-1, 2, count // 3, 3).swapaxes(0, 1)
+        ends = steps.advance(field, 0.0, time_step, q, rate)
+        return np.stack(ends, axis=1).reshape(len(states), -1)
 
-    still = after(np.zeros(2 * count))  # constant loads, of which nothing is asked here
-    matrix = np.stack([after(row) - still for row in np.eye(2 * count)], axis=1)
+    def one_by_one(states: Array) -> Array:
+        ends = (steps.advance(field, 0.0, time_step, *state.reshape(2, -1, 3)) for state in states)
+        return np.stack([np.concatenate(end, axis=None) for end in ends])
+
+    starts = np.concatenate((np.zeros((1, 2 * count)), np.eye(2 * count)))
+    still, *moved = (after if steps.plain else one_by_one)(starts)  # still: of constant loads
+    matrix = np.stack([row - still for row in moved], axis=1)
     with np.errstate(over="ignore"):
         exact = np.exp(time_step * linear.eigenvalues.real.max())
     return float(np.abs(np.linalg.eigvals(matrix)).max() / max(exact, 1.0))

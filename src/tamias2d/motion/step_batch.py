@@ -6,7 +6,14 @@ from functools import cached_property
 import numpy as np
 
 from tamias2d.motion.loads import state_of
-from tamias2d.motion.polynomial import Polynomial, derivative, quintic, sampled
+from tamias2d.motion.polynomial import (
+    DenseStep,
+    Polynomial,
+    dense_path,
+    derivative,
+    quintic,
+    sampled,
+)
 from tamias2d.path import Bounds, Piece
 from tamias2d.state import Acceleration, Array, State
 
@@ -14,13 +21,15 @@ from tamias2d.state import Acceleration, Array, State
 class StepBatch:
     """Steps of n bodies from each of the `times` (k + 1,), s, to the next.
 
-    `knots` (k + 1, 3, n, 3) are coordinates, rates and accelerations at these times.
+    `knots` (k + 1, 3, n, 3) are coordinates, rates and accelerations at these times. Paths go
+    through all of these; those of an embedded pair follow its slopes `dense` (m, k, n, 3) instead.
     """
 
-    def __init__(self, times: list[float], knots: Array) -> None:
+    def __init__(self, times: list[float], knots: Array, dense: Array | None = None) -> None:
         self.times = times
         self.end = times[-1]
         self.knots = knots
+        self._dense = dense
 
     @property
     def last(self) -> tuple[Array, Array]:
@@ -31,6 +40,41 @@ class StepBatch:
         """Return the path of one of the bodies."""
         return BatchPath(self, body, 0, len(self.times) - 1)
 
+    def only(self, count: int) -> "StepBatch":
+        """Return the first of the steps."""
+        dense = None if self._dense is None else self._dense[:, :count]
+        return StepBatch(self.times[: count + 1], self.knots[: count + 1], dense)
+
+    def step(self, k: int) -> DenseStep:
+        """Return one of the steps."""
+        first, last = ((knot[0], knot[1]) for knot in self.knots[k : k + 2])
+        return DenseStep(self.times[k], self.times[k + 1], first, last, self.coefficients[:, k])
+
+    def at(self, times: Array) -> Array:
+        """Return coordinates and rates (k, 2, n, 3) at times (k,), s, within the steps.
+
+        To the bit what each step alone says, which is what is known of its ends.
+        """
+        after = np.searchsorted(self.times[1:], times, side="left")
+        start = np.take(self.times, after)
+        rows = np.where(
+            (times == start)[:, None, None, None],
+            self.knots[after, :2],
+            self.knots[after + 1, :2],
+        )
+        inside = np.flatnonzero((times != start) & (times != np.take(self.times, after + 1)))
+        if not len(inside):
+            return rows
+        within = after[inside]
+        half = self.half[within]
+        x = ((times[inside] - start[inside]) / half - 1)[:, None, None]
+        value = slope = np.zeros_like(rows[inside, 0])
+        for c in self.coefficients[::-1, within]:
+            slope = slope * x + value
+            value = value * x + c
+        rows[inside, 0], rows[inside, 1] = value, slope / half[:, None, None]
+        return rows
+
     @cached_property
     def half(self) -> Array:
         """(k,), half the length of each step, s."""
@@ -38,7 +82,11 @@ class StepBatch:
 
     @cached_property
     def coefficients(self) -> Array:
-        """(6, k, n, 3), as those of a `DenseStep`."""
+        """(m, k, n, 3), as those of a `DenseStep`."""
+        if self._dense is not None:
+            start = self.knots[:-1, 0], self.knots[:-1, 1]
+            length = np.diff(self.times)[:, None, None]
+            return dense_path(length, start, self.knots[1:, 0], tuple(self._dense))
         first, last = np.moveaxis(self.knots[:-1], 1, 0), np.moveaxis(self.knots[1:], 1, 0)
         return quintic(self.half[:, None, None], tuple(first), tuple(last))
 

@@ -139,7 +139,7 @@ class Springs:
         self._rest_length = np.array([s.rest_length for s in springs])
         self._damping = np.array([s.damping for s in springs])
         self._anchors = tuple(
-            _vector(np.array(anchors))
+            _vector(np.array(anchors)) if anchored(springs) else None
             for anchors in ([s.anchor for s in springs], [s.other_anchor for s in springs])
         )
         fixed: list[tuple[float, float, float]] = []
@@ -152,7 +152,6 @@ class Springs:
         )
         self._fixed = np.array(fixed).reshape(-1, 3)
         self._still = np.zeros_like(self._fixed)
-        self._moving = tuple(np.flatnonzero(rows < len(row_of)) for rows in self._ends)
 
     def add(self, time: float, position: Array, velocity: Array, loads: Array) -> None:  # noqa: ARG002
         """Add the pull at both ends of each spring, and its torques."""
@@ -174,11 +173,15 @@ class Springs:
             points[1],
             speeds[1],
         )
-        back = (-pull[0], -pull[1])
-        for k, force in enumerate((pull, back)):
-            rows = np.stack((*force, definitions.torque(arms[k], force)), axis=-1)
-            moving = self._moving[k]
-            np.add.at(loads, self._ends[k][moving], rows[moving])
+        rows = np.zeros((len(self._stiffness), 2, 3))  # of each spring, its first end first
+        for k, force in enumerate((pull, (-pull[0], -pull[1]))):
+            rows[:, k, 0], rows[:, k, 1] = force
+            if arms[k] is not None:
+                rows[:, k, 2] = definitions.torque(arms[k], force)
+        columns = 3 if arms[0] is not None else 2
+        ends = np.stack(self._ends, axis=-1)
+        moving = ends < len(position)
+        np.add.at(loads[:, :columns], ends[moving], rows[moving][:, :columns])
 
 
 class Attraction:
@@ -201,8 +204,8 @@ class Attraction:
             _vector(position[self._second]),
         )
         rows = np.stack(force, axis=-1)
-        np.add.at(loads[:, :2], self._first, rows)
-        np.subtract.at(loads[:, :2], self._second, rows)
+        ends = np.stack((self._first, self._second), axis=-1)
+        np.add.at(loads[:, :2], ends, np.stack((rows, -rows), axis=1))
 
 
 def _row(
@@ -220,8 +223,17 @@ def _row(
     return len(row_of) + len(fixed) - 1
 
 
-def _end(q: Array, rate: Array, anchor: Components) -> tuple[Components, Components, Components]:
+def anchored(springs: Sequence[Spring]) -> bool:
+    """Whether any of some springs holds a body beside its centre."""
+    return any(any(anchor) for spring in springs for _, anchor in spring.ends)
+
+
+def _end(
+    q: Array, rate: Array, anchor: Components | None
+) -> tuple[Components | None, Components, Components]:
     """Return arm, place and velocity of the points at which springs hold bodies."""
+    if anchor is None:
+        return None, _vector(q), _vector(rate)
     reach = arm(anchor, q[:, 2])
     place = (q[:, 0] + reach[0], q[:, 1] + reach[1])
     return reach, place, definitions.point_velocity(_vector(rate), rate[:, 2], reach)

@@ -33,22 +33,28 @@ def plot(run: RunData, path: str | Path) -> None:
         RecordingError: matplotlib is not installed, or the file cannot be written.
     """
     path = Path(path)
-    figure = _checked_figure(path)
+    figure = figure_for(path)
     grid = figure.add_gridspec(2, 2, width_ratios=[3, 2])
     draw_world(figure.add_subplot(grid[:, 0]), run)
     _heights(figure.add_subplot(grid[0, 1]), run)
     _energy(figure.add_subplot(grid[1, 1]), run)
+    save_figure(figure, path)
+
+
+def save_figure(figure: Any, path: Path) -> None:
+    """Write a figure that was made for a path; raises `RecordingError` if that cannot be done."""
     with aside(path) as draft:
         figure.savefig(draft, format=path.suffix[1:], dpi=120)
 
 
 def refuse_picture(path: Path) -> None:
     """Raise as `plot` would, where that can be known before there is a run."""
-    _checked_figure(path)
+    figure_for(path)
     refuse_place(path)
 
 
-def _checked_figure(path: Path) -> Any:
+def figure_for(path: Path) -> Any:
+    """Return an empty figure for a picture of this name; raises as `plot` does."""
     figure = _figure(path)
     kinds = figure.canvas.get_supported_filetypes()
     if path.suffix[1:] not in kinds:

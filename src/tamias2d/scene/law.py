@@ -15,14 +15,18 @@ from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, pair
 from tamias2d.spec.check import Type, expect
-from tamias2d.spec.evaluate import Program
 from tamias2d.spec.expression import Call, Node, names, parse, walk
 from tamias2d.spec.messages import Code, SpecFault
+from tamias2d.spec.printed import law_function, shape_of
 from tamias2d.spec.symbols import SymbolTable, table_from
 
 VARYING = ("time", "position", "velocity", "orientation", "angular_velocity")
 """What a law may use and what changes during a run; `mass` may stand in it too."""
 _NO_NUMBER = ("d", "integral", "sum")  # of the language, but they need more than an instant
+_NOTHING = dict.fromkeys((*VARYING, "mass"), math.nan) | dict.fromkeys(
+    ("position", "velocity"), (math.nan, math.nan)
+)
+"""What a law is given of that on which it does not depend."""
 
 Value: TypeAlias = Any
 """A float or an array of n, for n bodies; a vector is a pair of these."""
@@ -47,8 +51,9 @@ class StateLaw:
         return bool(self.names & set(VARYING))
 
     @cached_property
-    def _program(self) -> Program:
-        return Program(self.node)
+    def shape(self) -> tuple[str, tuple[float, ...]]:
+        """The law as source, and the numbers in it: laws of one shape share compiled code."""
+        return shape_of(self.node, _known())
 
     def __call__(self, state: Mapping[str, Value]) -> Value:
         """Return the value in SI units for given `names`: one, or one a body where these are.
@@ -56,16 +61,17 @@ class StateLaw:
         Raises:
             InputError: there is no finite value, or a name is not given; the message says where.
         """
+        if missing := self.names - state.keys():
+            raise InputError(
+                f"{self.what}: '{self.text}' depends on '{min(missing)}', which is not given (R4). "
+                "Give the state in which it is asked for."
+            )
+        shape, numbers = self.shape
         try:
             with np.errstate(all="ignore"):
-                value = self._program(state)
+                value = law_function(shape)(numbers, **{**_NOTHING, **state})
         except (ArithmeticError, ValueError):
             value = math.nan
-        except KeyError as missing:
-            raise InputError(
-                f"{self.what}: '{self.text}' depends on {missing}, which is not given (R4). "
-                "Give the state in which it is asked for."
-            ) from None
         if isinstance(value, complex) or not np.all(np.isfinite(value)):
             raise InputError(
                 f"{self.what}: '{self.text}' has no finite value at {self._place(state, value)} "

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.law import Value
 from tamias2d.scene.rules import RuleError, Vector, number, vector
-from tamias2d.spec import functions as fn
+from tamias2d.spec.library_functions import cos, sin
 from tamias2d.suggestions import suggests
 
 
@@ -47,7 +47,7 @@ class Spring:
 def arm(anchor: tuple[Value, Value], orientation: Value) -> tuple[Value, Value]:
     """Return an anchor, m, in the axes of the world; floats, or arrays for many bodies."""
     x, y = anchor
-    cosine, sine = fn.cos(orientation), fn.sin(orientation)
+    cosine, sine = cos(orientation), sin(orientation)
     return cosine * x - sine * y, sine * x + cosine * y
 
 

@@ -5,6 +5,6 @@ Serves: games. Hides: which file holds which concept.
 
 from tamias2d.simulator.queries import Hits
 from tamias2d.simulator.simulator import Simulator
-from tamias2d.simulator.stepper import Overlap, Stepper
+from tamias2d.simulator.stepper import Overlap, Stepper, states_at
 
-__all__ = ["Hits", "Overlap", "Simulator", "Stepper"]
+__all__ = ["Hits", "Overlap", "Simulator", "Stepper", "states_at"]

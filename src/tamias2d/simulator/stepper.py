@@ -92,14 +92,10 @@ class Stepper:
 
     def history(self) -> History:
         """Return the states at all times that were reached."""
-        x, y, turn, u, v, spin = self._rows[: self._told].transpose(1, 0, 2)
-        return History(np.stack((x, y), axis=-1), turn, np.stack((u, v), axis=-1), spin)
+        return _history(self._rows[: self._told])
 
     def _state(self) -> Array:
-        """Return (6, n): place, orientation, velocity and angular velocity now."""
-        sim = self._sim
-        parts = (*sim.position.T, sim.orientation, *sim.velocity.T, sim.angular_velocity)
-        return np.array(parts)
+        return _state(self._sim)
 
     def _tell(self, before: Array, after: Array, end: float) -> None:
         """Write down the states at all times up to the end of a step, s."""
@@ -108,8 +104,7 @@ class Stepper:
             left = (end - float(self._times[self._told])) / step
             if left < -_ROUNDED:
                 return
-            row = after if left < _ROUNDED else before + (1.0 - left) * (after - before)
-            self._rows[self._told] = row
+            self._rows[self._told] = _between(before, after, left)
             self._told += 1
 
     def _look(self, before: Array, time: float) -> None:
@@ -132,6 +127,57 @@ class Stepper:
         a, b = found.bodies[k].tolist()
         began = self._sim.time - self._sim.time_step
         return Overlap(float(share[k]), float(-found.separation[k]), (a, b), began)
+
+
+def states_at(
+    scene: Scene, *, time_step: float, substeps: int, times: Array, duration: float
+) -> History:
+    """Return the states at sorted times (k,), s, that a `Stepper` tells, without its contacts.
+
+    Steps between two times are taken in one call, up to the end of the duration, s.
+
+    Raises:
+        InputError: a number goes beyond float64 on the way.
+        SimulationError: a force that varies has no finite value.
+    """
+    sim = Simulator(scene, time_step=time_step, substeps=substeps)
+    rows = np.zeros((len(times), 6, len(scene)))
+    steps, before, after = 0, _state(sim), _state(sim)
+    for k, time in enumerate(times.tolist()):
+        last = _steps_until(time, time_step)
+        if last > steps:
+            sim.step(last - 1 - steps)
+            before = _state(sim)
+            sim.step()
+            steps, after = last, _state(sim)
+        rows[k] = _between(before, after, (sim.time - time) / time_step)
+    sim.step(max(math.ceil(duration / time_step - _ROUNDED) - steps, 0))
+    return _history(rows)
+
+
+def _steps_until(time: float, time_step: float) -> int:
+    """Return how many steps there are until one ends at a time, or beyond it."""
+    steps = max(math.ceil(time / time_step - _ROUNDED) - 1, 0)
+    while (steps * time_step - time) / time_step < -_ROUNDED:
+        steps += 1
+    return steps
+
+
+def _between(before: Array, after: Array, left: float) -> Array:
+    """Return the state at a time that is a share `left` of a step before its end."""
+    return after if left < _ROUNDED else before + (1.0 - left) * (after - before)
+
+
+def _state(sim: Simulator) -> Array:
+    """Return (6, n): place, orientation, velocity and angular velocity now."""
+    parts = (*sim.position.T, sim.orientation, *sim.velocity.T, sim.angular_velocity)
+    return np.array(parts)
+
+
+def _history(rows: Array) -> History:
+    """Return the history of states (k, 6, n)."""
+    x, y, turn, u, v, spin = rows.transpose(1, 0, 2)
+    return History(np.stack((x, y), axis=-1), turn, np.stack((u, v), axis=-1), spin)
 
 
 def _size(shape: object) -> float:

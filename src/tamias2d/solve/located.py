@@ -6,7 +6,7 @@ import numpy as np
 
 from tamias2d.contact import ContactImpulse, Located, RangeError
 from tamias2d.errors import SimulationError
-from tamias2d.kernels import flight
+from tamias2d.kernels import flight, march_by_kernels
 from tamias2d.motion import Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
 from tamias2d.motion.track import sample
@@ -25,6 +25,7 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
     """
     motion = method.motion(plan.scene, plan.duration, plan.time_step or plan.duration)
     motion.work = Work(plan.duration, plan.work_limit)
+    march_by_kernels(motion, plan.scene)
     located = Located(plan.scene, motion, motion.work)
     try:
         if not located.can_meet:

@@ -6,6 +6,7 @@ from contextlib import suppress
 import numpy as np
 
 from tamias2d.contact import Located, Refusal
+from tamias2d.kernels import march_by_kernels
 from tamias2d.motion import PathMethod
 from tamias2d.motion.reference import NoStepError
 from tamias2d.motion.track import sample
@@ -28,6 +29,7 @@ def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
         return lambda times, bodies: _interpolated(steps, times, bodies)
     motion = method.motion(scene, run.duration, step or run.duration)
     motion.work = Work(0.0, work_limit_of(run))
+    march_by_kernels(motion, scene)
     located = Located(scene, motion, motion.work)
     refusals = (Refusal, NoStepError, WorkLimitError)
     with np.errstate(all="ignore"), suppress(*refusals):  # as far as the run went

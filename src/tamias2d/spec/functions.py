@@ -50,11 +50,11 @@ def phi2(argument: Scalar) -> Scalar:
     if isinstance(argument, np.ndarray):
         near = np.abs(argument) < 1
         far = np.where(near, 1.0, argument)
-        return np.where(near, _series(np.where(near, argument, 0.0)), (phi1(far) - 1) / far)
-    return _series(argument) if abs(argument) < 1 else (phi1(argument) - 1) / argument
+        return np.where(near, series(np.where(near, argument, 0.0)), (phi1(far) - 1) / far)
+    return series(argument) if abs(argument) < 1 else (phi1(argument) - 1) / argument
 
 
-def _series(argument: Scalar) -> Scalar:
+def series(argument: Scalar) -> Scalar:
     """Sum of z^k/(k + 2)!; for |z| < 1 what is left out is below rounding."""
     result = 0.0
     for divisor in range(19, 2, -1):

@@ -126,6 +126,8 @@ class PythonPrinter:
     def power(self, base: Node, exponent: Fraction) -> str:
         """Source of a power, as products."""
         count = abs(exponent.numerator)
+        if not count:
+            return "1.0"
         if isinstance(base, Name) and count <= 3:
             whole = " * ".join([base.name] * count)
         else:

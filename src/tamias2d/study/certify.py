@@ -12,7 +12,7 @@ from tamias2d.motion import ClosedForm, Dop853, Legacy2018, Method, Reference, S
 from tamias2d.run import Run
 from tamias2d.scene.rules import shown
 from tamias2d.state import Array
-from tamias2d.study.companion import RefusedError, companion
+from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.error import MEASURE, apart, radii, scale
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.penetration import Penetration, crowded, penetrations
@@ -312,6 +312,7 @@ def _companion(run: Run, *, method: Method | None = None, time_step: float | Non
             times=run.times,
             method=method or run.method,
             time_step=time_step,
+            work_limit=limit_beside(run),
         )
     except RefusedError as fault:
         raise _NoBoundError(f"a companion run was refused: {fault}") from fault

@@ -6,10 +6,20 @@ from tamias2d.errors import SceneError, SimulationError
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.solve import Interrupted, solve
+from tamias2d.work_limit import WORK_LIMIT
 
 
 class RefusedError(Exception):
     """A companion run was refused; what the user stops is not among these."""
+
+
+_MORE = 4  # times the work of a run may a more accurate one take
+
+
+def limit_beside(run: Run) -> int:
+    """Return the work limit of companion runs: that of a run which has had a higher one grows."""
+    steps = run.cost.steps if run.cost else 0
+    return max(WORK_LIMIT, _MORE * (steps + len(run.impacts.time)))
 
 
 def companion(scene: Scene, **inputs: Any) -> Run:

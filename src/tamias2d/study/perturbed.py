@@ -14,7 +14,7 @@ from tamias2d.run import Run
 from tamias2d.scene import Body, Scene
 from tamias2d.scene.restart import restarted
 from tamias2d.state import Array
-from tamias2d.study.companion import RefusedError, companion
+from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.error import apart, scale
 
 MOVED = 1e-12
@@ -70,7 +70,8 @@ def horizon(run: Run, grown: Array | None) -> float | None:
 
 
 def _history(scene: Scene, run: Run, method: dict[str, object]) -> Run:
-    return companion(scene, duration=run.duration, times=run.times, **method)
+    limit = limit_beside(run)
+    return companion(scene, duration=run.duration, times=run.times, work_limit=limit, **method)
 
 
 def _perturbed(run: Run, moved: float, phase: float) -> Scene:

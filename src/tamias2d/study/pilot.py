@@ -20,6 +20,7 @@ from tamias2d.scene import Scene
 from tamias2d.solve import solve
 from tamias2d.study.companion import RefusedError, companion
 from tamias2d.study.error import apart, scale
+from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 MARGIN = 2.0
 """Of the tolerance over the error that is aimed at: certificates are larger than errors."""
@@ -34,6 +35,7 @@ _DOUBT = 0.1  # of the tolerance may be in doubt
 _FEWEST = 8  # steps of a pilot
 _FARTHER = 16.0  # times the steps of a pilot that its order is trusted for
 _LOOSEST, _TIGHTEST = 0.1, 1e-14
+_RUNS = 2  # of the longest that a run may be: the pilots' share of work
 
 
 @dataclass(frozen=True)
@@ -51,15 +53,25 @@ class Estimate:
 
 
 class Pilot:
-    """Pilot runs of one scene, for one tolerance; `spent` force evaluations on them."""
+    """Pilot runs of one scene, for one tolerance; `spent` force evaluations on them.
 
-    def __init__(self, scene: Scene, duration: float, tolerance: float) -> None:
+    Together they take at most twice as many steps and impacts as one run may.
+
+    Raises:
+        WorkLimitError: that is too few for the run that the others would be compared with.
+    """
+
+    def __init__(
+        self, scene: Scene, duration: float, tolerance: float, work_limit: int = WORK_LIMIT
+    ) -> None:
         self._scene = scene
         self._duration = duration
         self._times = np.linspace(0.0, duration, _SAMPLES + 1)
         self.tolerance = tolerance
         self._aim = tolerance / MARGIN
         self.spent = 0
+        self._work_limit = work_limit
+        self._left = _RUNS * work_limit
         self.reachable = 0.0
         """The error of the tightest run that was looked at, relative to the scale."""
         self._looser: tuple[float, Run]
@@ -73,6 +85,9 @@ class Pilot:
         count = _FEWEST
         before, seen, cost = math.inf, None, 0.0
         while True:
+            if count > self._left:
+                why = f"{count} steps are more than are left to pilot runs"
+                return Estimate(method, None, math.inf, before, seen, why)
             error, run = self._error(method, self._duration / count)
             if run is not None and run.cost is not None:
                 cost = run.cost.force_evaluations / run.cost.steps
@@ -105,7 +120,7 @@ class Pilot:
         rtol, error, cost = self._first_of(method)
         best, least, why = None, math.inf, "refused"
         tried: set[float] = set()
-        while len(tried) < _TRIALS and rtol not in tried:
+        while len(tried) < _TRIALS and rtol not in tried and self._left > 0:
             tried.add(rtol)
             if not error:
                 error, run = self._error(method(rtol=rtol), None)
@@ -171,7 +186,9 @@ class Pilot:
     def _error(self, method: Method, time_step: float | None) -> tuple[float, Run | None]:
         try:
             run = self._counted(companion, method, time_step)
-        except RefusedError:
+        except RefusedError as refused:
+            if isinstance(refused.__cause__, WorkLimitError):
+                self._left -= self._work_limit
             return math.inf, None
         error = float(apart(run, self._exact).max()) / self.scale
         return (error if math.isfinite(error) else math.inf), run
@@ -186,9 +203,11 @@ class Pilot:
             method=method,
             time_step=time_step,
             times=self._times,
+            work_limit=max(min(self._work_limit, self._left), 1),
         )
         if run.cost is not None:
             self.spent += run.cost.force_evaluations
+            self._left -= run.cost.steps + run.cost.impacts
         return run
 
 

@@ -27,8 +27,10 @@ from tamias2d.scene.rules import number
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.study.pilot import Estimate, Pilot
 from tamias2d.suggestions import suggests
+from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 TIGHTEST, LOOSEST = 1e-15, 0.1
+_MORE = 4  # times the work of the first pilot run may the tightest one take
 
 
 class ToleranceError(SimulationError):
@@ -57,15 +59,18 @@ class Recommendation:
 
 
 @suggests
-def recommend(scene: Scene, *, duration: float, tolerance: float) -> Recommendation:
+def recommend(
+    scene: Scene, *, duration: float, tolerance: float, work_limit: int = WORK_LIMIT
+) -> Recommendation:
     """Return how to simulate a scene for a duration in s within a tolerance.
 
     The tolerance bounds the distance of any point of any body from its exact place, at any time,
-    relative to how far the farthest one goes.
+    relative to how far the farthest one goes. Pilot runs take at most `work_limit` steps and
+    impacts each, and twice as many together.
 
     Raises:
         InputError: an argument breaks a rule.
-        ToleranceError: nothing meets it.
+        ToleranceError: nothing meets it, or not within the work limit.
         SimulationError: the scene has no unique answer.
     """
     checked_scene(scene)
@@ -81,7 +86,10 @@ def recommend(scene: Scene, *, duration: float, tolerance: float) -> Recommendat
     if solved(scene):
         why = "costs nothing more than its impacts"
         return Recommendation(tolerance, (Estimate(ClosedForm(), None, 0.0, 0.0, None, why),), 0)
-    pilot = Pilot(scene, duration, tolerance)
+    try:
+        pilot = Pilot(scene, duration, tolerance, work_limit)
+    except WorkLimitError as spent:
+        raise _beyond(tolerance, duration, work_limit, spent) from spent
     if pilot.reachable > tolerance:
         raise refusal(tolerance, pilot.reachable)
     found = _weighed(scene, pilot)
@@ -120,6 +128,23 @@ def refusal(tolerance: float, reachable: float) -> ToleranceError:
         f"tolerance {tolerance:g}: no method meets it: the error can be bounded by {reachable:.1e} "
         "(R5). Give that or more, or end the run before.",
         reachable,
+    )
+
+
+def _beyond(
+    tolerance: float, duration: float, work_limit: int, spent: WorkLimitError
+) -> ToleranceError:
+    """Return the error that says how far pilot runs came, and what a whole one would take."""
+    remedy = "End the run before"
+    if spent.time > 0:
+        needed = _MORE * work_limit * duration / spent.time
+        remedy = f"End the run at about {spent.time / _MORE:.2g} s"
+        remedy += f", give a work_limit of about {needed:.2g}"
+    return ToleranceError(
+        f"tolerance {tolerance:g}: the run that methods are compared with came to {spent.time:.4g} "
+        f"s of {duration:g} s within a work_limit of {work_limit} (R4, R5). {remedy}, or run by a "
+        "method of fixed steps and certify that.",
+        None,
     )
 
 

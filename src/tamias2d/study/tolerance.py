@@ -11,6 +11,7 @@ from tamias2d.state import Array
 from tamias2d.study.certify import certify
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import recommend, refusal
+from tamias2d.work_limit import WORK_LIMIT
 
 _TRIES = 3
 _TIGHTEST = 1e-14
@@ -24,12 +25,13 @@ def within(
     tolerance: float,
     times: Array,
     progress: bool = False,
+    work_limit: int = WORK_LIMIT,
 ) -> Run:
     """Return the cheapest run whose certificate meets a tolerance, at sample times (k,), s.
 
     Raises as `simulate` and `recommend` do.
     """
-    plan = recommend(scene, duration=duration, tolerance=tolerance)
+    plan = recommend(scene, duration=duration, tolerance=tolerance, work_limit=work_limit)
     reached = math.inf
     for estimate in plan.estimates:
         for attempt in range(_TRIES):
@@ -43,6 +45,7 @@ def within(
                     time_step=estimate.time_step,
                     times=times,
                     progress=progress,
+                    work_limit=work_limit,
                 )
             )
             if run.certificate is not None and run.certificate.meets(tolerance):

@@ -1,0 +1,253 @@
+"""Ensembles of discs and half-planes without friction, whose worlds compiled code can follow.
+
+Serves: the solving of blocks. Hides: which ensembles these are, and how what varies becomes the
+tables of compiled code, for all worlds at once.
+"""
+
+import math
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.contact.stepping_choice import MANY
+from tamias2d.ensemble import disc_impacts as kernel
+from tamias2d.ensemble.request import STATE, Request
+from tamias2d.ensemble.worlds import VariedWorlds, Worlds
+from tamias2d.generated import definitions, rotation, translation
+from tamias2d.kernels import Library
+from tamias2d.motion import ClosedForm
+from tamias2d.record.dataset import BODIES, DIMENSIONS
+from tamias2d.scene import Body, Disc, HalfPlane, Scene
+from tamias2d.scene.filters import filters
+from tamias2d.state import Array
+from tamias2d.work_limit import WORK_LIMIT
+
+LIBRARY = Library("worlds of discs", (kernel.follow_worlds,))
+_VARIED = (
+    *("position", "velocity", "orientation", "angular_velocity", "mass", "inertia", "force"),
+    *("torque", "radius", "restitution"),
+)
+_LARGEST = 1e100  # what is beyond it is left to the ordinary way, which tells why it cannot be
+_HYPOTS = 2000
+_WORTH = 100  # worlds: to compile for fewer takes longer than it saves
+_PILOT, _MOST = 64, 0.98
+
+
+@dataclass(frozen=True)
+class Followed:
+    """What compiled code has found of a block of worlds."""
+
+    arrays: dict[str, Array]
+    """What is kept, by name, with the worlds along the first axis."""
+    done: NDArray[np.bool_]
+    """(k,): which worlds it could follow; the others are to be solved in the ordinary way."""
+
+
+def mostly_followed(worlds: Worlds, request: Request) -> bool:
+    """Whether compiled code can follow most worlds: then threads are enough."""
+    found = followed(worlds, request, 0, min(len(worlds), _PILOT))
+    return found is not None and bool(found.done.mean() > _MOST)
+
+
+def followed(worlds: Worlds, request: Request, first: int, last: int) -> Followed | None:
+    """Follow the worlds from `first` to before `last`; None if the ensemble is not of this kind.
+
+    Each world that is done has the bits that `simulate` gives for it.
+    """
+    if not (isinstance(worlds, VariedWorlds) and len(worlds) >= _WORTH):
+        return None
+    if not (_asked(request) and _fits(worlds)):
+        return None
+    rows = worlds.part(first, last)
+    scene, count = worlds.base, last - first
+    bodies = np.stack([_table(rows, k, count) for k in range(len(scene))], axis=1)
+    restitution = _restitutions(rows, count)
+    times, size = np.array(request.times), len(scene)
+    samples = np.zeros((count, len(times) * size, 6))
+    status = np.zeros(count, dtype=np.int32)
+    with np.errstate(all="ignore"):
+        good = (np.abs(bodies) < _LARGEST).all(axis=(1, 2))
+        good &= (bodies[:, _pushed(scene), kernel.INVERSE_MASS] > 0.0).all(axis=1)
+    LIBRARY.compiled().follow_worlds(
+        bodies,
+        restitution,
+        np.array([_kind(body) for body in scene.bodies], dtype=np.int32),
+        times,
+        np.zeros((size, kernel.PATH_COLUMNS)),
+        np.zeros((size, 3), dtype=np.int32),
+        np.zeros((size * size, 3)),
+        samples,
+        status,
+        request.duration,
+    )
+    states = samples.reshape(count, len(times), size, 6)
+    good &= (status == kernel.DONE) & (np.abs(samples) < _LARGEST).all(axis=(1, 2))
+    return Followed(_kept(states, request), good)
+
+
+def _asked(request: Request) -> bool:
+    """Whether the request is one for states on exact paths."""
+    return (
+        (request.method is None or isinstance(request.method, ClosedForm))
+        and request.tolerance is None
+        and not request.quantities
+        and set(request.keep) <= set(STATE)
+        and request.work_limit >= min(WORK_LIMIT, 2 * kernel.MOST_IMPACTS)
+    )
+
+
+def _fits(worlds: VariedWorlds) -> bool:
+    """Whether all bodies and all that varies are such as compiled code knows."""
+    scene = worlds.base
+    alone = not (scene.springs or scene.fields or scene.attraction is not None)
+    if not alone or len(_pushed(scene)) > MANY or not all(map(_known, scene.bodies)):
+        return False
+    pairs = combinations(range(len(scene)), 2)
+    smooth = not any(scene.friction(i, j) for i, j in pairs)
+    varied = all(
+        place.keys[0] in ("gravity", "restitution_of_pairs") or _of_body(scene, place.keys)
+        for place in worlds.values
+    )
+    return smooth and varied and _hypot_agrees()
+
+
+def _known(body: Body) -> bool:
+    still = body.kinematic or body.sensor or filters(body)
+    slowed = body.linear_drag or body.quadratic_drag or body.angular_drag
+    twisted = body.shape is None and bool(body.angular_velocity or body.torque)
+    shaped = body.shape is None or isinstance(body.shape, Disc | HalfPlane)
+    return shaped and body.constant and not (still or slowed or twisted)
+
+
+def _of_body(scene: Scene, keys: tuple[Any, ...]) -> bool:
+    """Whether what varies is of a body, and such as compiled code knows."""
+    body = scene.bodies[scene.index(keys[1])] if keys[0] == "bodies" else None
+    if body is None or keys[2] not in _VARIED or isinstance(body.shape, HalfPlane):
+        return body is not None and keys[2] == "restitution"
+    return body.shape is not None or keys[2] not in ("angular_velocity", "torque", "inertia")
+
+
+def _pushed(scene: Scene) -> list[int]:
+    return [k for k, body in enumerate(scene.bodies) if body.dynamic]
+
+
+def _kind(body: Body) -> int:
+    if isinstance(body.shape, HalfPlane):
+        return kernel.PLANE
+    if body.shape is None:
+        return kernel.MOVING_PARTICLE
+    return kernel.DISC if body.dynamic else kernel.FIXED_DISC
+
+
+def _value(worlds: VariedWorlds, keys: tuple[Any, ...], base: Any) -> Any:
+    """Return a number, or the numbers (w,) by which it varies; of a pair by its last key."""
+    for place, values in worlds.values.items():
+        if place.keys == keys:
+            return values
+        if place.vector and place.keys == keys[:-1]:
+            return values[:, keys[-1]]
+    return base
+
+
+def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
+    """Return the columns (w, 15) of a body."""
+    body, found = worlds.base.bodies[k], np.zeros((count, kernel.COLUMNS))
+
+    def value(key: str, *component: int) -> Any:
+        base = getattr(body, key)
+        return _value(
+            worlds,
+            ("bodies", body.name, key, *component),
+            base[component[0]] if component else base,
+        )
+
+    found[:, kernel.X], found[:, kernel.Y] = value("position", 0), value("position", 1)
+    found[:, kernel.TURN] = value("orientation")
+    if isinstance(body.shape, HalfPlane):
+        found[:, kernel.NORMAL_X], found[:, kernel.NORMAL_Y] = body.shape.normal
+        found[:, kernel.OFFSET] = body.shape.offset
+    if isinstance(body.shape, Disc):
+        found[:, kernel.RADIUS] = _radius(worlds, body)
+    if body.dynamic:
+        for name, column in _motion(worlds, body, value):
+            found[:, name] = column
+    return found
+
+
+def _radius(worlds: VariedWorlds, body: Body) -> Any:
+    assert isinstance(body.shape, Disc)
+    return _value(worlds, ("bodies", body.name, "radius"), body.shape.radius)
+
+
+def _motion(worlds: VariedWorlds, body: Body, value: Any) -> Iterator[tuple[int, Any]]:
+    """Yield the columns of how a body moves, and what moves it."""
+    yield kernel.VX, value("velocity", 0)
+    yield kernel.VY, value("velocity", 1)
+    yield kernel.SPIN, value("angular_velocity")
+    mass, inertia = value("mass"), value("inertia")
+    if body.shape is not None and not body.inertia_stated and inertia is body.inertia:
+        inertia = definitions.inertia_disc(mass, _radius(worlds, body))
+    gravity = tuple(_value(worlds, ("gravity", c), worlds.base.gravity[c]) for c in (0, 1))
+    force = (0.0 + value("force", 0), 0.0 + value("force", 1))
+    yield from zip(
+        (kernel.AX, kernel.AY), translation.acceleration(gravity, force, mass), strict=True
+    )
+    yield kernel.TURNING, rotation.angular_acceleration(0.0 + value("torque"), inertia)
+    yield kernel.INVERSE_MASS, 1 / mass
+    yield kernel.INVERSE_INERTIA, 1 / inertia
+
+
+def _restitutions(worlds: VariedWorlds, count: int) -> Array:
+    """Return (w, n, n): with which restitution bodies part, -1 where nothing states it."""
+    scene = worlds.base
+    found = np.full((count, len(scene), len(scene)), -1.0)
+    for i, j in combinations(range(len(scene)), 2):
+        found[:, i, j] = found[:, j, i] = _restitution(worlds, i, j)
+    return found
+
+
+def _restitution(worlds: VariedWorlds, i: int, j: int) -> Any:
+    scene = worlds.base
+    names = scene.bodies[i].name, scene.bodies[j].name
+    of_pair = scene.restitution_of_pairs.get((i, j))
+    for pair in (names, names[::-1]):
+        of_pair = _value(worlds, ("restitution_of_pairs", pair), of_pair)
+    if of_pair is not None:
+        return of_pair
+    own = [
+        _value(worlds, ("bodies", body.name, "restitution"), body.restitution)
+        for body in (scene.bodies[i], scene.bodies[j])
+    ]
+    stated = [value for value in own if value is not None]
+    return definitions.pair_restitution(stated[0], stated[-1]) if stated else -1.0
+
+
+def _kept(states: Array, request: Request) -> dict[str, Array]:
+    parts = {
+        "position": states[..., :2],
+        "orientation": states[..., 2],
+        "velocity": states[..., 3:5],
+        "angular_velocity": states[..., 5],
+    }
+    bodies = list(request.bodies)
+    return {
+        name: parts[name][:, :, bodies] if BODIES in DIMENSIONS[name] else parts[name]
+        for name in request.keep
+    }
+
+
+@cache
+def _hypot_agrees() -> bool:
+    """Whether this Python's `math.hypot` is the one that compiled code has."""
+    numbers = random.Random(1)
+    pairs = [
+        (numbers.gauss(0, 1) * 10 ** numbers.uniform(-3, 3), numbers.gauss(0, 1))
+        for _ in range(_HYPOTS)
+    ]
+    return all(kernel.hypot(x, y) == math.hypot(x, y) for x, y in pairs)

@@ -1,0 +1,201 @@
+"""`tamias2d.ensemble`: many worlds, on all cores or many machines, as one dataset."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tamias2d.ensemble.dataset import dataset_of
+from tamias2d.ensemble.discs import mostly_followed
+from tamias2d.ensemble.execution import done, executors_of
+from tamias2d.ensemble.request import STATE, Quantity, Request, request_of
+from tamias2d.ensemble.sampling import Design
+from tamias2d.ensemble.solving import REFUSED, Block, solved_block
+from tamias2d.ensemble.store import Store
+from tamias2d.ensemble.worlds import MadeWorlds, Maker, VariedWorlds, Worlds, worlds_of
+from tamias2d.motion import Method
+from tamias2d.record.dataset import extra
+from tamias2d.scene import Scene
+from tamias2d.simulator.settings import checked_count
+from tamias2d.suggestions import suggests
+from tamias2d.work_limit import WORK_LIMIT
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+Told = Callable[[int, int], None]
+"""Hears how many worlds are finished, and how many there are."""
+
+_LONGEST = 1024  # worlds of a chunk
+_LARGEST = 2**24  # bytes of a chunk
+_EACH = 4  # chunks for each worker, so that none waits long for the last one
+
+
+@suggests
+def ensemble(
+    scene: Scene | Maker,
+    *,
+    duration: float,
+    vary: Mapping[str, Any] | None = None,
+    worlds: int | None = None,
+    seed: int | None = None,
+    design: Design | None = None,
+    method: Method | None = None,
+    time_step: float | None = None,
+    tolerance: float | None = None,
+    times: Iterable[float] | None = None,
+    keep: Sequence[str] = STATE,
+    bodies: Sequence[int | str] | None = None,
+    quantities: Mapping[str, Quantity] | None = None,
+    work_limit: int = WORK_LIMIT,
+    out: str | Path | None = None,
+    chunk: int | None = None,
+    workers: int | None = None,
+    client: Any = None,
+    progress: bool | Told = False,
+) -> "Dataset":
+    """Simulate a scene in many worlds, and return what is kept as an `xarray.Dataset`.
+
+    `vary` says what differs, by its place in the scene: ``"bodies.ball.restitution"``,
+    ``"gravity.y"``, ``"restitution_of_pairs.ball.floor"``, ``"springs.0.stiffness"``. Each has a
+    value for each world, a `Grid`, or a distribution of `scipy.stats`, from which `worlds` values
+    are drawn with a `seed`, spread by a `design` such as `scipy.stats.qmc.Sobol` if one is given.
+    Instead, the scene may be a function of the number of a world and of a `numpy` generator that
+    returns its scene. World k is the same whatever the number of worlds (but for designs).
+
+    Each world has the bits that `simulate` gives for it alone, wherever and in whatever order it
+    is computed. `duration`, `method`, `time_step`, `tolerance`, `times` and `work_limit` are those
+    of `simulate`; without `times` the end alone is kept. `keep` names values of a run, `bodies`
+    those bodies that are kept (without it all that move), and `quantities` are functions from a
+    run to a number. `outcome` tells which worlds were located, stepped, or refused as `simulate`
+    would: their values are NaN.
+
+    With `out` the results go to a Zarr store in chunks of `chunk` worlds, and the same call goes
+    on where an interrupted one was. Worlds are computed by `workers` processes on this machine,
+    as many as it has cores unless stated, or by a `client` of Dask. `progress` shows a bar, or is
+    a function that hears how many worlds are finished, and how many there are.
+
+    Raises:
+        InputError: an argument breaks a rule, or a value that of its symbol.
+        SceneError, SimulationError: all worlds of the first chunk that is done are refused, each
+            as `simulate` refuses it; or workers died again and again.
+        RecordingError: `out` cannot be written or holds something else, or xarray is missing.
+    """
+    with extra():
+        import xarray  # noqa: F401 - missing, it is missed before anything is computed
+
+    described = worlds_of(scene, vary, worlds, seed, design)
+    request = request_of(
+        described.scene(0),
+        duration=duration,
+        method=method,
+        time_step=time_step,
+        tolerance=tolerance,
+        times=times,
+        keep=keep,
+        bodies=bodies,
+        quantities=quantities,
+        work_limit=work_limit,
+    )
+    threads = client is None and workers != 1 and mostly_followed(described, request)
+    executors = executors_of(workers, client, threads=threads)
+    hands = 1 if executors is None else executors.waiting // 2
+    size = _chunk(chunk, len(described), hands, request)
+    found: Dataset
+    with _told(progress) as told:
+        if out is None:
+            found = _in_memory(described, request, size, executors, told)
+        else:
+            found = _stored(described, request, size, executors, told, Store(Path(out)))
+    return found
+
+
+def _in_memory(
+    worlds: VariedWorlds | MadeWorlds, request: Request, size: int, executors: Any, told: Told
+) -> Any:
+    count = len(worlds)
+    arrays = {name: np.full((count, *request.shape(name)), np.nan) for name in request.kept}
+    arrays["outcome"] = np.zeros(count, dtype=np.int8)
+    blocks = [(first, min(first + size, count)) for first in range(0, count, size)]
+    tasks = [partial(_task, worlds, request, first, last) for first, last in blocks]
+    finished = 0
+    for block in _watched(done(tasks, executors)):
+        rows = slice(block.first, block.last)
+        for name, values in {**block.arrays, "outcome": block.outcome}.items():
+            arrays[name][rows] = values
+        finished += len(block.outcome)
+        told(finished, count)
+    return dataset_of(worlds, request, lambda name, _: arrays[name])
+
+
+def _stored(
+    worlds: VariedWorlds | MadeWorlds,
+    request: Request,
+    size: int,
+    executors: Any,
+    told: Told,
+    store: Store,
+) -> Any:
+    blocks = store.prepare(worlds, request, size)
+    finished = len(worlds) - sum(last - first for first, last in blocks)
+    told(finished, len(worlds))
+    tasks = [partial(_task, worlds, request, first, last, store) for first, last in blocks]
+    for block in _watched(done(tasks, executors)):
+        finished += len(block.outcome)
+        told(finished, len(worlds))
+    return store.dataset()
+
+
+def _task(
+    worlds: VariedWorlds | MadeWorlds,
+    request: Request,
+    first: int,
+    last: int,
+    store: Store | None = None,
+) -> Callable[[], Block]:
+    """Return a block's work with no more than it needs, to be sent to a worker."""
+    return partial(_worked, worlds.part(first, last), request, first, last, store)
+
+
+def _worked(worlds: Worlds, request: Request, first: int, last: int, store: Store | None) -> Block:
+    block = solved_block(worlds, request, first, last)
+    if store is None:
+        return block
+    store.write(block)
+    return Block(first, {}, block.outcome, block.refusal)
+
+
+def _watched(blocks: Iterator[Block]) -> Iterator[Block]:
+    """Yield blocks; raise the refusal of the first one if none of its worlds has an answer."""
+    for k, block in enumerate(blocks):
+        if k == 0 and block.refusal is not None and (block.outcome == REFUSED).all():
+            raise block.refusal
+        yield block
+
+
+def _chunk(asked: int | None, count: int, hands: int, request: Request) -> int:
+    """Return how many worlds are computed, and stored, together."""
+    if asked is not None:
+        return checked_count(asked, "chunk", 1)
+    by_memory = max(_LARGEST // max(request.size, 1), 1)
+    return min(-(-count // (_EACH * hands)), by_memory, _LONGEST)
+
+
+@contextmanager
+def _told(progress: bool | Told) -> Iterator[Told]:
+    """Give a function that shows how far the ensemble is."""
+    if callable(progress):
+        yield progress
+    elif not progress:
+        yield lambda finished, count: None  # noqa: ARG005
+    else:
+        from rich.console import Console
+        from rich.progress import MofNCompleteColumn, Progress
+
+        columns = (*Progress.get_default_columns(), MofNCompleteColumn())
+        with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+            task = bar.add_task("worlds", total=None)
+            yield lambda finished, count: bar.update(task, completed=finished, total=count)

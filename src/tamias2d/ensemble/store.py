@@ -1,0 +1,124 @@
+"""Ensembles on disk: a Zarr store to which each worker writes the blocks that it has solved.
+
+Serves: ensembles that memory does not hold, or that may be interrupted. Hides: the store, and how
+it is known which blocks are finished. A block's outcomes are written last, each chunk of a store
+appears whole or not at all, and so a block whose outcomes are there is finished.
+"""
+
+import os
+import secrets
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from tamias2d.ensemble.dataset import WORLDS, dataset_of, refuse_other
+from tamias2d.ensemble.request import Request
+from tamias2d.ensemble.solving import UNKNOWN, Block
+from tamias2d.ensemble.worlds import MadeWorlds, VariedWorlds
+from tamias2d.errors import RecordingError
+from tamias2d.record.dataset import extra
+
+
+class Store:
+    """The results of an ensemble in a directory."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path.absolute()
+
+    def prepare(
+        self, worlds: VariedWorlds | MadeWorlds, request: Request, chunk: int
+    ) -> list[tuple[int, int]]:
+        """Make the store, or go on with it; return the blocks that are not finished.
+
+        Raises:
+            RecordingError: it holds something else, or cannot be written.
+        """
+        if not self.path.parent.is_dir():
+            raise RecordingError(
+                f"{self.path}: there is no directory {self.path.parent}. Make it first."
+            )
+        with self._written():
+            if not self.path.exists():
+                self._make(worlds, request, chunk)
+        group = self._opened("r")
+        refuse_other(dict(group.attrs), worlds, request, str(self.path))
+        outcome, chunk = group["outcome"][:], group["outcome"].chunks[0]
+        starts = range(0, len(worlds), chunk)
+        blocks = [(first, min(first + chunk, len(worlds))) for first in starts]
+        return [(first, last) for first, last in blocks if (outcome[first:last] == UNKNOWN).any()]
+
+    def write(self, block: Block) -> None:
+        """Write a block; it counts as finished from the end of this call on.
+
+        Raises:
+            RecordingError: it cannot be written, as on a full disk.
+        """
+        with self._written():
+            group = self._opened("r+")
+            for name, values in block.arrays.items():
+                group[name][block.first : block.last] = values
+            group["outcome"][block.first : block.last] = block.outcome
+
+    def dataset(self) -> Any:
+        """Return the `xarray.Dataset`, of which values are read when they are asked for."""
+        with extra():
+            from xarray import open_zarr
+
+        found = open_zarr(self.path, consolidated=False)
+        return found.assign_coords({name: found[name].load() for name in found.coords})
+
+    def _make(self, worlds: VariedWorlds | MadeWorlds, request: Request, chunk: int) -> None:
+        """Make an empty store beside its place, and put it there whole."""
+        draft = self.path.with_name(f".{self.path.name}-draft-{secrets.token_hex(8)}")
+        template = _template(worlds, request, chunk)
+        sizes: dict[str, dict[str, Any]] = {
+            name: {"chunks": (chunk, *variable.shape[1:])}
+            for name, variable in template.variables.items()
+            if variable.dims and variable.dims[0] == WORLDS
+        }
+        sizes["outcome"]["_FillValue"] = None
+        try:
+            template.to_zarr(
+                draft, compute=False, consolidated=False, zarr_format=2, encoding=sizes
+            )
+            os.rename(draft, self.path)
+        finally:
+            shutil.rmtree(draft, ignore_errors=True)
+
+    def _opened(self, mode: Literal["r", "r+"]) -> Any:
+        with extra():
+            from zarr import open_group
+
+        try:
+            return open_group(self.path, mode=mode, zarr_format=2)
+        except (FileNotFoundError, ValueError, KeyError) as fault:
+            raise RecordingError(
+                f"{self.path}: is no Zarr store of an ensemble (R8). Give another `out`."
+            ) from fault
+
+    @contextmanager
+    def _written(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as fault:
+            why = fault.strerror or type(fault).__name__
+            raise RecordingError(
+                f"{self.path}: cannot be written: {why}. Check the disk's space and the "
+                "permissions, then call again: what was finished is kept."
+            ) from fault
+
+
+def _template(worlds: VariedWorlds | MadeWorlds, request: Request, chunk: int) -> Any:
+    """Return the dataset with arrays that take no memory."""
+    with extra():
+        from dask.array import zeros
+
+    def array(name: str, shape: tuple[int, ...]) -> Any:
+        kind = np.int8 if name == "outcome" else np.float64
+        return zeros(shape, dtype=kind, chunks=(max(chunk, 1), *shape[1:]))
+
+    return dataset_of(worlds, request, array)

@@ -1,0 +1,81 @@
+"""The protocol of code that takes many steps of some bodies at once."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+from tamias2d.generated import schemes
+from tamias2d.state import Array
+
+
+def name_of(scheme: object) -> str:
+    """Return the name of a generated scheme; none of any other function."""
+    name = getattr(scheme, "__name__", "")
+    return name if getattr(schemes, name, None) is scheme else ""
+
+
+class Start(NamedTuple):
+    """Coordinates, rates and accelerations (n, 3) of n bodies."""
+
+    position: Array
+    velocity: Array
+    acceleration: Array | None
+    """None where they are not known."""
+
+
+@dataclass(frozen=True)
+class Steps:
+    """Steps of n bodies that were taken, and what they cost."""
+
+    times: list[float]
+    """(k + 1,), s; fewer than asked for where a force has no value further on."""
+    knots: Array
+    """(k + 1, 3, n, 3): coordinates, rates and accelerations at these times."""
+    last_known: bool
+    """Whether the last of the accelerations are known."""
+    dense: Array
+    """(m, k, n, 3): of an embedded pair, the slopes of the velocity within each step."""
+    evaluations: int
+    rejected: int
+
+
+@dataclass
+class Control:
+    """What an embedded pair is allowed, and what one step leaves to the next."""
+
+    step: float
+    """The length that the next step should have, s."""
+    error: float
+    """Of the last step, in shares of what is allowed."""
+    relative: float
+    length: float
+    rate: float
+    power: float
+    damping: float
+
+
+class Marching(Protocol):
+    """The steps of some bodies that no contact holds, with the bits of the general way.
+
+    None are returned for what it does not know.
+    """
+
+    def accelerations(self, time: float, position: Array, velocity: Array) -> Array | None:
+        """Return the accelerations (n, 3) at a time in s; None where one is not finite."""
+
+    def fixed(
+        self, scheme: str, times: Sequence[float], start: Start, ahead: float
+    ) -> Steps | None:
+        """Step by a generated scheme from each of the times, s, to the next, or to some of them.
+
+        About as many steps as are `ahead` will be asked for in the end.
+        """
+
+    def adaptive(
+        self, scheme: str, time: float, limit: float, most: int, start: Start, control: Control
+    ) -> Steps | None:
+        """Take at most some steps of a generated pair from a time towards a limit, s.
+
+        None are taken where the first has to be looked at: forces have no value on its way, or it
+        gets very short. Otherwise the control is set for the step that follows.
+        """

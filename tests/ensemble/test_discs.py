@@ -1,0 +1,133 @@
+"""Worlds of discs that compiled code follows have the bits that they have alone."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+import tamias2d as t2
+from tamias2d.ensemble import disc_impacts, discs
+from tamias2d.ensemble.discs import Followed, followed
+from tamias2d.ensemble.request import request_of
+from tamias2d.ensemble.worlds import worlds_of
+from tests.ensemble.scenes import bouncing, stack
+
+
+def crowd(seed: int) -> tuple[t2.Scene, dict[str, Any]]:
+    """Discs that fly, fall and spin between walls and fixed discs, and what varies of them."""
+    chance = np.random.default_rng(seed)
+    still = chance.random() < 0.3
+    scene = t2.Scene(gravity=(0.0, 0.0) if still else tuple(chance.normal(0, 5, 2)))
+    for k in range(chance.integers(1, 4)):
+        angle = chance.uniform(0, 2 * math.pi)
+        normal = (math.cos(angle), math.sin(angle))
+        wall = t2.HalfPlane(normal=normal, offset=-chance.uniform(2, 4))
+        scene.add_static(wall, restitution=chance.choice([0.0, 0.5, 1.0]), name=f"wall{k}")
+    if chance.random() < 0.5:
+        post = t2.Disc(radius=0.3)
+        scene.add_static(post, position=(0.9, 0.9), restitution=1.0, name="post")
+    vary: dict[str, Any] = {"restitution_of_pairs.disc0.wall0": stats.uniform(0.0, 1.0)}
+    for k in range(chance.integers(1, 4)):
+        scene.add_body(
+            t2.Disc(radius=chance.uniform(0.1, 0.3)),
+            mass=chance.uniform(0.1, 10.0),
+            position=(1.0 * k - 1.0, -0.5),
+            velocity=tuple(chance.normal(0, 2, 2)),
+            angular_velocity=chance.choice([0.0, 20.0]),
+            torque=chance.choice([0.0, 0.3]),
+            force=(chance.choice([0.0, 1.0]), 0.0),
+            restitution=chance.uniform(0, 1),
+            name=f"disc{k}",
+        )
+        vary[f"bodies.disc{k}.velocity"] = chance.normal(0, 2, (4, 2))
+        vary[f"bodies.disc{k}.position.y"] = stats.uniform(-0.6, 0.5)
+        vary[f"bodies.disc{k}.mass"] = stats.uniform(0.5, 2.0)
+        vary[f"bodies.disc{k}.radius"] = stats.uniform(0.05, 0.2)
+    scene.add_body(None, mass=1.0, position=(0.0, 0.0), velocity=(1.0, 0.0), name="dust")
+    vary["gravity.y"] = stats.norm(-3.0, 2.0)
+    return scene, vary
+
+
+@pytest.fixture(autouse=True)
+def _few_are_worth_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(discs, "_WORTH", 1)
+
+
+def compare(scene: t2.Scene, vary: Any, worlds: int, duration: float, seed: int) -> Followed:
+    """Follow some worlds, and solve alone those that were; all bits must agree."""
+    described = worlds_of(scene, vary, worlds, seed, None)
+    times = np.linspace(0.0, duration, 5)
+    request = request_of(scene, duration=duration, times=times)
+    found = followed(described, request, 0, worlds)
+    assert found is not None
+    for world in np.flatnonzero(found.done).tolist():
+        run = t2.simulate(described.scene(world), duration=duration, times=times)
+        assert isinstance(run.method, t2.ClosedForm)
+        for name in request.keep:
+            wanted = getattr(run, name)[:, list(request.bodies)]
+            np.testing.assert_array_equal(found.arrays[name][world], wanted, strict=True)
+    return found
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_worlds_that_are_followed_have_the_bits_of_the_ordinary_way(seed: int) -> None:
+    compare(*crowd(seed), worlds=4, duration=1.5, seed=seed)
+
+
+def test_a_disc_that_bounces_and_comes_to_rest_is_followed() -> None:
+    scene = t2.Scene(gravity=(1.0, -9.81))
+    floor = t2.HalfPlane(normal=(0.6, 0.8), offset=0.0)
+    scene.add_static(floor, restitution=1.0, name="floor")
+    scene.add_body(t2.Disc(radius=0.2), mass=1.0, position=(0.0, 1.0), restitution=0.5, name="ball")
+    vary = {"bodies.ball.position.y": stats.uniform(1.0, 1.0), "bodies.ball.restitution": [0.4] * 8}
+    found = compare(scene, vary, 8, 3.0, seed=1)
+    assert found.done.all()
+    assert (found.arrays["velocity"][:, -1] != 0).any()  # it slides down
+
+
+def test_what_is_not_of_this_kind_is_left_to_the_ordinary_way() -> None:
+    for scene in (bouncing(), stack()):
+        worlds = worlds_of(scene, {"gravity.y": [-1.0]}, None, None, None)
+        assert followed(worlds, request_of(scene, duration=0.1), 0, 1) is None
+    scene, _ = crowd(1)
+    worlds = worlds_of(scene, {"friction_of_pairs.disc0.wall0": [0.5]}, None, None, None)
+    assert followed(worlds, request_of(scene, duration=0.1), 0, 1) is None
+
+
+def test_a_world_in_which_more_happens_is_handed_over() -> None:
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+    scene.add_static(floor, restitution=0.0, name="floor")
+    for k in range(2):  # the second falls onto the first, which rests
+        place = (0.0, 0.3 + 0.8 * k)
+        disc = t2.Disc(radius=0.25)
+        scene.add_body(disc, mass=1.0, position=place, restitution=0.5, name=f"disc{k}")
+    worlds = worlds_of(scene, {"bodies.disc1.position.x": [0.0, 3.0]}, None, None, None)
+    found = followed(worlds, request_of(scene, duration=1.0), 0, 2)
+    assert found is not None
+    assert found.done.tolist() == [False, True]
+
+
+def test_an_ensemble_is_followed_on_threads_and_those_left_over_are_solved() -> None:
+    scene, vary = crowd(12)
+    given: dict[str, Any] = {"duration": 1.0, "times": (0.3, 1.0), "seed": 1}
+    vary |= {path: np.tile(v, (10, 1)) for path, v in vary.items() if isinstance(v, np.ndarray)}
+    one = t2.ensemble(scene, vary=vary, workers=1, **given)
+    two = t2.ensemble(scene, vary=vary, workers=2, chunk=3, **given)
+    assert one.identical(two)
+    worlds = worlds_of(scene, vary, None, 1, None)
+    done = followed(worlds, request_of(scene, duration=1.0), 0, len(worlds)).done  # type: ignore[union-attr]
+    assert done.any()
+    for world in (int(np.argmax(done)), int(np.argmin(done))):
+        run = t2.simulate(t2.world_scene(one, world), duration=1.0, times=(0.3, 1.0))
+        moving = [k for k, body in enumerate(run.scene.bodies) if body.dynamic]
+        np.testing.assert_array_equal(one.position[world], run.position[:, moving])
+
+
+def test_lengths_are_those_of_the_interpreter() -> None:
+    chance = np.random.default_rng(3)
+    for x, y in (chance.normal(size=(3000, 2)) * 10 ** chance.uniform(-8, 8, (3000, 2))).tolist():
+        assert disc_impacts.hypot(x, y) == math.hypot(x, y)
+    assert disc_impacts.hypot(0.0, 0.0) == 0.0

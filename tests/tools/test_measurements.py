@@ -1,0 +1,63 @@
+"""Every measurement runs to its end, small; no time and no figure is looked at."""
+
+import json
+from typing import Any
+
+import pytest
+
+from tamias2d.motion import ClosedForm, RungeKutta4
+from tamias2d.scene import catalogue
+from tools.measurements import certificates, drift, held_out, kinds, peers, specialisation
+
+
+def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
+    """What is found, as JSON and as a table."""
+    found = module.measure()
+    assert json.loads(json.dumps(found)) == found
+    heads, rows = module.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    return found, rows
+
+
+def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
+    names = ["driven", "cradle-touching"]
+    new = [scene for scene in held_out.scenes() if scene.name == "throw 0"]
+    monkeypatch.setattr(certificates, "TOLERANCES", (1e-2,))
+    monkeypatch.setattr(catalogue, "names", lambda *_: names)
+    monkeypatch.setattr(held_out, "scenes", lambda: iter(new))
+    found, _ = lines_of(certificates)
+    assert [row["scene"] for row in found["rows"]] == ["driven", "throw 0"]
+    assert found["left_out"] == ["cradle-touching"]
+    assert "cradle-touching" in certificates.notes(found)[0]
+
+
+def test_drift(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(drift, "_STEPS", 20_000)
+    monkeypatch.setattr(drift, "ORBITERS", (RungeKutta4(),))
+    _, rows = lines_of(drift)
+    assert len(rows) == 3
+
+
+def test_kinds(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kinds, "_EACH", 1)
+    monkeypatch.setattr(kinds, "_TIGHT", (RungeKutta4(),))
+    monkeypatch.setattr(catalogue, "names", lambda *_: ["tc1"])
+    monkeypatch.setattr(held_out, "scenes", lambda: iter(()))
+    lines_of(kinds)
+
+
+def test_peers(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(peers, "_RATES", (60,))
+    monkeypatch.setattr(peers, "_OWN", {ClosedForm.__name__: ("",)})
+    small = [one for one in peers._scenes() if one[0] in ("free fall", "projectile")]
+    monkeypatch.setattr(peers, "_scenes", lambda: small)
+    _, rows = lines_of(peers)
+    assert len(rows) == 2
+
+
+def test_specialisation(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(specialisation, "BODIES", (10,))
+    monkeypatch.setattr(specialisation, "_WORK", 100)
+    monkeypatch.setattr(specialisation, "_REPEATS", 1)
+    _, rows = lines_of(specialisation)
+    assert len(rows) == len(specialisation.DEMANDS)
