@@ -492,6 +492,58 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=336,
     ),
+    "anchor": Symbol(
+        "anchor",
+        "m",
+        "place at which a joint holds a body, from its centre of mass, in the body's own axes",
+        shape="vector",
+        tex="\\boldsymbol{b}",
+        file="srs/symbols.md",
+        line=348,
+    ),
+    "post": Symbol(
+        "post",
+        "m",
+        "place of a wheel over which a rope runs, from the centre of mass of the body that carries it, in that body's own axes",
+        shape="vector",
+        tex="\\boldsymbol{w}",
+        file="srs/symbols.md",
+        line=355,
+    ),
+    "guide": Symbol(
+        "guide",
+        "1",
+        "unit vector along which a joint lets a body slide",
+        shape="vector",
+        tex="\\boldsymbol{g}",
+        file="srs/symbols.md",
+        line=362,
+    ),
+    "joint_length": Symbol(
+        "joint_length",
+        "m",
+        "length that a joint keeps",
+        range=Range("> 0", low=0.0),
+        tex="L",
+        file="srs/symbols.md",
+        line=367,
+    ),
+    "joint_angle": Symbol(
+        "joint_angle",
+        "rad",
+        "angle that a joint keeps between two bodies",
+        tex="\\theta",
+        file="srs/symbols.md",
+        line=372,
+    ),
+    "gear_ratio": Symbol(
+        "gear_ratio",
+        "1",
+        "how often one side of a joint moves for once that the other does",
+        tex="\\rho",
+        file="srs/symbols.md",
+        line=376,
+    ),
     "normal": Symbol(
         "normal",
         "1",
@@ -499,7 +551,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=349,
+        line=389,
     ),
     "tangent": Symbol(
         "tangent",
@@ -508,7 +560,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=354,
+        line=394,
     ),
     "direction": Symbol(
         "direction",
@@ -516,7 +568,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=359,
+        line=399,
     ),
     "arm": Symbol(
         "arm",
@@ -525,7 +577,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=363,
+        line=403,
     ),
     "separation": Symbol(
         "separation",
@@ -533,7 +585,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=368,
+        line=408,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -541,7 +593,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=372,
+        line=412,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -549,7 +601,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=378,
+        line=418,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -557,7 +609,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=384,
+        line=424,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -565,7 +617,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=388,
+        line=428,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -574,7 +626,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=392,
+        line=432,
     ),
     "coupling": Symbol(
         "coupling",
@@ -582,7 +634,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=397,
+        line=437,
     ),
     "impulse": Symbol(
         "impulse",
@@ -591,7 +643,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=403,
+        line=443,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -599,7 +651,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=408,
+        line=448,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -607,7 +659,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=412,
+        line=452,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -616,7 +668,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=418,
+        line=458,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -625,7 +677,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=423,
+        line=463,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -633,7 +685,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=430,
+        line=470,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -641,7 +693,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=436,
+        line=476,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -649,7 +701,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=440,
+        line=480,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -658,7 +710,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=444,
+        line=484,
     ),
     "share": Symbol(
         "share",
@@ -667,7 +719,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=449,
+        line=489,
     ),
     "sense": Symbol(
         "sense",
@@ -676,7 +728,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=456,
+        line=496,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -685,7 +737,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=463,
+        line=503,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -694,7 +746,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=468,
+        line=508,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -702,7 +754,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=473,
+        line=513,
     ),
     "overlap": Symbol(
         "overlap",
@@ -710,7 +762,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=477,
+        line=517,
     ),
     "line": Symbol(
         "line",
@@ -719,7 +771,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=489,
+        line=529,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -727,7 +779,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=494,
+        line=534,
     ),
     "bend": Symbol(
         "bend",
@@ -735,7 +787,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=499,
+        line=539,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -743,7 +795,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=504,
+        line=544,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -752,7 +804,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=508,
+        line=548,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -760,7 +812,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that is given in one visit of a row, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=513,
+        line=553,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -769,7 +821,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=517,
+        line=557,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -778,7 +830,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=522,
+        line=562,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -787,7 +839,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=527,
+        line=567,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -795,7 +847,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=532,
+        line=572,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -803,7 +855,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rub after a visit, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=536,
+        line=576,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -812,7 +864,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=540,
+        line=580,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -821,7 +873,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=545,
+        line=585,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -829,7 +881,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=550,
+        line=590,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -838,7 +890,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=554,
+        line=594,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -847,7 +899,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=559,
+        line=599,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -856,7 +908,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=564,
+        line=604,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -865,7 +917,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=571,
+        line=611,
     ),
     "extent": Symbol(
         "extent",
@@ -874,7 +926,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=578,
+        line=618,
     ),
     "firmest": Symbol(
         "firmest",
@@ -883,7 +935,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=585,
+        line=625,
     ),
     "preload": Symbol(
         "preload",
@@ -892,7 +944,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=590,
+        line=630,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -901,7 +953,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=595,
+        line=635,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -910,7 +962,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=600,
+        line=640,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -919,7 +971,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=605,
+        line=645,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -928,7 +980,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=610,
+        line=650,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -936,7 +988,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=615,
+        line=655,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -944,7 +996,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=619,
+        line=659,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -952,7 +1004,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=623,
+        line=663,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -960,7 +1012,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=627,
+        line=667,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -968,7 +1020,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=631,
+        line=671,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -977,7 +1029,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=635,
+        line=675,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -986,7 +1038,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=640,
+        line=680,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -995,7 +1047,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=645,
+        line=685,
     ),
     "shift": Symbol(
         "shift",
@@ -1004,7 +1056,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=650,
+        line=690,
     ),
     "turn": Symbol(
         "turn",
@@ -1012,7 +1064,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=655,
+        line=695,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1021,7 +1073,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=659,
+        line=699,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1030,7 +1082,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=666,
+        line=706,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1039,7 +1091,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=671,
+        line=711,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1048,7 +1100,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=678,
+        line=718,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1057,7 +1109,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=685,
+        line=725,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1066,7 +1118,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=691,
+        line=731,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1074,7 +1126,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=698,
+        line=738,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1083,7 +1135,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=711,
+        line=751,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1092,7 +1144,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=716,
+        line=756,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1101,7 +1153,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=721,
+        line=761,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1109,7 +1161,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=726,
+        line=766,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1118,7 +1170,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=730,
+        line=770,
     ),
     "advance": Symbol(
         "advance",
@@ -1127,7 +1179,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=735,
+        line=775,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1135,7 +1187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=740,
+        line=780,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1143,7 +1195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=744,
+        line=784,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1151,7 +1203,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=748,
+        line=788,
     ),
     "slip": Symbol(
         "slip",
@@ -1159,7 +1211,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=753,
+        line=793,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1167,7 +1219,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=759,
+        line=799,
     ),
     "circling": Symbol(
         "circling",
@@ -1176,7 +1228,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=763,
+        line=803,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1184,7 +1236,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=770,
+        line=810,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1193,7 +1245,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=774,
+        line=814,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1202,7 +1254,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=779,
+        line=819,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1211,7 +1263,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=784,
+        line=824,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1219,7 +1271,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=789,
+        line=829,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1228,7 +1280,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=793,
+        line=833,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1236,7 +1288,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=798,
+        line=838,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1244,7 +1296,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=802,
+        line=842,
     ),
     "arc": Symbol(
         "arc",
@@ -1253,7 +1305,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=808,
+        line=848,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1262,7 +1314,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=813,
+        line=853,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1270,7 +1322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=823,
+        line=863,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1278,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=827,
+        line=867,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1287,7 +1339,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=831,
+        line=871,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1296,7 +1348,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=836,
+        line=876,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1305,7 +1357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=841,
+        line=881,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1314,7 +1366,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=846,
+        line=886,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1323,7 +1375,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=851,
+        line=891,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1331,7 +1383,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=856,
+        line=896,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1340,7 +1392,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=865,
+        line=905,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1348,7 +1400,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=870,
+        line=910,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1357,7 +1409,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=874,
+        line=914,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1365,7 +1417,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=879,
+        line=919,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1373,7 +1425,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=883,
+        line=923,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1382,7 +1434,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=887,
+        line=927,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1391,7 +1443,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=892,
+        line=932,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1400,7 +1452,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=897,
+        line=937,
     ),
     "work": Symbol(
         "work",
@@ -1408,7 +1460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=902,
+        line=942,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1417,7 +1469,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=906,
+        line=946,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1425,7 +1477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=911,
+        line=951,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1434,7 +1486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=915,
+        line=955,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1442,7 +1494,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=920,
+        line=960,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1451,7 +1503,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=925,
+        line=965,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1460,7 +1512,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=930,
+        line=970,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1469,7 +1521,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=935,
+        line=975,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1478,7 +1530,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=942,
+        line=982,
     ),
     "energy": Symbol(
         "energy",
@@ -1486,7 +1538,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=947,
+        line=987,
     ),
     "radius": Symbol(
         "radius",
@@ -1495,7 +1547,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=956,
+        line=996,
     ),
     "length": Symbol(
         "length",
@@ -1504,7 +1556,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=961,
+        line=1001,
     ),
     "width": Symbol(
         "width",
@@ -1513,7 +1565,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=968,
+        line=1008,
     ),
     "height": Symbol(
         "height",
@@ -1522,7 +1574,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=973,
+        line=1013,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1531,7 +1583,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=978,
+        line=1018,
     ),
     "center": Symbol(
         "center",
@@ -1540,7 +1592,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=983,
+        line=1023,
     ),
     "offset": Symbol(
         "offset",
@@ -1548,7 +1600,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=988,
+        line=1028,
     ),
     "area": Symbol(
         "area",
@@ -1557,7 +1609,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=992,
+        line=1032,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1566,6 +1618,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=997,
+        line=1037,
     ),
 }

@@ -11,7 +11,8 @@ from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
-from tamias2d.motion.polynomial import DenseStep, JoinedPath
+from tamias2d.motion.mechanism import fitted
+from tamias2d.motion.polynomial import DenseStep, JoinedPath, moved_end
 from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
@@ -201,11 +202,16 @@ class IntegratedMotion:
     def _dense_steps(
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
     ) -> Iterator[DenseStep]:
+        found = self._loads.mechanisms(field.bodies)
+        if found and start == 0:
+            position, velocity = fitted(found, start, position, velocity)
         while start < end:
             step = self._integrator.step(field, start, end, position, velocity)
             self.tally.steps += 1
             if not isinstance(self._integrator, FixedSteps):
                 self.work.step(step.end)
+            if found:
+                step = moved_end(step, *fitted(found, step.end, *step.last))
             yield step
             start, (position, velocity) = step.end, step.last
 
@@ -213,7 +219,7 @@ class IntegratedMotion:
         self, field: MemoisedField, start: float, end: float, now: tuple[Array, Array], most: int
     ) -> Iterator[DenseStep | StepBatch]:
         """Yield steps, up to `most` of them as one where the integrator can do that."""
-        if self._fixed_steps is None or most <= 1:
+        if self._fixed_steps is None or most <= 1 or self._loads.mechanisms(field.bodies):
             yield from self._dense_steps(field, start, end, *now)
             return
         while start < end:

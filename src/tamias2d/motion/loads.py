@@ -7,6 +7,7 @@ import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated import rotation, translation
+from tamias2d.motion.mechanism import Mechanism, mechanisms
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import groups, steady_load, varying_loads
@@ -31,6 +32,7 @@ class Loads:
         """The bodies that act on each other, for each body that moves."""
         self._steady = [self._steadily(k) for k in range(len(scene))]
         self._fields: dict[int, Field] = {}
+        self._mechanisms: dict[tuple[int, ...], list[tuple[list[int], Mechanism]]] = {}
 
     def steady(self, body: int) -> Acceleration:
         """Return what gravity and all constant forces and torques give a body."""
@@ -53,7 +55,7 @@ class Loads:
         Who acts on one of the bodies must be among them (`group_of`).
         """
         held = [(row, constraint) for row, constraint in enumerate(constraints) if constraint]
-        free = self._free(bodies)
+        free = self._jointed(bodies, self._free(bodies))
         if not held:
             return free
 
@@ -62,6 +64,30 @@ class Loads:
             for row, constraint in held:
                 x, y, turn = rows[row].tolist()
                 rows[row] = constraint((x, y, turn), state_of(position[row], velocity[row]))
+            return rows
+
+        return field
+
+    def mechanisms(self, bodies: Sequence[int]) -> list[tuple[list[int], Mechanism]]:
+        """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
+        if not self._scene.joints:
+            return []
+        if (key := tuple(bodies)) not in self._mechanisms:
+            self._mechanisms[key] = mechanisms(self._scene, bodies)
+        return self._mechanisms[key]
+
+    def _jointed(self, bodies: Sequence[int], free: Field) -> Field:
+        """Return the accelerations with the reactions of joints (GD17)."""
+        found = self.mechanisms(bodies)
+        if not found:
+            return free
+
+        def field(time: float, position: Array, velocity: Array) -> Array:
+            rows = free(time, position, velocity).copy()
+            for own, mechanism in found:
+                rows[own], _ = mechanism.accelerations(
+                    time, position[own], velocity[own], rows[own]
+                )
             return rows
 
         return field
