@@ -100,9 +100,7 @@ def _arguments(item: Item, values: Values) -> list[str]:
     return [name for name in (*item.data["parameters"], *moving) if name in used]
 
 
-def _docstring(
-    item: Item, kind: str, end: str, values: Values, table: SymbolTable
-) -> list[str]:
+def _docstring(item: Item, kind: str, end: str, values: Values, table: SymbolTable) -> list[str]:
     lead = _LEADS[kind].format(title=item.title, end=end.upper())
     lines = [f"{lead}.", ""]
     for row in values.rows:
@@ -132,7 +130,9 @@ def _entry(item: Item, table: SymbolTable) -> str:
         for found in constraint.types
         for _ in range(2 if found.shape == "vector" else 1)
     ]
-    formulas = {name: _formula(name, item, values) for name, _, _, values in _parts(item, constraint)}
+    formulas = {
+        name: _formula(name, item, values) for name, _, _, values in _parts(item, constraint)
+    }
     slopes = ", ".join(
         f'"{end}": {formulas[f"{item.id}_slopes_{end}"]}' for end in constraint.bodies
     )

@@ -24,6 +24,7 @@ from tamias2d.contact.manifold import (
     tangent_of,
 )
 from tamias2d.contact.refusal import (
+    JointedContactError,
     RangeError,
     SimultaneousImpactsError,
     UndecidedContactError,
@@ -108,6 +109,7 @@ class Instant:
         self.separating: dict[PairOf, float] = {}
         """Pairs that separate without normal velocity, with the second derivative of the gap."""
         self._find_touching(bodies)
+        self._refuse_jointed()
         self._resolve_impacts()
         self._keep_lasting()
 
@@ -129,6 +131,20 @@ class Instant:
                     if i not in seen and self._world.cores[i].dynamic:
                         seen.add(i)
                         todo.append(i)
+
+    def _refuse_jointed(self) -> None:
+        """Refuse a contact of a body that a joint holds, unless it opens."""
+        for touch in self.touching_pairs.values():
+            jointed = [i for i in touch.pair if self._world.cores[i].jointed]
+            if jointed and any(self._rate(contact) <= touch.noise for contact in touch.contacts):
+                name = self._world.cores[jointed[0]].name
+                raise JointedContactError(
+                    f"{self._names(touch)} at {self.time!r} s: they meet, and a joint holds "
+                    f"'{name}': impacts on jointed bodies are not solved yet (R13). End the run "
+                    "before, move one away, or let them pass through each other: give them one "
+                    "negative group, or no shape.",
+                    time=self.time,
+                )
 
     def _place(self, body: int) -> Placed:
         if body not in self._placed:

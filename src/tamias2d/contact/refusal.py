@@ -36,6 +36,12 @@ class FrictionError(Refusal):
     code = "friction"
 
 
+class JointedContactError(Refusal):
+    """A body that a joint holds meets another: the joints' impulses are not solved yet."""
+
+    code = "jointed-contact"
+
+
 class UndecidedContactError(Refusal):
     """Float64 cannot tell whether bodies part."""
 

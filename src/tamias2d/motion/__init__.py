@@ -6,6 +6,7 @@ derivatives. Hides: how that path is found (closed form, a scheme, scipy).
 
 from tamias2d.motion.adaptive import StepSizeError
 from tamias2d.motion.legacy import Legacy2018
+from tamias2d.motion.mechanism import JointError
 from tamias2d.motion.method import Method
 from tamias2d.motion.methods import (
     ClosedForm,
@@ -33,6 +34,7 @@ __all__ = [
     "DormandPrince5",
     "ExplicitEuler",
     "ExponentialDrag",
+    "JointError",
     "Legacy2018",
     "Method",
     "Motion",

@@ -9,9 +9,9 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
+from tamias2d.motion.mechanism import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
-from tamias2d.motion.mechanism import fitted
 from tamias2d.motion.polynomial import DenseStep, JoinedPath, moved_end
 from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform

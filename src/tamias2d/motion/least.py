@@ -50,7 +50,8 @@ class LeastSolution:
             found = np.linalg.solve(self._triangle, self._basis.T @ x)
         else:
             found = self._left @ ((self._right @ x) / self._sizes)
-        return self._scale * found
+        shares: Array = self._scale * found
+        return shares
 
     def missed(self, wanted: Array, x: Array) -> float:
         """Return by how much x misses what is wanted of rows of length one."""

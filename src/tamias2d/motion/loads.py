@@ -85,9 +85,7 @@ class Loads:
         def field(time: float, position: Array, velocity: Array) -> Array:
             rows = free(time, position, velocity).copy()
             for own, mechanism in found:
-                rows[own], _ = mechanism.accelerations(
-                    time, position[own], velocity[own], rows[own]
-                )
+                rows[own] = mechanism.accelerations(time, position[own], velocity[own], rows[own])
             return rows
 
         return field

@@ -40,17 +40,29 @@ class Mechanism:
         ]
         self._weights = np.sqrt(np.array(weights))
 
-    def accelerations(
-        self, time: float, position: Array, velocity: Array, free: Array
-    ) -> tuple[Array, Array]:
-        """Return accelerations (n, 3) and multipliers (m,) for accelerations by loads alone.
+    def accelerations(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
+        """Return the accelerations (n, 3) for those by the loads alone.
 
         Raises:
             JointError: no reactions keep the joints.
         """
-        slopes, least = self._factors(time, position)
+        x, _ = self._reactions(time, position, velocity, free)
+        accelerations: Array = free + self._weights * x.reshape(free.shape)
+        return accelerations
+
+    def multipliers(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
+        """Return the multipliers (m,), likewise."""
+        x, least = self._reactions(time, position, velocity, free)
+        return least.shares(x)
+
+    def _reactions(
+        self, time: float, position: Array, velocity: Array, free: Array
+    ) -> tuple[Array, LeastSolution]:
+        """Return what the reactions do to the weighed accelerations, and how it was found."""
+        with np.errstate(all="ignore"):  # what is not finite is refused
+            slopes, least = self._factors(time, position)
+            convective = self.rows.convective(time, position, velocity)
         pull = np.einsum("ijk,jk->i", slopes, free)
-        convective = self.rows.convective(time, position, velocity)
         wanted = -(pull + convective)
         if not np.isfinite(wanted).all():
             raise self._torn(time, "has no finite value", wanted)
@@ -59,7 +71,7 @@ class Mechanism:
             size = least.size(pull) + least.size(convective)
             if least.missed(wanted, x) > _CONSISTENT * size:
                 raise self._contradiction(time, least)
-        return free + self._weights * x.reshape(free.shape), least.shares(x)
+        return x, least
 
     def fitted(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array]:
         """Return places and velocities (n, 3), moved by the least way to where the joints hold.
@@ -76,8 +88,9 @@ class Mechanism:
         size = self._size(position)
         before = np.inf
         for _ in range(_MOST):
-            _, least = self._factors(time, position)
-            values = self.rows.values(time, position)
+            with np.errstate(all="ignore"):
+                _, least = self._factors(time, position)
+                values = self.rows.values(time, position)
             if not np.isfinite(values).all():
                 break
             x = least(values)

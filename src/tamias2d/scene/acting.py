@@ -100,8 +100,8 @@ def groups(scene: SceneData) -> list[list[int]]:
     if scene.attraction is not None and moving:
         return [moving]
     group_of = {k: [k] for k in moving}
-    for ties in (*scene.springs, *scene.joints):
-        held = [k for k in ties.bodies if k in group_of]
+    for bodies in (*(s.bodies for s in scene.springs), *(j.bodies for j in scene.joints)):
+        held = [k for k in bodies if k in group_of]
         for one, other in pairwise(held):
             if group_of[one] is not group_of[other]:
                 joined = group_of[other]

@@ -166,6 +166,6 @@ def _refuse_unfit(start: Start, of: str) -> None:
     if start.way(start.rates) > _FITS * start.speed:
         raise RuleError(
             f"{of}: the velocities at the start tear it: it is left at "
-            f"{start.worst(start.rates, '/s')} (TM7). Give its bodies velocities that fit, or none.",
+            f"{start.worst(start.rates, '/s')} (TM7). Give its bodies velocities that fit.",
             "between",
         )

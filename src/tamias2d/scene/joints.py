@@ -1,6 +1,6 @@
 """Joints: what ties up to three bodies, or bodies to the plane, by an equation (TM7)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.scene.joint_equation import read_equations
-from tamias2d.scene.rules import Vector
+from tamias2d.scene.rules import RuleError, Vector
 from tamias2d.spec.constraint import ENDS
 from tamias2d.spec.constraint_functions import ConstraintFunctions
 from tamias2d.suggestions import suggests
@@ -54,6 +54,15 @@ class Joint:
         known = dict(self.parameters)
         anchors = {f"anchor_{end}": at for end, at in zip(ENDS, self.anchors, strict=True)}
         return {name: known.get(name, anchors.get(name, 0.0)) for name in self.functions.parameters}
+
+
+def refuse_joints(joints: Sequence[Joint], what: str, remedy: str) -> None:
+    """Raise `RuleError` where there are joints, for something that knows none."""
+    if joints:
+        raise RuleError(
+            f"joint '{joints[0].name}' of the scene: {what} knows no joints (R13). {remedy}",
+            "joints",
+        )
 
 
 def kept_apart(joints: Iterable[Joint]) -> frozenset[tuple[int, int]]:

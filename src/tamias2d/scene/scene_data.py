@@ -141,7 +141,7 @@ class SceneData:
         """
         if not may_touch(self._bodies[i], self._bodies[j]):
             return False
-        return not self._joints or (min(i, j), max(i, j)) not in self.kept_apart
+        return (min(i, j), max(i, j)) not in self.kept_apart
 
     def index(self, body: int | str) -> int:
         """Return the index of a body given by its index or name; raise `InputError` if none."""

@@ -29,9 +29,7 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
     located = Located(plan.scene, motion, motion.work)
     try:
         if not located.can_meet:
-            history = fitted_history(
-                plan.scene, plan.times, _without_contact(plan, method, motion)
-            )
+            history = fitted_history(plan.scene, plan.times, _without_contact(plan, method, motion))
             return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
         follow(located, plan.duration, progress=progress)
     except SimulationError as refusal:

@@ -15,7 +15,7 @@ from tamias2d.spec.derivative import along
 from tamias2d.spec.expression import Call, Name, Negative, Node, Number, names, rebuilt
 from tamias2d.spec.messages import SpecFault
 from tamias2d.spec.simplify import ONE, ZERO, component
-from tamias2d.spec.symbols import Symbol, SymbolTable
+from tamias2d.spec.symbols import Shape, Symbol, SymbolTable
 
 COORDINATES = {"position": "velocity", "orientation": "angular_velocity"}
 """What says where a body is, and the name of its rate."""
@@ -118,7 +118,7 @@ def table_with(table: SymbolTable, where: Named) -> SymbolTable:
             table.resolve(name)
         except SpecFault:
             found = infer(tree, table)
-            shape = "vector" if found.shape == "vector" else "scalar"
+            shape: Shape = "vector" if found.shape == "vector" else "scalar"
             table = table.with_locals([Symbol(name, _unit(found), f"rate in {name}", shape)])
     return table
 

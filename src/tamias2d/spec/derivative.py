@@ -72,9 +72,9 @@ def _call(
 ) -> Node:
     slopes = [along(argument, rates) for argument in arguments]
     match function, arguments:
-        case ("dot" | "cross"), (left, right):
+        case (("dot" | "cross"), (left, right)):
             return added(call(function, slopes[0], right), call(function, left, slopes[1]))
-        case ("perp" | "vector" | "x" | "y" | "sum"), _:
+        case (("perp" | "vector" | "x" | "y" | "sum"), _):
             return call(function, *slopes)
         case "rotate", (_, angle):
             turned = times(slopes[1], call("perp", node))

@@ -72,9 +72,7 @@ class PythonPrinter:
         """Source of one component of a vector turned by an angle."""
         cosine, sine = self.helper("cos", angle), self.helper("sin", angle)
         x, y = self.tight(arm, "x"), self.tight(arm, "y")
-        return (
-            f"{cosine} * {x} - {sine} * {y}" if axis == "x" else f"{sine} * {x} + {cosine} * {y}"
-        )
+        return f"{cosine} * {x} - {sine} * {y}" if axis == "x" else f"{sine} * {x} + {cosine} * {y}"
 
     def scalar(self, node: Node) -> str:
         """Source of a scalar or a condition."""

@@ -93,7 +93,7 @@ def call(function: str, *arguments: Node) -> Node:
     if any(is_zero(argument) for argument in arguments) and function != "vector":
         return ZERO
     match function, arguments:
-        case ("x" | "y"), (inner,):
+        case (("x" | "y"), (inner,)):
             return component(inner, function)
         case "dot", (other, Call(function="vector", arguments=(Number() as u, Number() as v))):
             return added(times(u, component(other, "x")), times(v, component(other, "y")))
