@@ -44,7 +44,7 @@ class Core:
         """Take a body, whether its loads are constant, whether they change at rest, and its group.
 
         The group holds the bodies on whose states its loads depend, itself included. It is jointed
-        where a joint holds it.
+        where it moves and a joint holds it.
         """
         shape = body.shape
         self.index = index
@@ -89,7 +89,7 @@ def cores_of(scene: Scene) -> list[Core]:
             steady=i not in varying,
             timed=i in timed,
             group=group_of.get(i, frozenset()),
-            jointed=i in jointed,
+            jointed=i in jointed and body.dynamic,
         )
         for i, body in enumerate(scene.bodies)
     ]

@@ -45,7 +45,6 @@ class IntegratedMotion:
     def __init__(
         self, scene: Scene, duration: float, integrator: Integrator, notes: tuple[str, ...] = ()
     ) -> None:
-        self.notes = notes
         self._scene = scene
         self._duration = duration
         self._integrator = integrator
@@ -61,6 +60,7 @@ class IntegratedMotion:
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], MemoisedField] = {}
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+        self.notes = notes + self._loads.joint_notes(self._moving)
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]

@@ -8,64 +8,89 @@ import numpy as np
 
 from tamias2d.state import Array
 
-DEPENDENT = 1e-8
+DEPENDENT = 5e-6
 """Of the largest; shorter combinations of rows, each of length one, count as none (GD19)."""
-_DOUBTFUL = 1e-4
-"""Of one; a smaller pivot asks for a decision on the rank."""
+_DOUBTFUL = 1e3
+"""Rows that can be this much longer than a combination of them ask for a decision on the rank."""
 
 
 class LeastSolution:
-    """x of least length with `rows` (m, n) times x equal to what is wanted."""
+    """x of least length with `rows` (m, n) times `weights` (n,) times x equal to what is wanted.
 
-    def __init__(self, rows: Array) -> None:
-        length = np.sqrt(np.einsum("ij,ij->i", rows, rows))
-        self._scale = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
-        self._rows = rows * self._scale[:, None]
-        self._regular = len(rows) <= rows.shape[1] and bool(length.all())
-        if self._regular:
-            self._basis, self._triangle = np.linalg.qr(self._rows.T)
-            self._regular = bool(np.abs(np.diagonal(self._triangle)).min(initial=1.0) > _DOUBTFUL)
-        if not self._regular:
-            left, sizes, right = np.linalg.svd(self._rows, full_matrices=False)
-            kept = sizes > DEPENDENT * sizes.max(initial=0.0)
-            self._left, self._sizes, self._right = left[:, kept], sizes[kept], right[kept]
+    Whether rows depend on each other is decided without the weights, but with each column times its
+    `reach` (n,): so that heavy bodies beside light ones do not make joints look alike.
+    """
+
+    def __init__(self, rows: Array, weights: Array, reach: Array) -> None:
+        self._weighted = rows * weights
+        self._scale = _inverse_lengths(self._weighted)
+        self._count = len(rows)
+        self._combinations: Array | None = None
+        self.dropped = np.zeros((self._count, 0))
+        """Combinations of rows (m, d) that count as none."""
+        if not self._factorised(self._weighted * self._scale[:, None]):
+            self._decide(rows * reach)
 
     @property
     def rank(self) -> int:
         """How many rows do not depend on others."""
-        return len(self._rows) if self._regular else len(self._sizes)
+        return self._count - self.dropped.shape[1]
+
+    def _factorised(self, rows: Array) -> bool:
+        """Factorise rows, unless some may depend on others."""
+        if len(rows) > rows.shape[1] or not self._scale.all():
+            return False
+        self._basis, triangle = np.linalg.qr(rows.T)
+        if not np.diagonal(triangle).all():
+            return False
+        self._inverse = np.linalg.inv(triangle)
+        return bool(np.einsum("ij,ij->", self._inverse, self._inverse) < _DOUBTFUL**2)
+
+    def _decide(self, rows: Array) -> None:
+        """Factorise those combinations of rows that do not count as none."""
+        self._scale = _inverse_lengths(rows)
+        left, sizes, _ = np.linalg.svd(rows * self._scale[:, None])
+        kept = int((sizes > DEPENDENT * sizes.max(initial=0.0)).sum())
+        self.dropped = left[:, kept:]
+        self._combinations = left[:, :kept]
+        reduced = self._combinations.T @ (self._weighted * self._scale[:, None])
+        self._basis, triangle = np.linalg.qr(reduced.T)
+        self._inverse = np.linalg.inv(triangle)
 
     def __call__(self, wanted: Array) -> Array:
         """Return x (n,)."""
         scaled = self._scale * wanted
-        if self._regular:
-            x: Array = self._basis @ np.linalg.solve(self._triangle.T, scaled)
-        else:
-            x = self._right.T @ ((self._left.T @ scaled) / self._sizes)
+        if self._combinations is not None:
+            scaled = self._combinations.T @ scaled
+        x: Array = self._basis @ (self._inverse.T @ scaled)
         return x
 
     def shares(self, x: Array) -> Array:
         """Return the least weights (m,) with which the rows add up to a solution x."""
-        if self._regular:
-            found = np.linalg.solve(self._triangle, self._basis.T @ x)
-        else:
-            found = self._left @ ((self._right @ x) / self._sizes)
+        found = self._inverse @ (self._basis.T @ x)
+        if self._combinations is not None:
+            found = self._combinations @ found
         shares: Array = self._scale * found
         return shares
 
-    def missed(self, wanted: Array, x: Array) -> float:
-        """Return by how much x misses what is wanted of rows of length one."""
-        left = self._scale * wanted - self._rows @ x
-        return float(np.abs(left).max(initial=0.0))
+    def missed(self, wanted: Array) -> float:
+        """Return the largest that is wanted of combinations that count as none."""
+        return float(np.abs(self.dropped.T @ (self._scale * wanted)).max(initial=0.0))
 
     def size(self, wanted: Array) -> float:
         """Return the largest that is wanted of rows of length one."""
         return float(np.abs(self._scale * wanted).max(initial=0.0))
 
+    @property
     def dependent_rows(self) -> list[int]:
-        """Return the rows of which a combination counts as none."""
-        if self.rank == len(self._rows):
-            return []
-        left, sizes, _ = np.linalg.svd(self._rows)
-        kept = int((sizes > DEPENDENT * sizes.max(initial=0.0)).sum())
-        return np.flatnonzero(np.abs(left[:, kept:]).max(axis=1) > DEPENDENT**0.5).tolist()
+        """The rows that stand in combinations that count as none."""
+        share = np.abs(self.dropped).max(axis=1, initial=0.0)
+        rows: list[int] = np.flatnonzero(share > 1e-3).tolist()
+        return rows
+
+
+def _inverse_lengths(rows: Array) -> Array:
+    """Return one over the length of each row; zero for a row of zeros."""
+    length = np.sqrt(np.einsum("ij,ij->i", rows, rows))
+    inverse: Array = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
+    return inverse

@@ -55,7 +55,7 @@ class Loads:
         Who acts on one of the bodies must be among them (`group_of`).
         """
         held = [(row, constraint) for row, constraint in enumerate(constraints) if constraint]
-        free = self._jointed(bodies, self._free(bodies))
+        free = self._jointed(bodies, self.free_field(bodies))
         if not held:
             return free
 
@@ -76,6 +76,21 @@ class Loads:
             self._mechanisms[key] = mechanisms(self._scene, bodies)
         return self._mechanisms[key]
 
+    def joint_notes(self, bodies: Sequence[int]) -> tuple[str, ...]:
+        """Return what is to be told of the joints among some bodies at the start (GD19).
+
+        Raises:
+            JointError: no reactions keep them.
+        """
+        found = self.mechanisms(bodies)
+        if not found:
+            return ()
+        states = start_states(self._scene)
+        q, rate = coordinates([states[k] for k in bodies])
+        pull = self.free_field(bodies)(0.0, q, rate)
+        notes = (m.examined(0.0, q[own], rate[own], pull[own]) for own, m in found)
+        return tuple(note for note in notes if note)
+
     def _jointed(self, bodies: Sequence[int], free: Field) -> Field:
         """Return the accelerations with the reactions of joints (GD17)."""
         found = self.mechanisms(bodies)
@@ -90,7 +105,8 @@ class Loads:
 
         return field
 
-    def _free(self, bodies: Sequence[int]) -> Field:
+    def free_field(self, bodies: Sequence[int]) -> Field:
+        """Return the accelerations by the loads alone, whatever holds the bodies."""
         if not any(body in self.varying for body in bodies):
             fixed = np.array([self._steady[body] for body in bodies]).reshape(-1, 3)
             return lambda time, position, velocity: fixed  # noqa: ARG005

@@ -4,6 +4,7 @@ By the equations of motion in index one (GD17), the return to the constraints af
 and the rule for constraints that depend on each other (GD19).
 """
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -17,7 +18,8 @@ from tamias2d.state import Array, History
 
 _MOST = 20  # returns; each squares what is left, so that more than a few do not get there
 _NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding
-_CONSISTENT = 1e-6  # of the larger side: more is a contradiction, less what a step can err
+_APART = 1e-6  # of the mechanism's size: joints that depend on others may not be further apart
+_CONTRADICTION = 0.01  # of the accelerations: so much is no remnant of a joint near its instant
 
 
 class JointError(SimulationError):
@@ -39,6 +41,7 @@ class Mechanism:
             for body in (scene.bodies[k] for k in bodies)
         ]
         self._weights = np.sqrt(np.array(weights))
+        self._reach = np.array([(1.0, 1.0, _lever(joints, k)) for k in bodies]).ravel()
 
     def accelerations(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
         """Return the accelerations (n, 3) for those by the loads alone.
@@ -69,7 +72,7 @@ class Mechanism:
         x = least(wanted)
         if least.rank < self.rows.count:
             size = least.size(pull) + least.size(convective)
-            if least.missed(wanted, x) > _CONSISTENT * size:
+            if least.missed(wanted) > _CONTRADICTION * size:
                 raise self._contradiction(time, least)
         return x, least
 
@@ -97,7 +100,7 @@ class Mechanism:
             position = position - self._weights * x.reshape(position.shape)
             way = float(np.abs(x).max(initial=0.0))
             if way <= _NEAR * size:
-                if least.missed(values, x) > _CONSISTENT * size:
+                if least.missed(values) > _APART * self._length(position):
                     raise self._contradiction(time, least)
                 return position, least
             if way > 2 * before:
@@ -109,15 +112,18 @@ class Mechanism:
         slopes = self.rows.slopes(time, position)
         if not np.isfinite(slopes).all():
             raise self._torn(time, "has no finite slope", slopes.sum(axis=(1, 2)))
-        return slopes, LeastSolution((slopes * self._weights).reshape(len(slopes), -1))
+        rows = slopes.reshape(len(slopes), -1)
+        return slopes, LeastSolution(rows, self._weights.ravel(), self._reach)
+
+    def _length(self, position: Array) -> float:
+        """Return a length that is not small, m."""
+        spread = float(np.ptp(position[:, :2], axis=0).max(initial=0.0))
+        reach = [abs(x) for joint in self.joints for at in joint.anchors for x in at]
+        return max(spread, *reach, 1e-300)
 
     def _size(self, position: Array) -> float:
         """Return a length that is not small, weighed as the coordinates are."""
-        spread = np.ptp(position[:, :2], axis=0).max(initial=0.0)
-        reach = [abs(x) for joint in self.joints for at in joint.anchors for x in at]
-        length = max(spread, *reach, 1e-300)
-        lever = 1 / self._weights[:, :2].max(initial=0.0)
-        return float(length * lever)
+        return self._length(position) / float(self._weights[:, :2].max(initial=0.0))
 
     def _torn(self, time: float, what: str, rows: Array) -> JointError:
         worst = int(np.argmax(np.where(np.isfinite(rows), np.abs(rows), np.inf)))
@@ -128,10 +134,30 @@ class Mechanism:
         )
 
     def _contradiction(self, time: float, least: LeastSolution) -> JointError:
-        names = ", ".join(f"'{name}'" for name in self.named(least.dependent_rows()))
+        names = ", ".join(f"'{name}'" for name in self.named(least.dependent_rows))
         return JointError(
             f"joints {names} at {time!r} s: no finite reactions keep them all (GD19): they are "
-            "pulled taut or contradict each other. Leave one out, or give the mechanism slack."
+            "pulled taut, contradict each other, or stand where they could go on in several ways. "
+            "Leave one out, give the mechanism slack, or begin elsewhere."
+        )
+
+    def examined(self, time: float, position: Array, velocity: Array, free: Array) -> str | None:
+        """Return which joints depend on each other at the start, or None.
+
+        Raises:
+            JointError: they do not let the mechanism go where the loads accelerate it.
+        """
+        _, least = self._factors(time, position)
+        if least.rank == self.rows.count:
+            return None
+        bent = velocity + self.accelerations(time, position, velocity, free)  # after a second of it
+        convective = self.rows.convective(time, position, bent)
+        if least.missed(convective) > _CONTRADICTION * least.size(convective):
+            raise self._contradiction(time, least)
+        names = ", ".join(f"'{name}'" for name in self.named(least.dependent_rows))
+        return (
+            f"joints: {self.rows.count - least.rank} of {self.rows.count} equations depend on "
+            f"others, among {names}: how they share the load is open, the least is told (GD19)"
         )
 
     def named(self, rows: Sequence[int]) -> list[str]:
@@ -139,6 +165,17 @@ class Mechanism:
         chosen = set(rows)
         owners = {joint for joint, own, _ in self.rows.of_joints() if chosen & set(own)}
         return [self.joints[k].name for k in sorted(owners)]
+
+
+def _lever(joints: Sequence[Joint], body: int) -> float:
+    """Return one over how far from its centre joints hold a body, 1/m; 1 where at its centre."""
+    anchors = [
+        math.hypot(*at)
+        for joint in joints
+        for k, at in zip(joint.ends, joint.anchors, strict=True)
+        if k == body
+    ]
+    return 1 / (max(anchors, default=0.0) or 1.0)
 
 
 def mechanisms(scene: Scene, bodies: Sequence[int]) -> list[tuple[list[int], Mechanism]]:

@@ -69,7 +69,7 @@ def _add(scene: Scene, raw: object) -> None:
             "a point [x, y] (R2). Write both.",
             "between",
         )
-    places = [_end(end, k) for k, end in enumerate(ends)]
+    places = [_end(scene, end, k) for k, end in enumerate(ends)]
     kind = KINDS[word](*_equations(joint), **_values(joint, word))
     values: dict[str, Any] = {
         key: read_value(joint[key], "anchor", (key,)) for key in _ANCHORS if key in joint
@@ -79,12 +79,27 @@ def _add(scene: Scene, raw: object) -> None:
             values[key] = scalar_text(joint[key], (key,))
     if "collide" in joint:
         values["collide"] = read_value(joint["collide"], "sensor", ("collide",))
-    scene.add_joint(kind, *places, **values)
+    try:
+        scene.add_joint(kind, *places, **values)
+    except RuleError as error:
+        if error.path[:1] == ("equations",):  # one expression need not stand in a list
+            error.path = (
+                "equation",
+                *(error.path[1:] if isinstance(joint["equation"], list) else ()),
+            )
+        raise
 
 
-def _end(raw: object, k: int) -> Any:
-    """Return the name of a body, or a point of the plane."""
-    return read_value(raw, "point", ("between", k)) if isinstance(raw, list) else raw
+def _end(scene: Scene, raw: object, k: int) -> Any:
+    """Return the index of a body, or a point of the plane."""
+    if isinstance(raw, list):
+        return read_value(raw, "point", ("between", k))
+    name = scalar_text(raw, ("between", k))
+    try:
+        return scene.index(name)
+    except RuleError as error:
+        error.path = ("between", k)
+        raise
 
 
 def _equations(joint: dict[str, object]) -> list[Any]:
