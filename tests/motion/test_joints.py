@@ -311,8 +311,72 @@ def test_bodies_that_a_joint_holds_pass_through_each_other_unless_they_collide()
 
     run = final(scene(), 3.0)
     assert run.position[-1, 1] == pytest.approx((0, 0), abs=1e-12)
-    with pytest.raises(t2.SimulationError, match=r"at 1.5 s: .*joint holds 'ball'"):
-        final(scene(collide=True), 3.0)
+    bounced = final(scene(collide=True), 3.0)
+    assert bounced.impacts.time == pytest.approx([1.5])
+    assert bounced.velocity[-1, 1] == pytest.approx((1, 0), abs=1e-12)
+
+
+def struck_rod(distance: float, restitution: float, *, pivot: bool = True) -> Run:
+    """A rod of 1 kg and 1 m, hit by a ball of 1 kg at 1 m/s, so far from the pivot at its end."""
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(
+        t2.Box(width=0.02, height=1), mass=1, inertia=1 / 12, position=(0, -0.5), name="rod",
+        restitution=restitution,
+    )  # fmt: skip
+    if pivot:
+        scene.add_joint(t2.Revolute(), "rod", (0, 0), anchor=(0, 0.5))
+    scene.add_body(
+        t2.Disc(radius=0.01), mass=1, position=(-1, -distance), velocity=(1, 0), name="ball",
+        restitution=restitution,
+    )  # fmt: skip
+    return final(scene, 1.1)
+
+
+@pytest.mark.parametrize("restitution", [1.0, 0.5])
+@pytest.mark.parametrize("distance", [0.5, 0.8])
+def test_a_rod_on_a_pivot_takes_the_angular_momentum_of_a_ball(
+    distance: float, restitution: float
+) -> None:
+    """I w + m d v = m d about the pivot, I = 1/3, and w d - v = restitution."""
+    run = struck_rod(distance, restitution)
+    spin = (1 + restitution) * distance / (1 / 3 + distance**2)
+    assert run.angular_velocity[-1, 0] == pytest.approx(spin, rel=1e-13)
+    assert run.velocity[-1, 1] == pytest.approx((spin * distance - restitution, 0), abs=1e-13)
+    assert run.impacts.impulse == pytest.approx([1 - spin * distance + restitution], rel=1e-13)
+
+
+def test_at_the_centre_of_percussion_the_pivot_feels_nothing() -> None:
+    held, free = struck_rod(2 / 3, 1.0), struck_rod(2 / 3, 1.0, pivot=False)
+    assert held.angular_velocity[-1, 0] == pytest.approx(free.angular_velocity[-1, 0], rel=1e-13)
+
+
+def test_a_chain_of_rods_bounces_without_gaining_energy_and_without_tearing() -> None:
+    scene = Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=-1.2), name="floor")
+    for k in range(2):
+        scene.add_body(
+            t2.Box(width=1, height=0.05),
+            mass=1,
+            position=(k + 0.5, 0),
+            name=f"r{k}",
+            restitution=0.7,
+        )
+        anchors = {"anchor": (-0.5, 0), "other_anchor": (0.5, 0)} if k else {"anchor": (-0.5, 0)}
+        scene.add_joint(t2.Revolute(), f"r{k}", f"r{k - 1}" if k else (0, 0), **anchors)  # type: ignore[arg-type]
+    run = t2.simulate(scene, duration=0.8)
+    assert len(run.impacts) > 0
+    assert np.diff(run.energy).max() < 1e-11
+    assert run.energy[-1] < run.energy[0] - 1
+    assert run.reactions.separation.max() < 1e-14
+
+
+def test_a_jointed_body_that_comes_to_rest_on_the_floor_is_refused_by_name() -> None:
+    scene = Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), restitution=0, name="floor")
+    scene.add_body(t2.Disc(radius=0.5), mass=1, position=(0, 1), name="ball")
+    scene.add_joint(t2.Groove(axis=(0, 1)), (0, 0), "ball")
+    with pytest.raises(t2.SimulationError, match=r"at .* a joint holds 'ball'"):
+        t2.simulate(scene, duration=1.0)
 
 
 @pytest.mark.parametrize(

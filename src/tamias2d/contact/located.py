@@ -201,6 +201,7 @@ class Located:
             self._state,
             self._aabbs.overlapping,
             lambda body, state: self._motion.free(body, time, state),
+            lambda impulses: self._motion.struck(time, impulses, self._state),
             self._lasting,
             [pair for pair, sense in self._senses.items() if not sense],
             self._separating_direction,

@@ -37,7 +37,7 @@ class FrictionError(Refusal):
 
 
 class JointedContactError(Refusal):
-    """A body that a joint holds meets another: the joints' impulses are not solved yet."""
+    """A contact of a body that a joint holds, with friction or one that lasts: not solved yet."""
 
     code = "jointed-contact"
 

@@ -36,7 +36,7 @@ def revolute_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: revolute, srs/models/joints.md:128.
+    Source: revolute, srs/models/joints.md:147.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -80,7 +80,7 @@ def revolute_slopes_a(
         orientation_a: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body A, rad
 
-    Source: revolute, srs/models/joints.md:128.
+    Source: revolute, srs/models/joints.md:147.
     """
     anchor_a_x, anchor_a_y = anchor_a
     arm_a_x, arm_a_y = (
@@ -117,7 +117,7 @@ def revolute_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: revolute, srs/models/joints.md:128.
+    Source: revolute, srs/models/joints.md:147.
     """
     anchor_b_x, anchor_b_y = anchor_b
     arm_b_x, arm_b_y = (
@@ -168,7 +168,7 @@ def revolute_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: revolute, srs/models/joints.md:128.
+    Source: revolute, srs/models/joints.md:147.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -226,7 +226,7 @@ def revolute_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: revolute, srs/models/joints.md:128.
+    Source: revolute, srs/models/joints.md:147.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -288,7 +288,7 @@ def distance_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: distance, srs/models/joints.md:142.
+    Source: distance, srs/models/joints.md:161.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -340,7 +340,7 @@ def distance_slopes_a(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: distance, srs/models/joints.md:142.
+    Source: distance, srs/models/joints.md:161.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -396,7 +396,7 @@ def distance_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: distance, srs/models/joints.md:142.
+    Source: distance, srs/models/joints.md:161.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -462,7 +462,7 @@ def distance_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: distance, srs/models/joints.md:142.
+    Source: distance, srs/models/joints.md:161.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -538,7 +538,7 @@ def distance_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: distance, srs/models/joints.md:142.
+    Source: distance, srs/models/joints.md:161.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -620,7 +620,7 @@ def weld_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: weld, srs/models/joints.md:159.
+    Source: weld, srs/models/joints.md:178.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -668,7 +668,7 @@ def weld_slopes_a(
         orientation_a: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body A, rad
 
-    Source: weld, srs/models/joints.md:159.
+    Source: weld, srs/models/joints.md:178.
     """
     anchor_a_x, anchor_a_y = anchor_a
     arm_a_x, arm_a_y = (
@@ -711,7 +711,7 @@ def weld_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: weld, srs/models/joints.md:159.
+    Source: weld, srs/models/joints.md:178.
     """
     anchor_b_x, anchor_b_y = anchor_b
     arm_b_x, arm_b_y = (
@@ -766,7 +766,7 @@ def weld_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: weld, srs/models/joints.md:159.
+    Source: weld, srs/models/joints.md:178.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -826,7 +826,7 @@ def weld_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: weld, srs/models/joints.md:159.
+    Source: weld, srs/models/joints.md:178.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -892,7 +892,7 @@ def prismatic_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: prismatic, srs/models/joints.md:172.
+    Source: prismatic, srs/models/joints.md:191.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -956,7 +956,7 @@ def prismatic_slopes_a(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: prismatic, srs/models/joints.md:172.
+    Source: prismatic, srs/models/joints.md:191.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1015,7 +1015,7 @@ def prismatic_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: prismatic, srs/models/joints.md:172.
+    Source: prismatic, srs/models/joints.md:191.
     """
     guide_a_x, guide_a_y = guide_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -1080,7 +1080,7 @@ def prismatic_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: prismatic, srs/models/joints.md:172.
+    Source: prismatic, srs/models/joints.md:191.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1169,7 +1169,7 @@ def prismatic_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: prismatic, srs/models/joints.md:172.
+    Source: prismatic, srs/models/joints.md:191.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1260,7 +1260,7 @@ def groove_constraint(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: groove, srs/models/joints.md:189.
+    Source: groove, srs/models/joints.md:208.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1318,7 +1318,7 @@ def groove_slopes_a(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: groove, srs/models/joints.md:189.
+    Source: groove, srs/models/joints.md:208.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1371,7 +1371,7 @@ def groove_slopes_b(
         orientation_b: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of body B, rad
 
-    Source: groove, srs/models/joints.md:189.
+    Source: groove, srs/models/joints.md:208.
     """
     guide_a_x, guide_a_y = guide_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -1432,7 +1432,7 @@ def groove_rate(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: groove, srs/models/joints.md:189.
+    Source: groove, srs/models/joints.md:208.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1519,7 +1519,7 @@ def groove_convective(
             position, unbounded; of body B, rad
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
 
-    Source: groove, srs/models/joints.md:189.
+    Source: groove, srs/models/joints.md:208.
     """
     anchor_a_x, anchor_a_y = anchor_a
     guide_a_x, guide_a_y = guide_a
@@ -1600,7 +1600,7 @@ def gear_constraint(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: gear, srs/models/joints.md:205.
+    Source: gear, srs/models/joints.md:224.
     """
     return (
         orientation_b - orientation_c - gear_ratio * (orientation_a - orientation_c) - joint_angle,
@@ -1619,7 +1619,7 @@ def gear_slopes_a(
     Args:
         gear_ratio: How often one side of a joint moves for once that the other does, 1
 
-    Source: gear, srs/models/joints.md:205.
+    Source: gear, srs/models/joints.md:224.
     """
     return (
         0,
@@ -1635,7 +1635,7 @@ def gear_slopes_b() -> tuple[Scalar, ...]:
     0
     1
 
-    Source: gear, srs/models/joints.md:205.
+    Source: gear, srs/models/joints.md:224.
     """
     return (
         0,
@@ -1656,7 +1656,7 @@ def gear_slopes_c(
     Args:
         gear_ratio: How often one side of a joint moves for once that the other does, 1
 
-    Source: gear, srs/models/joints.md:205.
+    Source: gear, srs/models/joints.md:224.
     """
     return (
         0,
@@ -1682,7 +1682,7 @@ def gear_rate(
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
         angular_velocity_c: Rate of turning, positive counter-clockwise; of a third body, rad/s
 
-    Source: gear, srs/models/joints.md:205.
+    Source: gear, srs/models/joints.md:224.
     """
     return (
         angular_velocity_b
@@ -1696,7 +1696,7 @@ def gear_convective() -> tuple[Scalar, ...]:
 
     0
 
-    Source: gear, srs/models/joints.md:205.
+    Source: gear, srs/models/joints.md:224.
     """
     return (0,)
 
@@ -1748,7 +1748,7 @@ def pulley_constraint(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:221.
+    Source: pulley, srs/models/joints.md:240.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -1816,7 +1816,7 @@ def pulley_slopes_a(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:221.
+    Source: pulley, srs/models/joints.md:240.
     """
     anchor_a_x, anchor_a_y = anchor_a
     post_a_x, post_a_y = post_a
@@ -1874,7 +1874,7 @@ def pulley_slopes_b(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:221.
+    Source: pulley, srs/models/joints.md:240.
     """
     anchor_b_x, anchor_b_y = anchor_b
     post_b_x, post_b_y = post_b
@@ -1948,7 +1948,7 @@ def pulley_slopes_c(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:221.
+    Source: pulley, srs/models/joints.md:240.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -2056,7 +2056,7 @@ def pulley_rate(
             position, unbounded; of a third body, rad
         angular_velocity_c: Rate of turning, positive counter-clockwise; of a third body, rad/s
 
-    Source: pulley, srs/models/joints.md:221.
+    Source: pulley, srs/models/joints.md:240.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -2194,7 +2194,7 @@ def pulley_convective(
             position, unbounded; of a third body, rad
         angular_velocity_c: Rate of turning, positive counter-clockwise; of a third body, rad/s
 
-    Source: pulley, srs/models/joints.md:221.
+    Source: pulley, srs/models/joints.md:240.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b

@@ -1,6 +1,6 @@
 """Motion by integration: the steps of an integrator as paths of bodies."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Protocol
 
 import numpy as np
@@ -163,6 +163,12 @@ class IntegratedMotion:
             kept = [now.until(start)] if isinstance(now, BatchPath) and now.start < start else []
             pieces[body] = JoinedPath([*kept, before[body], after[body]])
         return pieces
+
+    def struck(
+        self, time: float, impulses: Mapping[int, Acceleration], state: StateOf
+    ) -> dict[int, Acceleration]:
+        """Return what impulses on jointed bodies change at a time in s, in their mechanisms."""
+        return self._loads.struck(time, impulses, state)
 
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""

@@ -1,6 +1,6 @@
 """The accelerations of a scene's bodies, from gravity and the sum of all loads (IM1, IM2, GD6)."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
 import numpy as np
@@ -75,6 +75,23 @@ class Loads:
         if (key := tuple(bodies)) not in self._mechanisms:
             self._mechanisms[key] = mechanisms(self._scene, bodies)
         return self._mechanisms[key]
+
+    def struck(
+        self, time: float, impulses: Mapping[int, Acceleration], state: StateOf
+    ) -> dict[int, Acceleration]:
+        """Return the changes of all velocities by impulses on jointed bodies, N s and N m s."""
+        found: dict[int, Acceleration] = {}
+        for _, mechanism in self.mechanisms(sorted(self.group_of)):
+            own = mechanism.bodies
+            if not any(k in impulses for k in own):
+                continue
+            struck = np.array([impulses.get(k, _STILL) for k in own])
+            position, _ = coordinates([state(k) for k in own])
+            changes = mechanism.struck(time, position, struck)
+            found |= {
+                k: (x, y, turn) for k, (x, y, turn) in zip(own, changes.tolist(), strict=True)
+            }
+        return found
 
     def joint_notes(self, bodies: Sequence[int]) -> tuple[str, ...]:
         """Return what is to be told of the joints among some bodies at the start (GD19).

@@ -76,6 +76,17 @@ class Mechanism:
                 raise self._contradiction(time, least)
         return x, least
 
+    def struck(self, time: float, position: Array, impulses: Array) -> Array:
+        """Return the changes of the velocities (n, 3) by impulses (n, 3), N s and N m s.
+
+        The joints answer with impulses of their own that keep their rates (GD20).
+        """
+        slopes, least = self._factors(time, position)
+        free = self._weights * impulses
+        x = least(np.einsum("ijk,jk->i", slopes, self._weights * free))
+        changes: Array = self._weights * (free - x.reshape(free.shape))
+        return changes
+
     def fitted(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array]:
         """Return places and velocities (n, 3), moved by the least way to where the joints hold.
 
