@@ -30,6 +30,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         ExponentialDrag as ExponentialDrag,
         JointError as JointError,
         Legacy2018 as Legacy2018,
+        Reactions as Reactions,
         Reference as Reference,
         RungeKutta4 as RungeKutta4,
         SemiImplicitEuler as SemiImplicitEuler,
@@ -80,8 +81,8 @@ _HOMES = {
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag JointError "
-    "Legacy2018 Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError Stepped "
-    "VelocityVerlet Yoshida4",
+    "Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError "
+    "Stepped VelocityVerlet Yoshida4",
     "run": "Run",
     "run_data": "Impacts",
     "scene": "Body Box Capsule Compound Disc Distance Equation Gear Groove HalfPlane Part Polygon "

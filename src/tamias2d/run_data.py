@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from tamias2d.certificate import Certificate
 from tamias2d.cost import Cost
-from tamias2d.motion import Method
-from tamias2d.motion.reactions import Reactions, reactions
+from tamias2d.motion import Method, Reactions, reactions_of
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History
 
@@ -82,7 +81,7 @@ class RunData:
     def reactions(self) -> Reactions:
         """What the joints exert at each sample, and how well they hold (TM7)."""
         states = (self.position, self.orientation, self.velocity, self.angular_velocity)
-        return reactions(self.scene, self.times, History(*states))
+        return reactions_of(self.scene, self.times, History(*states))
 
     def digest(self) -> str:
         """Return the SHA-256 of all numbers of the run: equal runs have equal digests."""

@@ -24,6 +24,7 @@ from tamias2d.motion.methods import (
     Yoshida4,
 )
 from tamias2d.motion.motion import Motion, Tally
+from tamias2d.motion.reactions import Reactions, reactions_of
 from tamias2d.motion.stability import StabilityError
 from tamias2d.path import Bounds, Piece
 
@@ -40,6 +41,7 @@ __all__ = [
     "Motion",
     "PathMethod",
     "Piece",
+    "Reactions",
     "Reference",
     "RungeKutta4",
     "SemiImplicitEuler",
@@ -50,4 +52,5 @@ __all__ = [
     "Tally",
     "VelocityVerlet",
     "Yoshida4",
+    "reactions_of",
 ]

@@ -38,7 +38,7 @@ class Reactions:
         return self.names.index(name)
 
 
-def reactions(scene: Scene, times: Array, history: History) -> Reactions:
+def reactions_of(scene: Scene, times: Array, history: History) -> Reactions:
     """Return the reactions at states that fit the joints, at times (k,), s."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     loads = Loads(scene)

@@ -9,7 +9,7 @@ from typing import TypeAlias
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.scene.joint_equation import read_equations
 from tamias2d.scene.rules import RuleError, Vector
-from tamias2d.spec.constraint import ENDS
+from tamias2d.spec.constraint import ENDS, TIME
 from tamias2d.spec.constraint_functions import ConstraintFunctions
 from tamias2d.suggestions import suggests
 
@@ -47,6 +47,11 @@ class Joint:
         if self.equations:
             return read_equations(self.equations, f"joint '{self.name}'")
         return CONSTRAINTS[self.model]
+
+    @property
+    def driven(self) -> bool:
+        """Whether its equation changes with time, so that it may do work."""
+        return TIME in self.functions.constraint.arguments
 
     @property
     def given(self) -> dict[str, float | Vector]:
