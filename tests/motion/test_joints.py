@@ -371,3 +371,15 @@ def test_a_method_that_knows_no_joints_says_so(method: t2.Stepped) -> None:
 def test_the_frame_loop_knows_no_joints_yet() -> None:
     with pytest.raises(t2.InputError, match="joint 'l0' of the scene: the frame loop knows no"):
         t2.Simulator(chain(1), compiled=False)
+
+
+@pytest.mark.parametrize("place", [(1.0, 1.0), (1e-3, 1e-6), (30.0, 900.0)])
+def test_a_bead_stays_on_a_wire_that_a_scene_states(place: tuple[float, float]) -> None:
+    """One body, held at its centre: nothing but its place says how large the mechanism is."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, position=place, name="bead")
+    scene.add_joint(t2.Equation("y(position_a)*1[m] - x(position_a)**2"), "bead")
+    run = t2.simulate(scene, duration=1.0, times=[0.0, 0.5, 1.0])
+    x, y = run.position[:, 0].T
+    assert np.abs(y - x * x).max() <= 4 * np.spacing(place[1])
+    assert run.energy[-1] == pytest.approx(run.energy[0], rel=1e-10)

@@ -59,7 +59,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 def measure(longest: float, most: int) -> dict[str, Any]:
     """Return one row for each mechanism."""
     rows = [
-        _row("A01 pendulum", catalogue.load("pendulum-a01"), duration, 1.0, place, Dop853(1e-13))
+        _row("A01 pendulum", catalogue.load("pendulum-a01"), duration, 1.0, place, Dop853(1e-14))
         for duration, place in PENDULUM.items()
         if duration <= longest
     ]

@@ -14,10 +14,11 @@ from tamias2d.motion.constraint_rows import ConstraintRows
 from tamias2d.motion.least import LeastSolution
 from tamias2d.scene import Scene
 from tamias2d.scene.joints import Joint
-from tamias2d.state import Array, History
+from tamias2d.state import Array, History, Vector
 
 _MOST = 20  # returns; each squares what is left, so that more than a few do not get there
 _NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding
+_ROUNDING = 1e-8  # of how far off the origin: a smaller mechanism is as good as a point there
 _APART = 1e-6  # of the mechanism's size: joints that depend on others may not be further apart
 _CONTRADICTION = 0.01  # of the accelerations: so much is no remnant of a joint near its instant
 
@@ -41,6 +42,13 @@ class Mechanism:
             for body in (scene.bodies[k] for k in bodies)
         ]
         self._weights = np.sqrt(np.array(weights))
+        self._fixed = np.array(_fixed_places(scene, joints)).reshape(-1, 2)
+        self._reach_length = max(
+            math.hypot(*at)
+            for joint in joints
+            for k, at in zip(joint.ends, joint.anchors, strict=True)
+            if k is not None
+        )
         self._reach = np.array([(1.0, 1.0, _lever(joints, k)) for k in bodies]).ravel()
 
     def accelerations(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
@@ -127,10 +135,11 @@ class Mechanism:
         return slopes, LeastSolution(rows, self._weights.ravel(), self._reach)
 
     def _length(self, position: Array) -> float:
-        """Return a length that is not small, m."""
-        spread = float(np.ptp(position[:, :2], axis=0).max(initial=0.0))
-        reach = [abs(x) for joint in self.joints for at in joint.anchors for x in at]
-        return max(spread, *reach, 1e-300)
+        """Return a length that is not small, m: of the mechanism, or else where it is."""
+        places = np.vstack((position[:, :2], self._fixed))
+        spread = float(np.ptp(places, axis=0).max())
+        far = float(np.abs(places).max())
+        return max(spread, self._reach_length, _ROUNDING * far) or far or 1.0
 
     def _size(self, position: Array) -> float:
         """Return a length that is not small, weighed as the coordinates are."""
@@ -176,6 +185,18 @@ class Mechanism:
         chosen = set(rows)
         owners = {joint for joint, own, _ in self.rows.of_joints() if chosen & set(own)}
         return [self.joints[k].name for k in sorted(owners)]
+
+
+def _fixed_places(scene: Scene, joints: Sequence[Joint]) -> list[Vector]:
+    """Return where joints hold what stands still, m."""
+    found: list[Vector] = []
+    for joint in joints:
+        for k, at in zip(joint.ends, joint.anchors, strict=True):
+            if k is None:
+                found.append(at)
+            elif not scene.bodies[k].dynamic:
+                found.append(scene.bodies[k].position)
+    return found
 
 
 def _lever(joints: Sequence[Joint], body: int) -> float:
