@@ -161,5 +161,5 @@ def test_gear_follows_from_its_equation(**given: Value) -> None:
     angular_velocity_c=values("angular_velocity_c"),
 )
 def test_pulley_follows_from_its_equation(**given: Value) -> None:
-    """srs/models/joints.md:240."""
+    """srs/models/joints.md:242."""
     follows(CONSTRAINTS["pulley"], given)

@@ -1748,7 +1748,7 @@ def pulley_constraint(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:240.
+    Source: pulley, srs/models/joints.md:242.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -1816,7 +1816,7 @@ def pulley_slopes_a(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:240.
+    Source: pulley, srs/models/joints.md:242.
     """
     anchor_a_x, anchor_a_y = anchor_a
     post_a_x, post_a_y = post_a
@@ -1874,7 +1874,7 @@ def pulley_slopes_b(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:240.
+    Source: pulley, srs/models/joints.md:242.
     """
     anchor_b_x, anchor_b_y = anchor_b
     post_b_x, post_b_y = post_b
@@ -1948,7 +1948,7 @@ def pulley_slopes_c(
         orientation_c: Angle by which the body is turned counter-clockwise from its drawn
             position, unbounded; of a third body, rad
 
-    Source: pulley, srs/models/joints.md:240.
+    Source: pulley, srs/models/joints.md:242.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -2056,7 +2056,7 @@ def pulley_rate(
             position, unbounded; of a third body, rad
         angular_velocity_c: Rate of turning, positive counter-clockwise; of a third body, rad/s
 
-    Source: pulley, srs/models/joints.md:240.
+    Source: pulley, srs/models/joints.md:242.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
@@ -2194,7 +2194,7 @@ def pulley_convective(
             position, unbounded; of a third body, rad
         angular_velocity_c: Rate of turning, positive counter-clockwise; of a third body, rad/s
 
-    Source: pulley, srs/models/joints.md:240.
+    Source: pulley, srs/models/joints.md:242.
     """
     anchor_a_x, anchor_a_y = anchor_a
     anchor_b_x, anchor_b_y = anchor_b
