@@ -29,9 +29,9 @@ class Reactions:
     power: Array
     """(k, j), which a joint puts in that moves with time, W; zero for all others"""
     separation: Array
-    """(k, j), by how much the joint is apart, m"""
+    """(k, j), by how much the joint is apart after the return to it (GD18), m"""
     angular_separation: Array
-    """(k, j), by how much it is turned, rad"""
+    """(k, j), by how much it is turned against what it keeps, likewise, rad"""
 
     def index(self, name: str) -> int:
         """Return the place of a joint; raise `ValueError` if there is none of that name."""
