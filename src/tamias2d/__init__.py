@@ -20,6 +20,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         SceneError as SceneError,
         SimulationError as SimulationError,
         SpecError as SpecError,
+        StepWarning as StepWarning,
         TamiasError as TamiasError,
     )
     from tamias2d.motion import (
@@ -69,7 +70,7 @@ _HOMES = {
     "cost": "Cost",
     "engine.contact_report": "Contacts",
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
-    "TamiasError",
+    "StepWarning TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
     "Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError Stepped "
     "VelocityVerlet Yoshida4",

@@ -24,7 +24,7 @@ class Certificate:
     """A bound on the error of one run."""
 
     kind: Kind
-    """The way in which the bound was reached; with "none" there is no bound."""
+    """How the bound was reached; with "none" there is no bound."""
     measure: str
     """Which error is bounded, and its scale."""
     bound: float | None

@@ -147,7 +147,10 @@ def run(
 def recommend(
     scene: _Scene,
     tolerance: Annotated[
-        str, typer.Option(metavar="ERROR", help="Of places, relative to the way of the farthest.")
+        str,
+        typer.Option(
+            metavar="ERROR", help="Of places, relative to how far the farthest body goes."
+        ),
     ],
     duration: Annotated[
         str | None, typer.Option(metavar="TIME", help="'4 s' or 4; else the scene's own.")
@@ -155,9 +158,9 @@ def recommend(
     as_json: _Json = False,
 ) -> None:
     """Say which method and step meet a tolerance at the least cost, and why others lost."""
-    from tamias2d.commands.recommend import recommend_way
+    from tamias2d.commands.recommend import recommend_method
 
-    recommend_way(scene, tolerance=tolerance, duration=duration, as_json=as_json)
+    recommend_method(scene, tolerance=tolerance, duration=duration, as_json=as_json)
 
 
 @app.command()

@@ -16,4 +16,4 @@ class Cost:
     impacts: int
     """Meetings, one for each pair and instant."""
     contacts: int = 0
-    """Points of contact that pushed, summed over all steps of the stepped way."""
+    """Contact points with an impulse, summed over all steps of a stepped run."""

@@ -28,6 +28,10 @@ class RecordingError(TamiasError):
     """A recording cannot be written, read or recomputed."""
 
 
+class StepWarning(UserWarning):
+    """A time step is too long for what acts: the answer gains what it should not (DD54)."""
+
+
 class SimulationError(TamiasError):
     """A run is refused, because the model has no unique or no computable answer."""
 

@@ -70,7 +70,7 @@ class RunData:
     angular_momentum: Array
     """(k,), about the origin, kg m^2/s"""
     notes: tuple[str, ...]
-    """Which way was taken and why; which bodies came to rest on which, and when."""
+    """Which method was taken and why; which bodies came to rest on which, and when."""
     cost: Cost | None = None
     """What it cost; None if it was not simulated but read from a recording."""
     certificate: Certificate | None = None

@@ -31,7 +31,7 @@ def simulate(
     the reference otherwise; but contacts are stepped (`Stepped`, R12) where more than a hundred
     moving bodies can meet, where a body is kinematic, a sensor or a compound, where bodies are so
     near at the start that they are meant to touch, and from the start where impacts, located, came
-    to what rigid bodies leave open. The first of the run's `notes` says which way it was, and why.
+    to what rigid bodies leave open. The first of the run's `notes` names the method and the reason.
 
     `times` are those of the samples, s, sorted and within the run; without them it is 60 a second,
     or every step (`time_step`, s) of a stepped method. Between steps through contacts states are

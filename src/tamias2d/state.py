@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from tamias2d.scene.rules import Vector as Vector
 
 Array: TypeAlias = NDArray[np.float64]
+IntArray: TypeAlias = NDArray[np.int64]
 Acceleration: TypeAlias = tuple[float, float, float]
 """Both components in m/s^2, and the angular one in rad/s^2."""
 

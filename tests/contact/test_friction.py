@@ -1,4 +1,4 @@
-"""Friction in the located way: what sticks, slides and rolls, with answers known from outside."""
+"""Friction in located contacts: what sticks, slides and rolls, with answers known from outside."""
 
 import math
 

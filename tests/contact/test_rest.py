@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.generated import rest
 
 G = 9.81
 FLOOR = t2.HalfPlane(normal=(0, 1), offset=0)
@@ -197,3 +198,11 @@ def test_discs_pushed_together_without_restitution_stay():
     gap = run.position[-1, 1] - run.position[-1, 0]
     assert gap.tolist() == pytest.approx([1.0, 0.0], abs=1e-14)
     assert run.velocity[-1].tolist() == pytest.approx(np.zeros((2, 2)), abs=1e-14)
+
+
+def test_a_bounce_is_as_high_as_its_energy_says() -> None:
+    """A ball dropped by 1 m comes back to the square of its restitution."""
+    run = t2.simulate(dropped(t2.Disc(radius=0.5), height=1.5, restitution=0.8), duration=1.0)
+    highest = run.position[run.times > run.impacts.time[0], 1, 1].max() - 0.5
+    assert highest == pytest.approx(0.64, abs=G / 120**2 / 2)  # between two samples
+    assert rest.bounce_height(run.impacts.impulse[0] * 0.8 / 1.8, -G) == pytest.approx(0.64)

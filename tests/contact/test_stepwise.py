@@ -1,4 +1,4 @@
-"""What only the stepped way knows is refused by name by all other methods, before anything runs."""
+"""What only stepped runs know is refused by name by all other methods, before anything runs."""
 
 from collections.abc import Callable
 

@@ -59,6 +59,24 @@ def test_values_are_refused_before_a_step(view: str, value: float, says: str) ->
     assert (sim.position == before).all()
 
 
+@pytest.mark.parametrize(
+    ("view", "value"),
+    [("angular_velocity", 1e90), ("torque", 1e90), ("velocity", 1e90), ("force", 1e100)],
+)
+def test_a_body_in_free_flight_is_refused_at_once(view: str, value: float) -> None:
+    scene = t2.Scene(gravity=(0.0, -10.0))
+    for x in (0.0, 5.0):
+        scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(x, 0.0), restitution=0.3)
+    sim = t2.Simulator(scene, compiled=False)
+    sim.step(3)
+    before = sim.orientation.copy(), sim.position.copy()
+    getattr(sim, view)[1] = value
+    with pytest.raises(t2.InputError, match=rf"{view}\[1\] of body 'body1': .* must be at most"):
+        sim.step()
+    assert (sim.orientation == before[0]).all()
+    assert (sim.position == before[1]).all()
+
+
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("mass", [1e-300, 1e-240])
 def test_what_overflows_within_a_step_leaves_no_state_that_is_not_finite(
@@ -91,6 +109,19 @@ def test_one_thread_at_a_time() -> None:
         for call in (sim.step, lambda: sim.contacts, lambda: sim.wake(3), sim.digest):
             with pytest.raises(t2.SimulationError, match="another call has not returned"):
                 call()
+
+
+VIEWS = ("gravity", "position", "orientation", "velocity", "angular_velocity", "force", "torque")
+
+
+@pytest.mark.parametrize("name", VIEWS)
+def test_no_view_is_taken_or_set_while_another_call_runs(name: str) -> None:
+    sim = ground()
+    with sim._lock:
+        for call in (lambda: getattr(sim, name), lambda: setattr(sim, name, 0.0)):
+            with pytest.raises(t2.SimulationError, match=f"^{name} of the simulator: another call"):
+                call()
+    setattr(sim, name, getattr(sim, name).copy())
 
 
 @pytest.fixture

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.engine.saved_checks import UnfitError, check_saved
 from tamias2d.engine.saved_state import saved_arrays
+from tamias2d.engine.tables import CONTACTS
 from tamias2d.engine.world import saved_fields
 from tamias2d.simulator import saving
 from tamias2d.simulator.simulator import _restored
@@ -29,7 +31,12 @@ def states() -> list[Arrays]:
     asleep.step(300)
     springs = t2.Simulator(t2.catalogue.load("spring-chain"))
     springs.step(5)
-    return [sim._arrays() for sim in (lively, asleep, springs)]
+    scene = crowd(8, seed=7, size=3.0)
+    scene.set_restitution("body3", "body4", 0.5)
+    scene.set_friction("body4", "body5", 0.5)
+    listed = t2.Simulator(scene)
+    listed.step(30)  # its list of pairs holds, and has a second run of one pair
+    return [sim._arrays() for sim in (lively, asleep, springs, listed)]
 
 
 def restored(arrays: Arrays, *, forged: bool = True, compiled: bool = True) -> t2.Simulator:
@@ -58,47 +65,121 @@ def told(**changes: Any) -> Callable[[Any], Any]:
     return lambda about: np.array(json.dumps(json.loads(str(about)) | changes))
 
 
+LIVELY, LISTED = 0, 3
 EDITS = {
     "slot": ("engine.state.slot_of_body", put(5, 10_000), "below 32"),
     "slot twice": ("engine.state.slot_of_body", put(5, 6), "gives two bodies one slot"),
+    "last slot": ("engine.state.slot_of_body", put([5, 31], [31, 13]), "last one must be idle"),
+    "last body": ("engine.state.kind", put(31, 1), "last one must be idle"),
     "owner": ("engine.state.body_of_shape", put(3, 2**32 - 1), "below 32"),
     "absent owner": ("engine.state.body_of_shape", put(3, 5), "names a body that is absent"),
+    "more bodies": ("engine.state.kind", put(20, 1), "more bodies than there are ranks"),
     "propagator": ("engine.state.properties", put((4, 5), 7.0), "whole numbers"),
     "half propagator": ("engine.state.properties", put((4, 5), 0.5), "whole numbers"),
     "no mass": ("engine.state.properties", put((4, 0), np.nan), "must be numbers"),
+    "massless": ("engine.state.properties", put((4, 0), np.inf), "masses must be numbers"),
+    "unmoved": ("engine.state.properties", put((4, 0), 0.0), "that move must have masses"),
+    "turned": ("engine.state.properties", put((0, 1), 1.0), "must have no inertia"),
+    "negative radius": ("engine.state.properties", put((4, 2), -1.0), "must not be negative"),
+    "nobody's radius": ("engine.state.properties", put((20, 2), 1.0), "where there is no body"),
+    "drag": ("engine.state.drag_rates", put((0, 0), -1.0), "must not be negative"),
     "vertices": ("engine.shapes.first", put(2, 900), "below"),
+    "beyond vertices": ("engine.shapes.first", put(18, 45), "there are no such rows"),
     "many vertices": ("engine.shapes.vertex_count", put(2, 900), "must fit the kinds"),
+    "shared vertices": ("engine.shapes.vertex_count", put(4, 42), "too large in all"),
+    "no vertices": ("engine.shapes.vertex_count", put(18, 0), "a shape without vertices"),
+    "untaken": ("engine.shapes.vertex_count", put(3, 0), "never taken must come last"),
+    "rounding": ("engine.shapes.radius", put(3, -1.0), "must not be negative"),
+    "friction": ("engine.shapes.material", put((3, 0), -2.0), "must not be negative"),
+    "restitution": ("engine.shapes.material", put((3, 1), 1.5), "must be at most 1"),
     "kind": ("engine.shapes.kind", put(4, 7), "below 4"),
     "other kind": ("engine.shapes.kind", put(3, 1), "must fit the kinds"),
     "leaf": ("engine.tree.leaf_of_shape", put(4, 900), "below"),
     "pair": ("engine.contacts.pairs", put((0, 0), 900), "below"),
     "pair slots": ("engine.contacts.pairs", put((0, 2), 9), "slots of their bodies"),
+    "pair of one": ("engine.contacts.pairs", put(0, (4, 5, 4, 4)), "must be of two bodies"),
+    "still pair": ("engine.contacts.pairs", put(0, (0, 1, 0, 1)), "one of the bodies must move"),
+    "turned pair": ("engine.contacts.pairs", put(0, (17, 0, 15, 0)), "must be by rank"),
+    "pair twice": ("engine.contacts.pairs", put(1, (0, 17, 0, 15)), "must differ"),
+    "order": ("engine.contacts.pairs", put(1, (16, 17, 14, 15)), "must be in canonical order"),
+    "half-planes": ("engine.shapes.kind", put(3, 3), "two half-planes never meet"),
     "points": ("engine.contacts.flags", put((0, 0), 3), "below"),
+    "side": ("engine.contacts.flags", put((9, 4), 32 * 100), "a side that a shape has not"),
     "manifold": ("engine.contacts.manifolds", put((0, 0), np.inf), "must be numbers"),
     "run": ("engine.broad_phase.counts", put(5, 10**6), "longer than the list"),
+    "horizon": ("engine.broad_phase.counts", put(2, 0), "must be those of a list of pairs"),
     "rank": ("engine.rank", put(4, 0), "must differ"),
+    "no rank": ("engine.rank", put(4, -1), "must be given to bodies alone"),
+    "rank of none": ("engine.rank", put(5, -2), "must be -1 or more"),
+    "high rank": ("engine.rank", put(4, 2**62), "is too large"),
+    "short ranks": ("engine.rank", lambda rank: rank.astype("i4"), "must be int64"),
     "rows": ("engine.state.pose", lambda pose: pose[:-1], "no rows of an engine"),
     "columns": ("engine.state.pose", lambda pose: pose[:, :2], "must be float64 of shape"),
     "type": ("engine.state.pose", lambda pose: pose.astype("f4"), "must be float64"),
     "shape": ("engine.shapes.radius", lambda radius: radius[:-1], "must be float64 of shape"),
     "report": ("touching.contacts.bodies", put((0, 0), 99), "names a body that is not there"),
+    "report length": ("touching.contacts.impulse", lambda a: a[:-1], "must have one length"),
     "pushed": ("pushed", put((0, 0), np.inf), "must be numbers"),
     "no time step": ("about", told(time_step=0.0), "must be > 0"),
     "time step": ("about", told(time_step=1e300), "must be from"),
     "substeps": ("about", told(substeps=0), "at least 1"),
     "steps": ("about", told(steps=2**70), "less than"),
     "staying": ("about", told(staying=[999]), "names a body not there"),
+    "staying twice": ("about", told(staying=[0, 0]), "names a body twice"),
+    "half a row": ("about", told(staying=[0.5]), "must be numbers, rows and names"),
     "names": ("about", told(names={"a": 99}), "names a body not there"),
     "scene": ("about", told(scene="}"), "about"),
     "nothing": ("about", lambda _: np.array("[" * 100_000), "about"),
 }  # fmt: skip
 
 
+LISTED_EDITS = {
+    "leaf twice": ("engine.tree.leaf_of_shape", put(4, 3), "must be one for each shape"),
+    "turned overrides": ("engine.shapes.pair_overrides", put((0, 0), 10.0), "lower shapes"),
+    "order of overrides": (
+        "engine.shapes.pair_overrides",
+        put((0, [0, 1]), (10.0, 11.0)),
+        "order of shapes",
+    ),
+    "override": ("engine.shapes.pair_overrides", put((1, 3), 1.5), "must be at most 1"),
+}
+
+
 @pytest.mark.parametrize("edit", EDITS)
 def test_an_edit_is_refused_by_name(states: list[Arrays], edit: str) -> None:
     name, change, says = EDITS[edit]
     with pytest.raises(t2.RecordingError, match=says):
-        restored(edited(states, 0, name, change))
+        restored(edited(states, LIVELY, name, change))
+
+
+@pytest.mark.parametrize("edit", LISTED_EDITS)
+def test_an_edit_of_a_list_that_holds_is_refused_by_name(states: list[Arrays], edit: str) -> None:
+    name, change, says = LISTED_EDITS[edit]
+    with pytest.raises(t2.RecordingError, match=says):
+        restored(edited(states, LISTED, name, change))
+
+
+def test_every_array_is_asked_for(states: list[Arrays]) -> None:
+    for name in states[LIVELY].keys() - {"pushed", "digest"}:
+        arrays = {key: values for key, values in states[LIVELY].items() if key != name}
+        with pytest.raises(t2.RecordingError, match=r"missing|nothing|about|rank"):
+            restored(arrays)
+
+
+def test_contacts_without_shapes_are_refused() -> None:
+    arrays = t2.Simulator(t2.Scene(gravity=(0.0, 0.0)))._arrays()
+    for name in ("pairs", "manifolds", "flags"):
+        values = arrays[f"engine.contacts.{name}"]
+        arrays[f"engine.contacts.{name}"] = np.zeros((1, values.shape[1]), values.dtype)
+    arrays["engine.broad_phase.counts"][CONTACTS] = 1
+    with pytest.raises(t2.RecordingError, match="there are no shapes"):
+        restored(arrays)
+
+
+def test_more_rows_than_an_engine_has_are_refused(states: list[Arrays]) -> None:
+    rows = np.broadcast_to(np.int32(0), 2**31)  # of no memory, so that no file can have it
+    with pytest.raises(UnfitError, match="more rows than an engine"):
+        check_saved({**saving.part(states[LIVELY], "engine"), "shapes.kind": rows})
 
 
 def test_an_accident_is_found_by_the_digest(states: list[Arrays]) -> None:

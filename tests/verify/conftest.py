@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from tamias2d.verify.case import Case
-from tamias2d.verify.engine import COMPARISONS
 from tamias2d.verify.items import items
 from tamias2d.verify.outcome import Outcome
+from tamias2d.verify.suite import COMPARISONS
 
 Judged = Callable[..., list[Outcome]]
 

@@ -2,6 +2,7 @@
 
 from copy import deepcopy
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -38,6 +39,22 @@ def test_it_changes_with_the_scene(known: dict[str, Any], monkeypatch: pytest.Mo
     before = fingerprint(known["TC8"])
     monkeypatch.setattr(MODULE, "_scene", lambda _case: "another")
     assert fingerprint(known["TC8"]) != before
+
+
+def test_it_changes_with_the_code(known: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    before = fingerprint(known["TC8"])
+    monkeypatch.setattr(MODULE, "_code", lambda: "another")
+    assert fingerprint(known["TC8"]) != before
+
+
+def test_a_changed_module_is_other_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    module = tmp_path / "generated" / "translation.py"
+    module.parent.mkdir()
+    module.write_text("a = 1")
+    monkeypatch.setattr(MODULE, "_PACKAGE", tmp_path)
+    before = MODULE._code.__wrapped__()
+    module.write_text("a = 2")
+    assert MODULE._code.__wrapped__() != before
 
 
 @pytest.mark.parametrize(

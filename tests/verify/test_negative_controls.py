@@ -27,7 +27,7 @@ from tamias2d.generated import (
     spring,
     translation,
 )
-from tamias2d.verify import FAIL, engine
+from tamias2d.verify import FAIL, suite
 from tamias2d.verify.case import Case
 from tamias2d.verify.items import items
 
@@ -120,7 +120,7 @@ CONTROLS: list[tuple[Any, str, Wrap, list[str]]] = [
     (spring, "spring_energy", times(2.0), ["OA9"]),
     (gravitation, "attraction", times(-1.0), ["OA12", "OA12c"]),
     (gravitation, "gravitational_energy", times(2.0), ["OA12c"]),
-    # the soft step: no arm, no damping, a push that pulls, friction that drives
+    # the soft step: no arm, no damping, an impulse that pulls, friction that drives
     (soft_contact, "row_velocity", with_argument(2, lambda arm: 0.0 * arm), ["OG1"]),
     (soft_contact, "separation_later", with_argument(3, lambda arm: -arm), ["OG1"]),
     (soft_contact, "mass_share", with_argument(1, lambda z: 0.0 * z), ["OG2"]),
@@ -128,7 +128,7 @@ CONTROLS: list[tuple[Any, str, Wrap, list[str]]] = [
     (soft_contact, "limited_tangent_impulse", with_argument(3, lambda mu: 2 * mu), ["OG2"]),
     (firm_contact, "accumulated_impulse_wanted", with_argument(1, lambda u: -u), ["OG4"]),
     (firm_contact, "firm_lever", with_argument(1, lambda arm: -arm), ["OG4"]),
-    (firm_contact, "momentum_a_after", with_argument(1, lambda kick: -kick), ["OG5"]),
+    (firm_contact, "momentum_a_after", with_argument(1, lambda given: -given), ["OG5"]),
     (island_energy, "work", with_argument(5, lambda turn: -turn), ["OG6"]),
     (island_energy, "damped_share", times(2.0), ["OG7"]),
     (continuous_collision, "advance_closing", times(2.0), ["OG9"]),
@@ -144,11 +144,11 @@ def test_a_fault_is_found(
     true = getattr(module, name)
     monkeypatch.setattr(module, name, wraps(true)(wrap(true)))
     for id in ids:
-        verdicts = {outcome.verdict for outcome in engine.judge(Case(items()[id]))}
+        verdicts = {outcome.verdict for outcome in suite.judge(Case(items()[id]))}
         assert FAIL in verdicts, f"{id} passes with a wrong {name}"
 
 
 def test_a_model_without_its_function_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delattr(translation, "position")
     with pytest.raises(AttributeError, match="position"):
-        engine.judge(Case(items()["TC2"]))
+        suite.judge(Case(items()["TC2"]))

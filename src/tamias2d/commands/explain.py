@@ -29,7 +29,7 @@ def explain_scene(name: str, *, as_json: bool) -> None:
 
 
 def _entries(scene: Scene) -> Sequence[Need]:
-    """What the scene needs; a way through contacts is located or stepped."""
+    """What the scene needs; contacts are located or stepped."""
     found = needs(scene)
     reason = steps_because(scene, scene.duration or 0.0)  # `needs` had one
     if reason is None:
@@ -57,7 +57,7 @@ def explain_source(name: str, method: str) -> None:
     if text is None:
         raise InputError(
             f"{name} by {method}: no code is made for it (R5): kernels are made for schemes of "
-            "slopes, and of kicks and drifts. `run` takes the general way. Choose another scene or "
+            "slopes, and of kicks and drifts. `run` takes general code. Choose another scene or "
             "--method."
         )
     say(text.rstrip())

@@ -75,7 +75,7 @@ def step_for(method: motion.Method | None, text: str | None) -> float | None:
             "Give it, for example --time-step 0.01."
         )
     if step is not None and (method is None or not method.fixed_step):
-        chosen = "without --method the way" if method is None else str(method)
+        chosen = "without --method the run" if method is None else str(method)
         raise InputError(
             f"--time-step: {text!r}: {chosen} chooses its own steps and takes no time step (R5). "
             "Leave it out, or choose a stepped --method."

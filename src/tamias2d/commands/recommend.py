@@ -9,7 +9,7 @@ from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import Recommendation, recommend
 
 
-def recommend_way(name: str, *, tolerance: str, duration: str | None, as_json: bool) -> None:
+def recommend_method(name: str, *, tolerance: str, duration: str | None, as_json: bool) -> None:
     """Print the plan for a scene of the catalogue or in a file."""
     scene = find_scene(name)
     asked = share(tolerance, option="--tolerance")
@@ -17,7 +17,7 @@ def recommend_way(name: str, *, tolerance: str, duration: str | None, as_json: b
     if as_json:
         print_json(_as_json(name, plan))
         return
-    say(f"{name}, within {plan.tolerance:g}: {_way(plan.choice)}")
+    say(f"{name}, within {plan.tolerance:g}: {_method(plan.choice)}")
     print_table(
         ("method", "step, s", "force evaluations", "observed order", "why"),
         (
@@ -35,7 +35,7 @@ def recommend_way(name: str, *, tolerance: str, duration: str | None, as_json: b
     say(f"Run it: {command()} run {name} --tolerance {plan.tolerance:g}")
 
 
-def _way(one: Estimate) -> str:
+def _method(one: Estimate) -> str:
     return f"{one.method}" + (f", steps of {one.time_step:.4g} s" if one.time_step else "")
 
 

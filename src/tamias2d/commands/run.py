@@ -68,13 +68,13 @@ def run_scene(
     scene = find_scene(name)
     files = _Files(record, plot)
     files.check()
-    way = None if method is None else find_method(method)
-    step = step_for(way, time_step)
+    chosen = None if method is None else find_method(method)
+    step = step_for(chosen, time_step)
     try:
         run = simulate(
             scene,
             duration=span_of(scene, name, duration),
-            method=way,
+            method=chosen,
             time_step=step,
             tolerance=share(tolerance, option="--tolerance"),
             progress=sys.stderr.isatty(),

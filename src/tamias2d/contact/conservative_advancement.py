@@ -162,7 +162,8 @@ class Pair:
         kx, ky = q.corners[self._lasting[0].gap.which[1]]
         x, y = gap.corner[0] - kx, gap.corner[1] - ky
         spin = q.state.angular_velocity - p.state.angular_velocity
-        rate = spin * (uy * x - ux * y)
+        still, centre = 0.0, (0.0, 0.0)
+        rate = normal_velocity(centre, still, centre, centre, spin, (x, y), axis.direction)
         return gap._replace(value=ux * x + uy * y, rate=rate, reach=(0.0, math.hypot(x, y)))
 
     def _other_corners(self, a: Placed, b: Placed) -> tuple[Axis, list[Gap]]:

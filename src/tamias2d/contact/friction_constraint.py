@@ -150,8 +150,8 @@ class TurningFrictionConstraint:
             names = named(self._cores[contact.a].name, self._cores[contact.b].name)
             raise LastingContactError(
                 f"{names} at {time!r} s: a side or a corner rolls on something round with "
-                "friction, which the located way does not follow (GD8). End the run before, or "
-                "change the scene.",
+                "friction, which located contacts do not cover (GD8). End the run before, take "
+                "method=Stepped(), or change the scene.",
                 time=time,
             )
 

@@ -108,7 +108,7 @@ class FrictionalIsland(Island):
         """Return the constraint of each body by its lasting contacts.
 
         Raises:
-            LastingContactError: the located way does not follow it.
+            LastingContactError: located contacts do not cover it.
         """
         if not self._pressing:
             return super().constraints(states, time)
@@ -264,8 +264,8 @@ class FrictionalIsland(Island):
             names = named(*dict.fromkeys(self._cores[i].name for i in (rubbing[0].a, rubbing[0].b)))
             raise LastingContactError(
                 f"{names} at {pair_friction.time!r} s: several moving bodies rub on each "
-                "other while they touch, which the located way does not follow (GD8). End the run "
-                "before, or change the scene.",
+                "other while they touch, which located contacts do not cover (GD8). End the run "
+                "before, take method=Stepped(), or change the scene.",
                 time=pair_friction.time,
             )
 

@@ -30,7 +30,7 @@ from tamias2d.contact.refusal import (
     named,
 )
 from tamias2d.contact.response import after_impulse, coupling, impulses
-from tamias2d.generated import rest
+from tamias2d.generated import impact, rest
 from tamias2d.state import Acceleration, Constraint, State, Vector
 
 PairOf = tuple[int, int]
@@ -171,13 +171,18 @@ class Instant:
         """
         if (thin := either_side(axes(a, b), tolerance)) is None:
             return None
-        (ux, uy), rate, acceleration = thin, 0.0, 0.0
-        for sign, body in ((-1, a), (1, b)):
-            rate += sign * (ux * body.state.velocity[0] + uy * body.state.velocity[1])
-            if body.core.dynamic:
-                x, y, _ = self._world.free(body.core.index, self._world.state)
-                acceleration += sign * (ux * x + uy * y)
-        return (-ux, -uy) if (rate or acceleration) > 0 else (ux, uy)
+        still, centre = 0.0, (0.0, 0.0)
+        v_a, v_b = a.state.velocity, b.state.velocity
+        rate = impact.normal_velocity(v_a, still, centre, v_b, still, centre, thin)
+        (by_a, by_b), (ux, uy) = (self._pull(a), self._pull(b)), thin
+        acceleration = rest.normal_acceleration(by_a, still, centre, by_b, still, centre, thin)
+        return (-ux, -uy) if (rate or acceleration) > 0 else thin
+
+    def _pull(self, body: Placed) -> Vector:
+        """Return the acceleration of a body without contacts, m/s^2."""
+        if not body.core.dynamic:
+            return 0.0, 0.0
+        return self._world.free(body.core.index, self._world.state)[:2]
 
     def _slide_noise(self, contact: Contact) -> float:
         pair = contact.a, contact.b
@@ -372,7 +377,7 @@ class Instant:
                 rate = self._rate(contact)
                 if acceleration < 0:
                     self._forecast(touch, rate, acceleration)
-                    if rate**2 <= -2 * acceleration * touch.tolerance:
+                    if rest.bounce_height(rate, acceleration) <= touch.tolerance:
                         found.append(contact)
         return found
 

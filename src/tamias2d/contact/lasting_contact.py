@@ -95,8 +95,8 @@ class Island:
             if moving:
                 raise LastingContactError(
                     f"{moving} at {time!r} s: two moving bodies stay in contact and its normal "
-                    "turns, which the located way does not follow (GD3). End the run before, or "
-                    "change the scene.",
+                    "turns, which located contacts do not cover (GD3). End the run before, take "
+                    "method=Stepped(), or change the scene.",
                     time=time,
                 )
             self._refuse_unsteady(states, time)
@@ -114,8 +114,8 @@ class Island:
         if len(self._cores[body].group) > 1:
             raise LastingContactError(
                 f"{pair} at {time!r} s: the normal of a lasting contact turns while other bodies "
-                f"pull '{self._cores[body].name}', which the located way does not follow (GD3). "
-                "End the run before, or change the scene.",
+                f"pull '{self._cores[body].name}', which located contacts do not cover (GD3). "
+                "End the run before, take method=Stepped(), or change the scene.",
                 time=time,
             )
 
@@ -135,9 +135,10 @@ class Island:
         )
         if (ending and moving) or not steady:
             raise LastingContactError(
-                f"{named(*(self._cores[i].name for i in self.bodies))} at {time!r} s: they push "
-                "each other while loads vary or a support may end, which the located way does not "
-                "follow (GD3). End the run before, or change the scene.",
+                f"{named(*(self._cores[i].name for i in self.bodies))} at {time!r} s: they "
+                "press on each other while loads vary or a support may end, which located contacts "
+                "do not cover (GD3). End the run before, take method=Stepped(), or change the "
+                "scene.",
                 time=time,
             )
 

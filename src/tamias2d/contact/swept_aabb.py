@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tamias2d.contact.core import Core
-from tamias2d.generated import detection
+from tamias2d.generated import detection, translation
 from tamias2d.path import Piece
 from tamias2d.scene.filters import filters, may_touch
 from tamias2d.state import Array
@@ -52,9 +52,9 @@ def _aabb(path: Piece, size: float) -> Array:
     middle = path.at(path.start + half)
     bounds = path.bounds(path.start, path.end)
     (x, y), (u, v), (ax, ay) = middle.position, middle.velocity, bounds.acceleration
-    bend_x, bend_y = abs(ax) + bounds.deviation, abs(ay) + bounds.deviation
-    width = size + 2 * (abs(u) + bend_x * half / 2) * half
-    height = size + 2 * (abs(v) + bend_y * half / 2) * half
+    most = (abs(ax) + bounds.deviation, abs(ay) + bounds.deviation)
+    to_x, to_y = translation.position((0.0, 0.0), (abs(u), abs(v)), most, half)
+    width, height = size + 2 * to_x, size + 2 * to_y
     width += 1e-9 * (width + abs(x))
     height += 1e-9 * (height + abs(y))
     return np.array([x, y, width, height])

@@ -8,6 +8,7 @@ from tamias2d.engine.direct.elimination import plan_elimination
 from tamias2d.engine.solver.blocks import assign_lanes, count_lanes
 from tamias2d.engine.solver.colouring import colour_contacts
 from tamias2d.engine.solver.slabs import divide_into_slabs
+from tamias2d.engine.springs.substep import activate_touched
 from tamias2d.engine.tables import (
     ACTIVE,
     ARRANGED,
@@ -17,7 +18,9 @@ from tamias2d.engine.tables import (
     LANES_FILLED,
     MORE_BLOCKS,
     MORE_SPARSE,
+    NETWORKS_TOUCHED,
     ROWS_NEEDED,
+    SPRINGS,
     TOUCHING,
     TREES,
     Bodies,
@@ -38,9 +41,12 @@ def arrange(world: World, contacts: Contacts) -> int:
         return DONE
     colour_contacts(bodies, contacts, touching, constraints)
     list_active(bodies, touching, constraints)
+    if world.springs.counts[SPRINGS] > 0:
+        activate_touched(bodies, touching, constraints, world.springs)
     tree_count = number_trees(bodies, touching, direct)
     if tree_count >= 0:
-        divide_into_slabs(tree_count, bodies, touching, constraints, direct)
+        one_slab = world.springs.counts[NETWORKS_TOUCHED] > 0
+        divide_into_slabs(tree_count, one_slab, bodies, touching, constraints, direct)
         needed = assign_lanes(touching, constraints)
         if needed > len(constraints.blocks):
             control.counts[ROWS_NEEDED] = needed

@@ -37,16 +37,15 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 
-Whole = NDArray[np.int64]
 STRIP = 4.0  # median bounding radii of bodies: the width of a strip of the canonical order
 
 
 class BodyPool:
     """The taken and the free rows of an engine."""
 
-    def __init__(self, store: Store, rank: Whole) -> None:
+    def __init__(self, store: Store, rank: IntArray) -> None:
         """Find what a store holds; bodies have ranks (n,), -1 where absent."""
         self.store = store
         self.rank = rank
@@ -65,7 +64,7 @@ class BodyPool:
         self._leaving = np.zeros(0, dtype=np.int64)  # removed since the pool was settled
         self._propagators = Propagators(store)
 
-    def add(self, batch: Batch) -> Whole:
+    def add(self, batch: Batch) -> IntArray:
         """Add the bodies of a batch, and return their rows (k,)."""
         rows = self._take(len(batch))
         state = self.store.world.state
@@ -82,7 +81,7 @@ class BodyPool:
         self.store.forget_pairs()
         return rows
 
-    def remove(self, rows: Whole) -> None:
+    def remove(self, rows: IntArray) -> None:
         """Take bodies out; their rows are free once the pool is settled, all others stay."""
         self.store.world.state.kind[rows] = ABSENT
         self._leaving = np.concatenate((self._leaving, rows))
@@ -143,7 +142,7 @@ class BodyPool:
     def _idle(self) -> int:
         return self.store.capacities.slots - 1
 
-    def _take(self, count: int) -> Whole:
+    def _take(self, count: int) -> IntArray:
         """Return rows for so many bodies, freed ones first."""
         store = self.store
         used = [self._free.pop() for _ in range(min(count, len(self._free)))]
@@ -164,7 +163,7 @@ class BodyPool:
         self._vertices += vertices
         return row
 
-    def _add_shapes(self, batch: Batch, rows: Whole) -> None:
+    def _add_shapes(self, batch: Batch, rows: IntArray) -> None:
         made = {shape: shape_rows(shape) for shape in dict.fromkeys(batch.shapes)}
         known = self._form_number
         form = {s: known.setdefault(numbers_of(found), len(known)) for s, found in made.items()}
@@ -186,7 +185,7 @@ class BodyPool:
         shapes.filters[places] = batch.filters[owner]
         self._note_extents(rows, rows[owner], found)
 
-    def _write_shapes(self, places: Whole, found: Sequence[ShapeRow]) -> None:
+    def _write_shapes(self, places: IntArray, found: Sequence[ShapeRow]) -> None:
         shapes = self.store.world.shapes
         shapes.kind[places] = [part.kind for part in found]
         shapes.radius[places] = [part.radius for part in found]
@@ -194,15 +193,15 @@ class BodyPool:
         shapes.local_vertices[vertices] = np.concatenate([part.vertices for part in found])
         shapes.world_vertices[vertices] = shapes.local_vertices[vertices]
 
-    def _vertices_of(self, places: Whole) -> Whole:
+    def _vertices_of(self, places: IntArray) -> IntArray:
         """Return the rows of the vertices of shapes, shape by shape."""
         shapes = self.store.world.shapes
         count = shapes.vertex_count[places].astype(np.int64)
         within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-        rows: Whole = np.repeat(shapes.first[places], count) + within
+        rows: IntArray = np.repeat(shapes.first[places], count) + within
         return rows
 
-    def _note_extents(self, rows: Whole, owner: Whole, found: Sequence[ShapeRow]) -> None:
+    def _note_extents(self, rows: IntArray, owner: IntArray, found: Sequence[ShapeRow]) -> None:
         """Note how large bodies are; `owner` has the row of the body of each shape."""
         properties = self.store.world.state.properties
         reach = np.array([part.bounding_radius for part in found])
@@ -218,7 +217,7 @@ class BodyPool:
 
     # -- removing
 
-    def _let_go(self, rows: Whole) -> None:
+    def _let_go(self, rows: IntArray) -> None:
         self._drop_pairs(rows)
         state = self.store.world.state
         gone = np.isin(state.body_of_shape, rows)
@@ -229,7 +228,7 @@ class BodyPool:
         self.rank[rows] = -1
         self._free = sorted({*self._free, *rows.tolist()}, reverse=True)
 
-    def _free_rows(self, rows: Whole) -> None:
+    def _free_rows(self, rows: IntArray) -> None:
         """Free rows of shapes: the lowest is taken first, whatever the order of freeing."""
         count = self.store.world.shapes.vertex_count
         for row in rows.tolist():
@@ -237,7 +236,7 @@ class BodyPool:
         for free in self._free_shapes.values():
             free.sort(reverse=True)
 
-    def _drop_pairs(self, rows: Whole) -> None:
+    def _drop_pairs(self, rows: IntArray) -> None:
         """Take the pairs of bodies out of the list, and their overrides; wake the other bodies."""
         world = self.store.world
         counts, buffers = world.broad_phase.counts, world.buffers
@@ -256,14 +255,14 @@ class BodyPool:
 
     # -- canonical order
 
-    def _ranked_shapes(self) -> Whole:
+    def _ranked_shapes(self) -> IntArray:
         """Return the shapes of bodies that have a rank, in canonical order."""
         owner = self.store.world.state.body_of_shape
         rank = np.concatenate((self.rank, np.full(len(self.store.world.state.kind), -1)))[owner]
         found = np.flatnonzero(rank >= 0)
         return found[np.argsort(rank[found], kind="stable")]
 
-    def _assign_ranks(self, rows: Whole) -> None:
+    def _assign_ranks(self, rows: IntArray) -> None:
         """Order new bodies by what and where they are, and give them and their shapes places."""
         store, state = self.store, self.store.world.state
         new = np.zeros(len(state.pose), dtype=bool)
@@ -279,7 +278,7 @@ class BodyPool:
         )
         self._order = np.concatenate((self._order, np.sort(owned)))
 
-    def _keys(self, rows: Whole, owned: Whole) -> list[Array]:
+    def _keys(self, rows: IntArray, owned: IntArray) -> list[Array]:
         """Return by what bodies are ordered, the first first; `owned` are their shapes."""
         world = self.store.world
         state, shapes = world.state, world.shapes
@@ -304,7 +303,7 @@ class BodyPool:
             self._forms(),
         ]
 
-    def _strips(self, rows: Whole) -> Array:
+    def _strips(self, rows: IntArray) -> Array:
         """Return in which strip of the x axis each body is, all some bodies wide.
 
         Bodies that are near each other are so in the order, too, and thus in memory.
@@ -316,14 +315,14 @@ class BodyPool:
             strip: Array = np.floor(state.pose[rows, X] / width)
         return strip
 
-    def _forms(self) -> Whole:
+    def _forms(self) -> IntArray:
         """Return a number for the form of each new body, in the order of the forms themselves."""
         number = self._form_number
         place = np.empty(len(number), dtype=np.int64)
         place[[number[form] for form in sorted(number)]] = np.arange(len(number))
         return place[list(self._new.values())]
 
-    def _arrange_shapes(self, sequence: Whole) -> None:
+    def _arrange_shapes(self, sequence: IntArray) -> None:
         """Put new shapes, and their vertices if these lie together, in an order."""
         store, places = self.store, np.sort(sequence)
         state, shapes = store.world.state, store.world.shapes

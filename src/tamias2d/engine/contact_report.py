@@ -30,16 +30,14 @@ from tamias2d.engine.tables import (
     WAS_TOUCHING,
     WORLD_POINT,
 )
-from tamias2d.state import Array
-
-Whole = NDArray[np.int64]
+from tamias2d.state import Array, IntArray
 
 
 @dataclass(frozen=True, kw_only=True)
 class Contacts:
     """The m points at which bodies pushed each other in the last step, in canonical order."""
 
-    bodies: Whole
+    bodies: IntArray
     """(m, 2), indices of bodies A and B"""
     point: Array
     """(m, 2), where they touched as the step began or, in flight, as they met, m"""
@@ -57,8 +55,8 @@ class Contacts:
 class _Points(NamedTuple):
     """Points of contact, each by its pair and its number there, with its impulse."""
 
-    pair: Whole
-    number: Whole
+    pair: IntArray
+    number: IntArray
     impulse: Array
 
 
@@ -69,7 +67,7 @@ class Touching:
     contacts: Contacts
     began: Contacts
     """One point for each pair: that with the largest impulse, with the impulse of all of them."""
-    ended: Whole
+    ended: IntArray
     """(k, 2), indices of bodies"""
 
 
@@ -104,7 +102,7 @@ def contact_report(store: Store) -> Touching:
     )
 
 
-def _pushed(touch: Array, count: Whole, bits: Whole) -> _Points:
+def _pushed(touch: Array, count: IntArray, bits: IntArray) -> _Points:
     """Return all points that were pushed, in the order of the pairs; in flight a pair has one."""
     total = touch[:, [TOTAL_IMPULSE, TOTAL_IMPULSE + POINT]]
     there = np.arange(2) < np.maximum(count, 1)[:, None]
@@ -112,7 +110,7 @@ def _pushed(touch: Array, count: Whole, bits: Whole) -> _Points:
     return _Points(pair, number, total[pair, number])
 
 
-def _strongest(found: _Points, code: Whole, wanted: Whole) -> _Points:
+def _strongest(found: _Points, code: IntArray, wanted: IntArray) -> _Points:
     """Return one point for each wanted pair of bodies, with the sum of their impulses."""
     of = code[found.pair]
     row = np.flatnonzero(np.isin(of, wanted))
@@ -125,7 +123,7 @@ def _strongest(found: _Points, code: Whole, wanted: Whole) -> _Points:
     return _Points(found.pair[row], found.number[row], total)
 
 
-def _contacts(bodies: Whole, touch: Array, count: Whole, points: _Points) -> Contacts:
+def _contacts(bodies: IntArray, touch: Array, count: IntArray, points: _Points) -> Contacts:
     """Return where points are, and their impulses."""
     pair, number, impulse = points
     flown = count[pair] == 0

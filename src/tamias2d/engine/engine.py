@@ -1,6 +1,6 @@
 """The engine: bodies that can be added, changed and asked for, and the steps that are taken."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from tamias2d.engine.body_pool import BodyPool
 from tamias2d.engine.contact_report import Touching, contact_report
 from tamias2d.engine.menu import CONTACT, functions
 from tamias2d.engine.query_tree import QueryTree
+from tamias2d.engine.springs.rows import SpringRow, set_springs
 from tamias2d.engine.steps_per_call import StepsPerCall
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
@@ -33,6 +34,7 @@ from tamias2d.engine.tables import (
     ROWS_NEEDED,
     SLEEP_ID,
     SLEEP_STEPS,
+    SPRINGS,
     STAGE,
     STEPS_LEFT,
     STEPS_TAKEN,
@@ -151,6 +153,10 @@ class Engine(Store):
         """Set the friction and restitution of pairs of bodies, given by rows."""
         self._pool.override_pairs(friction, restitution)
 
+    def set_springs(self, rows: Sequence[SpringRow]) -> None:
+        """Let springs act between bodies, given by rows, in this order, and no others."""
+        set_springs(self, rows)
+
     def settle(self) -> None:
         """Give what was added its place, and free what was removed; before a step or query."""
         self._pool.settle()
@@ -196,7 +202,7 @@ class Engine(Store):
         checked, timed = 0, count > 1
         try:
             while count > 0:
-                if self._alone:
+                if self._alone and not self.world.springs.counts[SPRINGS]:
                     asked = min(count, self._ballistic_steps_per_call.most)
                     taken = self._ballistic_steps(asked, timed)
                     count -= taken

@@ -7,15 +7,12 @@ n log n for a tree after a body was moved, added or removed, then log n for each
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.engine.menu import QUERY, functions
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import RANK
 from tamias2d.kernels.groups import addresses
-from tamias2d.state import Array
-
-Whole = NDArray[np.int64]
+from tamias2d.state import Array, IntArray
 
 
 class QueryTree:
@@ -28,7 +25,7 @@ class QueryTree:
         self._argument: Any = None
         self._library: Any = None  # compiled when the first query comes
 
-    def cast_rays(self, rays: Array, mask: int) -> tuple[Whole, Array]:
+    def cast_rays(self, rays: Array, mask: int) -> tuple[IntArray, Array]:
         """Return the body (k,) that each ray (k, 4) meets first, -1 for none, and where.
 
         A ray goes from a point to a point, m. Where it enters a body is told by (k, 3): the
@@ -43,7 +40,7 @@ class QueryTree:
         met[met >= 0] = owner[met[met >= 0]]
         return met, hits
 
-    def bodies_in_box(self, low: Array, high: Array, mask: int) -> Whole:
+    def bodies_in_box(self, low: Array, high: Array, mask: int) -> IntArray:
         """Return the bodies (k,) that reach into a box between two corners (2,), m, by rank."""
         self._update()
         world = self._store.world

@@ -31,9 +31,9 @@ from tamias2d.engine.tables import (
     Saved,
 )
 from tamias2d.engine.world import Capacities, SavedField, saved_fields
+from tamias2d.state import IntArray
 
 Arrays = Mapping[str, NDArray[Any]]
-Whole = NDArray[np.int64]
 _ROWS = {
     "slots": "state.pose",
     "shapes": "shapes.kind",
@@ -168,7 +168,7 @@ def _check_shapes(arrays: Arrays) -> None:
     require(overrides[:, 3] <= 1.0, "shapes.pair_overrides", "restitution must be at most 1")
 
 
-def _canonical(arrays: Arrays) -> Whole:
+def _canonical(arrays: Arrays) -> IntArray:
     """Return the rank of each shape, -1 for one without a body."""
     owner = arrays["state.body_of_shape"]
     rank = np.full(len(arrays["state.kind"]), -1)
@@ -180,7 +180,7 @@ def _canonical(arrays: Arrays) -> Whole:
     return order
 
 
-def _check_contacts(arrays: Arrays, order: Whole) -> None:
+def _check_contacts(arrays: Arrays, order: IntArray) -> None:
     counts, pairs = arrays["broad_phase.counts"], arrays["contacts.pairs"]
     fits = counts[FIRST_RUN] <= counts[CONTACTS] <= len(pairs)
     require(fits, "broad_phase.counts", "a run is longer than the list")
@@ -216,6 +216,6 @@ def _check_tree(arrays: Arrays) -> None:
     require(places == np.arange(len(leaves)), "tree.leaf_of_shape", "must be one for each shape")
 
 
-def leaves_of(kind: NDArray[Any], body_kind: NDArray[Any], owner: NDArray[Any]) -> Whole:
+def leaves_of(kind: NDArray[Any], body_kind: NDArray[Any], owner: NDArray[Any]) -> IntArray:
     """Return the shapes that are leaves of the tree: the bounded ones of bodies."""
     return np.flatnonzero((kind != HALF_PLANE) & (body_kind[owner] != ABSENT))

@@ -4,7 +4,8 @@ The broad phase finds pairs of shapes that may touch, the narrow phase their man
 that touch are arranged in blocks, slabs and trees. Each substep applies forces and the impulses of
 before, solves soft constraints, integrates positions, and relaxes the constraints; then restitution
 acts. Bodies without contacts follow their closed form instead (IM1, IM6). Continuous collision
-stops bodies that move far where they meet others, and islands at rest fall asleep.
+stops bodies that move far where they meet others, and islands at rest fall asleep. Springs pull
+through the whole step, or in its substeps where their bodies have contacts (IM14, DD52).
 
 Cost: a substep visits each contact twice. Source: Macklin et al. (2019), Catto (2024).
 """
@@ -27,6 +28,7 @@ from tamias2d.engine.sleep import (
     update_sleep,
     wake_touched,
 )
+from tamias2d.engine.springs.held import hold_springs, release_springs
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import (
@@ -48,6 +50,7 @@ from tamias2d.engine.tables import (
     PAIRS_STALE,
     SLEEP_STEPS,
     SLEEPING,
+    SPRINGS,
     STAGE,
     STATIC,
     STEPS_LEFT,
@@ -79,7 +82,8 @@ def step(world: World) -> int:
         if not scatter_state(world.state, world.bodies):
             return OVERFLOWED
         pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[SLEEP_STEPS]
-        clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0
+        sprung = world.springs.counts[SPRINGS] > 0
+        clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0 and not sprung
     return CLEAR if clear else DONE
 
 
@@ -92,6 +96,8 @@ def take_step(world: World) -> int:
     broad_phase, buffers, touching = world.broad_phase, world.buffers, world.touching
     counts = control.counts
     if counts[STAGE] == AT_START:
+        if world.springs.counts[SPRINGS] > 0:
+            hold_springs(world)
         left = find_moved(world)
         counts[STAGE] = PAIRS_KNOWN if update_pairs(left, world) else PAIRS_STALE
     if counts[STAGE] == PAIRS_STALE:
@@ -131,6 +137,8 @@ def take_step(world: World) -> int:
         counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
     if islands.counts[SLEEP_STEPS] > 0:
         fall_asleep(control, bodies, islands)
+    if world.springs.counts[SPRINGS] > 0:
+        release_springs(bodies, world.springs)
     broad_phase.counts[STEPS_SINCE] += 1
     counts[STAGE] = AT_START
     return DONE

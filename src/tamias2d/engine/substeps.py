@@ -14,6 +14,7 @@ from tamias2d.engine.solver.integration import apply_forces, begin_step, integra
 from tamias2d.engine.solver.lanes import apply_restitution, relax, solve_soft, warm_start
 from tamias2d.engine.solver.prefetch import prefetch_blocks, prefetch_manifolds
 from tamias2d.engine.solver.prepare import fill_blocks, prepare_blocks
+from tamias2d.engine.springs.substep import apply_springs, begin_springs, end_springs
 from tamias2d.engine.tables import (
     ACTIVE,
     BLOCKS,
@@ -21,6 +22,7 @@ from tamias2d.engine.tables import (
     GRAVITY_X,
     GRAVITY_Y,
     LANES_FILLED,
+    NETWORKS_TOUCHED,
     PREFETCHED,
     S_BLOCK,
     S_BODY,
@@ -47,6 +49,9 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     substep = control.settings[TIME_STEP] / control.counts[SUBSTEPS]
     for k in range(len(constraints.energy)):
         constraints.energy[k] = 0.0
+    sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
+    if sprung:
+        begin_springs(substep, world.bodies, world.springs)
     number, last = constraints.counts[SLABS], 2 * control.counts[SUBSTEPS]
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
@@ -54,6 +59,8 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     constraints.counts[LANES_FILLED] = 1
     if constraints.counts[BOUNCING] > 0 or makes_energy(constraints.energy):
         finish_step(world)
+    if sprung:
+        end_springs(world.bodies, world.springs)
     if constraints.counts[BOUNCING] > 0:
         last = world.touching.counts[TOUCHING]
         store_impulses(0, last, world.bodies, contacts, world.touching, constraints)
@@ -121,14 +128,20 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
 
 @inlined
 def solve_slab(again: bool, slab: int, substep: float, world: World) -> None:
-    """Apply forces to bodies, and solve the soft constraints of a slab."""
+    """Apply forces to bodies, and solve the soft constraints of a slab and touched springs."""
     bodies, constraints = world.bodies, world.constraints
     slabs = constraints.slabs
     first, last = bodies_of_stage(slab, constraints)
     apply_forces(again, first, last, bodies, world.touching)
+    sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
+    share = 1.0 / world.control.settings[TIME_STEP]
+    if sprung:
+        apply_springs(False, substep, share, bodies, world.springs)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(False, tree, tree_end, substep, bodies, constraints, world.direct)
     solve_soft(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
+    if sprung:
+        apply_springs(True, substep, share, bodies, world.springs)
 
 
 @inlined

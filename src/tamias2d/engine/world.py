@@ -36,6 +36,9 @@ class Capacities:
     contacts: int = 16
     blocks: int = 4
     sparse: int = 2
+    springs: int = 0
+    members: int = 0  # bodies that springs hold
+    networks: int = 1  # one more than networks of springs
     clip: int = 8  # vertices of two shapes, and one
 
     def lengths(self) -> dict[str, int]:
@@ -45,7 +48,7 @@ class Capacities:
             **vars(self),
             "ranks": self.shapes + 1,
             "nodes": 2 * first_leaf_node(self.shapes),
-            "pair_bodies": 2 * self.contacts,
+            "pair_bodies": 2 * self.contacts + self.members,
             "events": events,
             "queue": 4 * events,
             "chunks": self.slots // CHUNK,

@@ -344,7 +344,7 @@ def coordinate_displacement(
 
     Args:
         propagator_gain: Velocity after a step for one unit of acceleration, s
-        propagator_lift: Way in a step for one unit of acceleration, s^2
+        propagator_lift: Displacement in a step for one unit of acceleration, s^2
         coordinate_velocity: Velocity along one axis, m/s
         coordinate_acceleration: Acceleration along one axis, of gravity and applied forces,
             m/s^2

@@ -51,7 +51,7 @@ def tangent_impulse_wanted(
 def normal_impulse_share(
     accumulated_impulse_first: Scalar, accumulated_impulse_both: Scalar
 ) -> Scalar:
-    """Part of the push of two contacts that is that of the first (1).
+    """Part of the normal impulse of two contacts that is that of the first (1).
 
     normal_impulse_share = accumulated_impulse_first/accumulated_impulse_both
 
@@ -61,7 +61,7 @@ def normal_impulse_share(
         accumulated_impulse_both: Impulse that a contact has given in a substep along its
             normal; of two contacts together, N*s
 
-    Source: DD32, srs/models/firm_contact.md:93.
+    Source: DD32, srs/models/firm_contact.md:94.
     """
     return accumulated_impulse_first / accumulated_impulse_both
 
@@ -80,9 +80,10 @@ def turning_arm_both(
             body; of the first of two contacts, m
         turning_arm_second: Part of an arm across the line, by which an impulse along it turns a
             body; of the second of two contacts, m
-        normal_impulse_share: Part of the push of two contacts that is that of the first, 1
+        normal_impulse_share: Part of the normal impulse of two contacts that is that of the
+            first, 1
 
-    Source: DD32, srs/models/firm_contact.md:94.
+    Source: DD32, srs/models/firm_contact.md:95.
     """
     return (
         normal_impulse_share * turning_arm_first + (1 - normal_impulse_share) * turning_arm_second
@@ -103,9 +104,10 @@ def row_velocity_both(
             the first of two contacts, m/s
         row_velocity_second: Velocity of B's point of contact seen from A's, along the line; of
             the second of two contacts, m/s
-        normal_impulse_share: Part of the push of two contacts that is that of the first, 1
+        normal_impulse_share: Part of the normal impulse of two contacts that is that of the
+            first, 1
 
-    Source: DD32, srs/models/firm_contact.md:97.
+    Source: DD32, srs/models/firm_contact.md:98.
     """
     return (
         normal_impulse_share * row_velocity_first + (1 - normal_impulse_share) * row_velocity_second
@@ -123,13 +125,13 @@ def tangent_impulse_most(accumulated_impulse: Scalar, friction: Scalar) -> Scala
         friction: Coefficient of dry friction: how much of the normal force the surface can hold
             along itself, 1
 
-    Source: DD32, srs/models/firm_contact.md:100.
+    Source: DD32, srs/models/firm_contact.md:101.
     """
     return friction * accumulated_impulse
 
 
 def limited_tangent_impulse(tangent_impulse_wanted: Scalar, tangent_impulse_most: Scalar) -> Scalar:
-    """Rub after a visit, held within what friction can give (N*s).
+    """Tangent impulse after an iteration, held within what friction can give (N*s).
 
     limited_tangent_impulse = max(min(tangent_impulse_wanted, tangent_impulse_most),
     -tangent_impulse_most)
@@ -140,7 +142,7 @@ def limited_tangent_impulse(tangent_impulse_wanted: Scalar, tangent_impulse_most
         tangent_impulse_most: Impulse that a contact has given in a substep along its tangent;
             the most that there may be, N*s
 
-    Source: DD32, srs/models/firm_contact.md:101.
+    Source: DD32, srs/models/firm_contact.md:102.
     """
     return largest(least(tangent_impulse_wanted, tangent_impulse_most), -tangent_impulse_most)
 
@@ -156,7 +158,7 @@ def firm_mass_x(line: Vector, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:182.
+    Source: DD33, srs/models/firm_contact.md:183.
     """
     line_x, line_y = line
     return (firmness * line_x * line_x, firmness * line_x * line_y)
@@ -173,7 +175,7 @@ def firm_mass_y(line: Vector, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:183.
+    Source: DD33, srs/models/firm_contact.md:184.
     """
     line_x, line_y = line
     return (firmness * line_y * line_x, firmness * line_y * line_y)
@@ -191,7 +193,7 @@ def firm_moment(line: Vector, turning_arm_a: Scalar, firmness: Scalar) -> Vector
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:184.
+    Source: DD33, srs/models/firm_contact.md:185.
     """
     line_x, line_y = line
     return (firmness * line_x * turning_arm_a, firmness * line_y * turning_arm_a)
@@ -210,7 +212,7 @@ def firm_lever(line: Vector, turning_arm_b: Scalar, firmness: Scalar) -> Vector:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:185.
+    Source: DD33, srs/models/firm_contact.md:186.
     """
     line_x, line_y = line
     return (firmness * turning_arm_b * line_x, firmness * turning_arm_b * line_y)
@@ -229,7 +231,7 @@ def firm_inertia(turning_arm_a: Scalar, turning_arm_b: Scalar, firmness: Scalar)
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD33, srs/models/firm_contact.md:186.
+    Source: DD33, srs/models/firm_contact.md:187.
     """
     return firmness * turning_arm_b * turning_arm_a
 
@@ -244,7 +246,7 @@ def momentum_left(mass: Scalar, velocity_start: Vector, velocity: Vector) -> Vec
         velocity_start: Velocity of the centre of mass; at the start, m/s
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD34, srs/models/firm_contact.md:237.
+    Source: DD34, srs/models/firm_contact.md:238.
     """
     velocity_start_x, velocity_start_y = velocity_start
     velocity_x, velocity_y = velocity
@@ -263,7 +265,7 @@ def angular_momentum_left(
         angular_velocity_start: Rate of turning, positive counter-clockwise; at the start, rad/s
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD34, srs/models/firm_contact.md:238.
+    Source: DD34, srs/models/firm_contact.md:239.
     """
     return inertia * (angular_velocity_start - angular_velocity)
 
@@ -275,10 +277,10 @@ def momentum_a_after(momentum_a: Vector, applied_impulse: Scalar, line: Vector) 
 
     Args:
         momentum_a: Mass times velocity; of body A, kg*m/s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD34, srs/models/firm_contact.md:239.
+    Source: DD34, srs/models/firm_contact.md:240.
     """
     momentum_a_x, momentum_a_y = momentum_a
     line_x, line_y = line
@@ -294,11 +296,11 @@ def angular_momentum_a_after(
 
     Args:
         angular_momentum_a: Moment of momentum about the origin; of body A, kg*m^2/s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
             body; of body A, m
 
-    Source: DD34, srs/models/firm_contact.md:240.
+    Source: DD34, srs/models/firm_contact.md:241.
     """
     return angular_momentum_a - applied_impulse * turning_arm_a
 
@@ -310,10 +312,10 @@ def momentum_b_after(momentum_b: Vector, applied_impulse: Scalar, line: Vector) 
 
     Args:
         momentum_b: Mass times velocity; of body B, kg*m/s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD34, srs/models/firm_contact.md:241.
+    Source: DD34, srs/models/firm_contact.md:242.
     """
     momentum_b_x, momentum_b_y = momentum_b
     line_x, line_y = line
@@ -329,11 +331,11 @@ def angular_momentum_b_after(
 
     Args:
         angular_momentum_b: Moment of momentum about the origin; of body B, kg*m^2/s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
             body; of body B, m
 
-    Source: DD34, srs/models/firm_contact.md:242.
+    Source: DD34, srs/models/firm_contact.md:243.
     """
     return angular_momentum_b + applied_impulse * turning_arm_b
 
@@ -347,7 +349,7 @@ def linear_energy(mass: Scalar, velocity: Vector) -> Scalar:
         mass: Mass of a body, kg
         velocity: Velocity of the centre of mass, m/s
 
-    Source: DD35, srs/models/firm_contact.md:265.
+    Source: DD35, srs/models/firm_contact.md:266.
     """
     velocity_x, velocity_y = velocity
     return mass * (velocity_x * velocity_x + velocity_y * velocity_y) / 2
@@ -362,7 +364,7 @@ def turning_energy(inertia: Scalar, angular_velocity: Scalar) -> Scalar:
         inertia: Moment of inertia about the centre of mass, kg*m^2
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
 
-    Source: DD35, srs/models/firm_contact.md:266.
+    Source: DD35, srs/models/firm_contact.md:267.
     """
     return inertia * angular_velocity * angular_velocity / 2
 
@@ -376,7 +378,7 @@ def linear_energy_start(momentum: Vector, mass: Scalar) -> Scalar:
         momentum: Mass times velocity, kg*m/s
         mass: Mass of a body, kg
 
-    Source: DD35, srs/models/firm_contact.md:267.
+    Source: DD35, srs/models/firm_contact.md:268.
     """
     momentum_x, momentum_y = momentum
     return (momentum_x * momentum_x + momentum_y * momentum_y) / (2 * mass)
@@ -391,7 +393,7 @@ def turning_energy_start(angular_momentum: Scalar, inertia: Scalar) -> Scalar:
         angular_momentum: Moment of momentum about the origin, kg*m^2/s
         inertia: Moment of inertia about the centre of mass, kg*m^2
 
-    Source: DD35, srs/models/firm_contact.md:268.
+    Source: DD35, srs/models/firm_contact.md:269.
     """
     return angular_momentum * angular_momentum / (2 * inertia)
 
@@ -405,6 +407,6 @@ def bias_energy(mass: Scalar, bias_velocity: Scalar) -> Scalar:
         mass: Mass of a body, kg
         bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
 
-    Source: DD35, srs/models/firm_contact.md:269.
+    Source: DD35, srs/models/firm_contact.md:270.
     """
     return mass * bias_velocity * bias_velocity / 2

@@ -289,7 +289,7 @@ def accumulated_impulse_kept(
 
     Args:
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         kept_share: Part of its bounce that an island keeps, 1
 
     Source: GD13, srs/models/island_energy.md:144.

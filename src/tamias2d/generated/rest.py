@@ -142,6 +142,22 @@ def time_to_rest(
         restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
             energy is lost), 1
 
-    Source: GD5, srs/models/rest.md:169.
+    Source: GD5, srs/models/rest.md:170.
     """
     return (-2) * normal_velocity_after / (normal_acceleration * (1 - restitution))
+
+
+def bounce_height(normal_velocity_after: Scalar, normal_acceleration: Scalar) -> Scalar:
+    """How far a contact opens in a bounce (m).
+
+    bounce_height = -normal_velocity_after**2/(2*normal_acceleration)
+
+    Args:
+        normal_velocity_after: Rate at which the contact opens, along the normal; negative when
+            the bodies approach; just after the impact, m/s
+        normal_acceleration: Rate of change of the normal velocity of a contact that rests,
+            m/s^2
+
+    Source: GD5, srs/models/rest.md:172.
+    """
+    return (-normal_velocity_after * normal_velocity_after) / (2 * normal_acceleration)

@@ -107,7 +107,7 @@ def velocity_a_after(
 
     Args:
         velocity_a: Velocity of the centre of mass; of body A, m/s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
         inverse_mass_a: One over the mass, zero for a static body; of body A, 1/kg
 
@@ -134,7 +134,7 @@ def angular_velocity_a_after(
 
     Args:
         angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         turning_arm_a: Part of an arm across the line, by which an impulse along it turns a
             body; of body A, m
         inverse_inertia_a: One over the inertia, zero for a body that cannot turn; of body A,
@@ -154,7 +154,7 @@ def velocity_b_after(
 
     Args:
         velocity_b: Velocity of the centre of mass; of body B, m/s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
         inverse_mass_b: One over the mass, zero for a static body; of body B, 1/kg
 
@@ -181,7 +181,7 @@ def angular_velocity_b_after(
 
     Args:
         angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
-        applied_impulse: Impulse that is given in one visit of a row, to B along the line, N*s
+        applied_impulse: Impulse that a row gives in one iteration, to B along the line, N*s
         turning_arm_b: Part of an arm across the line, by which an impulse along it turns a
             body; of body B, m
         inverse_inertia_b: One over the inertia, zero for a body that cannot turn; of body B,
@@ -230,7 +230,7 @@ def mass_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scal
 
 
 def impulse_share(angular_frequency: Scalar, damping_ratio: Scalar, time_step: Scalar) -> Scalar:
-    """Part of its push that a soft contact gives back in a visit (1).
+    """Part of its impulse that a soft contact gives back in an iteration (1).
 
     impulse_share = 1/(1 + time_step*angular_frequency*(2*damping_ratio +
     time_step*angular_frequency))
@@ -278,13 +278,13 @@ def preload_later(
     overlap_allowed, 0)), 0), preload_largest)
 
     Args:
-        preload: Overlap at which a spring without preload would push as much, m
+        preload: Overlap at which a spring without preload would give as much, m
         separation: Distance between two bodies, negative where they overlap, m
         preload_share: Part of a step's overlap by which the preload grows, 1
         overlap_allowed: Overlap that no preload is learned for, m
         preload_largest: What a preload may grow to, m
 
-    Source: DD39, srs/models/soft_contact.md:368.
+    Source: DD39, srs/models/soft_contact.md:369.
     """
     return least(
         largest(
@@ -324,7 +324,7 @@ def angular_frequency_loaded(
             does, m
         firmest: Frequency of a contact under a load, at most, over that without one, 1
 
-    Source: DD42, srs/models/soft_contact.md:436.
+    Source: DD42, srs/models/soft_contact.md:437.
     """
     angular_frequency_wanted = sqrt(
         accumulated_impulse
@@ -344,7 +344,7 @@ def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
         velocity: Velocity of the centre of mass, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:489.
+    Source: DD43, srs/models/soft_contact.md:490.
     """
     shift_x, shift_y = shift
     velocity_x, velocity_y = velocity
@@ -361,7 +361,7 @@ def turn_later(turn: Scalar, angular_velocity: Scalar, time_step: Scalar) -> Sca
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:490.
+    Source: DD43, srs/models/soft_contact.md:491.
     """
     return turn + time_step * angular_velocity
 
@@ -375,7 +375,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the contact point, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:513.
+    Source: DD29, srs/models/soft_contact.md:514.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -413,7 +413,7 @@ def separation_later(
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:514.
+    Source: DD29, srs/models/soft_contact.md:515.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -439,7 +439,7 @@ def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:582.
+    Source: DD31, srs/models/soft_contact.md:583.
     """
     return largest(separation / time_step + row_velocity, 0)
 
@@ -455,7 +455,7 @@ def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:583.
+    Source: DD31, srs/models/soft_contact.md:584.
     """
     return time_step * (bias_velocity_later - row_velocity)
 
@@ -473,7 +473,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:640.
+    Source: IM10, srs/models/soft_contact.md:642.
     """
     return (-removal_share) * extent / time_step
 
@@ -493,7 +493,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:641.
+    Source: IM10, srs/models/soft_contact.md:643.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -508,7 +508,7 @@ def soft_normal_impulse(
     mass_share: Scalar,
     impulse_share: Scalar,
 ) -> Scalar:
-    """Push after a visit of a soft contact (N*s).
+    """Accumulated impulse after an iteration of a soft contact (N*s).
 
     soft_normal_impulse = max(accumulated_impulse - row_mass*mass_share*(row_velocity +
     bias_velocity) - impulse_share*accumulated_impulse, 0)
@@ -519,9 +519,9 @@ def soft_normal_impulse(
         bias_velocity: Velocity with which a row is asked to close, negative to open it, m/s
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
         mass_share: Part of a row's mass that a soft contact acts with, 1
-        impulse_share: Part of its push that a soft contact gives back in a visit, 1
+        impulse_share: Part of its impulse that a soft contact gives back in an iteration, 1
 
-    Source: IM10, srs/models/soft_contact.md:644.
+    Source: IM10, srs/models/soft_contact.md:646.
     """
     return largest(
         accumulated_impulse
@@ -538,7 +538,7 @@ def limited_tangent_impulse(
     friction: Scalar,
     accumulated_impulse: Scalar,
 ) -> Scalar:
-    """Rub after a visit, held within what friction can give (N*s).
+    """Tangent impulse after an iteration, held within what friction can give (N*s).
 
     limited_tangent_impulse = max(min(tangent_impulse - row_mass*row_velocity,
     friction*accumulated_impulse), -friction*accumulated_impulse)
@@ -551,7 +551,7 @@ def limited_tangent_impulse(
             along itself, 1
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:648.
+    Source: IM10, srs/models/soft_contact.md:650.
     """
     return largest(
         least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
@@ -566,7 +566,7 @@ def restitution_impulse(
     restitution: Scalar,
     row_mass: Scalar,
 ) -> Scalar:
-    """Push after the visit that makes bodies part again (N*s).
+    """Accumulated impulse after restitution (N*s).
 
     restitution_impulse = max(accumulated_impulse - row_mass*(row_velocity +
     restitution*row_velocity_before), 0)
@@ -580,7 +580,7 @@ def restitution_impulse(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:651.
+    Source: IM10, srs/models/soft_contact.md:653.
     """
     return largest(
         accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0

@@ -33,6 +33,14 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=28,
     ),
+    "bounce_height": Symbol(
+        "bounce_height",
+        "m",
+        "how far a contact opens in a bounce",
+        tex="h_b",
+        file="srs/symbols.md",
+        line=33,
+    ),
     "duration": Symbol(
         "duration",
         "s",
@@ -40,7 +48,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="T",
         file="srs/symbols.md",
-        line=33,
+        line=37,
     ),
     "mass": Symbol(
         "mass",
@@ -51,7 +59,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="56.2 kg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=47,
+        line=51,
     ),
     "inverse_mass": Symbol(
         "inverse_mass",
@@ -60,7 +68,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="m^{-1}",
         file="srs/symbols.md",
-        line=54,
+        line=58,
     ),
     "inertia": Symbol(
         "inertia",
@@ -71,7 +79,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="74.5 kg*m^2",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=59,
+        line=63,
     ),
     "inverse_inertia": Symbol(
         "inverse_inertia",
@@ -80,7 +88,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="I^{-1}",
         file="srs/symbols.md",
-        line=66,
+        line=70,
     ),
     "restitution": Symbol(
         "restitution",
@@ -91,7 +99,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.8",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=71,
+        line=75,
     ),
     "pair_restitution": Symbol(
         "pair_restitution",
@@ -100,7 +108,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="C_R",
         file="srs/symbols.md",
-        line=80,
+        line=84,
     ),
     "friction": Symbol(
         "friction",
@@ -111,7 +119,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.5",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=85,
+        line=89,
     ),
     "pair_friction": Symbol(
         "pair_friction",
@@ -120,7 +128,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\mu",
         file="srs/symbols.md",
-        line=94,
+        line=98,
     ),
     "position": Symbol(
         "position",
@@ -131,7 +139,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0.412 m, 0.502 m]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=108,
+        line=112,
     ),
     "displacement": Symbol(
         "displacement",
@@ -140,7 +148,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=115,
+        line=119,
     ),
     "velocity": Symbol(
         "velocity",
@@ -151,7 +159,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[2.51 m/s, 0 m/s]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=120,
+        line=124,
     ),
     "acceleration": Symbol(
         "acceleration",
@@ -160,7 +168,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=127,
+        line=131,
     ),
     "orientation": Symbol(
         "orientation",
@@ -170,7 +178,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="90 deg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=132,
+        line=136,
     ),
     "angular_displacement": Symbol(
         "angular_displacement",
@@ -178,7 +186,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of orientation since the start",
         tex="\\theta",
         file="srs/symbols.md",
-        line=140,
+        line=144,
     ),
     "angular_velocity": Symbol(
         "angular_velocity",
@@ -188,7 +196,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="2.1 rad/s",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=144,
+        line=148,
     ),
     "angular_acceleration": Symbol(
         "angular_acceleration",
@@ -196,7 +204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the angular velocity",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=150,
+        line=154,
     ),
     "point_velocity": Symbol(
         "point_velocity",
@@ -205,7 +213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}^P",
         file="srs/symbols.md",
-        line=154,
+        line=158,
     ),
     "force": Symbol(
         "force",
@@ -216,7 +224,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[98.1 N, 0 N]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=168,
+        line=172,
     ),
     "torque": Symbol(
         "torque",
@@ -226,7 +234,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="200 N*m",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=175,
+        line=179,
     ),
     "gravity": Symbol(
         "gravity",
@@ -237,7 +245,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0 m/s^2, -9.81 m/s^2]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=181,
+        line=185,
     ),
     "gravitational_constant": Symbol(
         "gravitational_constant",
@@ -247,7 +255,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
-        line=188,
+        line=192,
     ),
     "attraction": Symbol(
         "attraction",
@@ -256,7 +264,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=203,
+        line=207,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -264,7 +272,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=208,
+        line=212,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -274,7 +282,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=212,
+        line=216,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -284,7 +292,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=218,
+        line=222,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -293,7 +301,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=224,
+        line=228,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -302,7 +310,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=229,
+        line=233,
     ),
     "angular_drag": Symbol(
         "angular_drag",
@@ -312,7 +320,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_\\omega",
         typical="0.1 kg*m^2/s",
         file="srs/symbols.md",
-        line=234,
+        line=238,
     ),
     "angular_drag_torque": Symbol(
         "angular_drag_torque",
@@ -320,7 +328,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of angular drag on a body",
         tex="\\tau^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=240,
+        line=244,
     ),
     "angular_drag_rate": Symbol(
         "angular_drag_rate",
@@ -329,7 +337,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma_\\omega",
         file="srs/symbols.md",
-        line=244,
+        line=248,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -338,7 +346,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=251,
+        line=255,
     ),
     "speed": Symbol(
         "speed",
@@ -347,7 +355,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=256,
+        line=260,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -357,7 +365,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=261,
+        line=265,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -367,7 +375,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=267,
+        line=271,
     ),
     "damping": Symbol(
         "damping",
@@ -377,7 +385,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=273,
+        line=277,
     ),
     "point": Symbol(
         "point",
@@ -386,7 +394,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=279,
+        line=283,
     ),
     "span": Symbol(
         "span",
@@ -395,7 +403,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=284,
+        line=288,
     ),
     "distance": Symbol(
         "distance",
@@ -404,7 +412,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=289,
+        line=293,
     ),
     "axis": Symbol(
         "axis",
@@ -413,7 +421,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=294,
+        line=298,
     ),
     "extension": Symbol(
         "extension",
@@ -421,7 +429,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=299,
+        line=303,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -429,7 +437,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=303,
+        line=307,
     ),
     "tension": Symbol(
         "tension",
@@ -437,7 +445,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=307,
+        line=311,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -446,7 +454,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=311,
+        line=315,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -455,7 +463,94 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=316,
+        line=320,
+    ),
+    "half_turn": Symbol(
+        "half_turn",
+        "rad",
+        "half of the angle by which a body turns in a step",
+        tex="\\vartheta",
+        file="srs/symbols.md",
+        line=325,
+    ),
+    "half_turn_sine": Symbol(
+        "half_turn_sine",
+        "1",
+        "sine of half of the angle by which a body turns in a step",
+        tex="\\sin\\vartheta",
+        file="srs/symbols.md",
+        line=329,
+    ),
+    "damping_step": Symbol(
+        "damping_step",
+        "1",
+        "half of the share of a velocity that a damper would take in a step with the force of its beginning",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="z",
+        file="srs/symbols.md",
+        line=333,
+    ),
+    "resistance_along": Symbol(
+        "resistance_along",
+        "kg",
+        "impulse by which a spring resists a velocity along its axis, over it",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_{\\parallel}",
+        file="srs/symbols.md",
+        line=340,
+    ),
+    "resistance_across": Symbol(
+        "resistance_across",
+        "kg",
+        "impulse by which a spring resists a velocity across its axis, over it",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\lambda_{\\perp}",
+        file="srs/symbols.md",
+        line=345,
+    ),
+    "velocity_along": Symbol(
+        "velocity_along",
+        "m/s",
+        "velocity at which the ends of a spring part",
+        tex="u_{\\parallel}",
+        file="srs/symbols.md",
+        line=350,
+    ),
+    "end_velocity": Symbol(
+        "end_velocity",
+        "m/s",
+        "velocity of a spring's end B as seen from its end A",
+        shape="vector",
+        tex="\\boldsymbol{u}^{\\mathrm{spr}}",
+        file="srs/symbols.md",
+        line=354,
+    ),
+    "spring_impulse": Symbol(
+        "spring_impulse",
+        "N*s",
+        "impulse of a spring in a substep on the end at body A, at rest",
+        shape="vector",
+        tex="\\boldsymbol{J}^{\\mathrm{spr}}",
+        file="srs/symbols.md",
+        line=359,
+    ),
+    "resisting_impulse": Symbol(
+        "resisting_impulse",
+        "N*s",
+        "impulse on the end at body A by which a spring resists velocities",
+        shape="vector",
+        tex="\\boldsymbol{J}^{\\mathrm{res}}",
+        file="srs/symbols.md",
+        line=364,
+    ),
+    "critical_step": Symbol(
+        "critical_step",
+        "s",
+        "step from which on kicks and drifts let an oscillation grow",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="h_{\\mathrm{crit}}",
+        file="srs/symbols.md",
+        line=369,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -464,7 +559,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=321,
+        line=374,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -473,7 +568,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=326,
+        line=379,
     ),
     "field_force": Symbol(
         "field_force",
@@ -482,7 +577,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=331,
+        line=384,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -490,7 +585,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=336,
+        line=389,
     ),
     "normal": Symbol(
         "normal",
@@ -499,7 +594,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=349,
+        line=402,
     ),
     "tangent": Symbol(
         "tangent",
@@ -508,7 +603,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=354,
+        line=407,
     ),
     "direction": Symbol(
         "direction",
@@ -516,7 +611,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=359,
+        line=412,
     ),
     "arm": Symbol(
         "arm",
@@ -525,7 +620,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=363,
+        line=416,
     ),
     "separation": Symbol(
         "separation",
@@ -533,7 +628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=368,
+        line=421,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -541,7 +636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=372,
+        line=425,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -549,7 +644,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=378,
+        line=431,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -557,7 +652,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=384,
+        line=437,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -565,7 +660,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=388,
+        line=441,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -574,7 +669,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=392,
+        line=445,
     ),
     "coupling": Symbol(
         "coupling",
@@ -582,7 +677,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=397,
+        line=450,
     ),
     "impulse": Symbol(
         "impulse",
@@ -591,7 +686,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=403,
+        line=456,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -599,7 +694,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=408,
+        line=461,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -607,7 +702,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=412,
+        line=465,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -616,7 +711,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=418,
+        line=471,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -625,7 +720,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=423,
+        line=476,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -633,7 +728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=430,
+        line=483,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -641,7 +736,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=436,
+        line=489,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -649,7 +744,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=440,
+        line=493,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -658,7 +753,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=444,
+        line=497,
     ),
     "share": Symbol(
         "share",
@@ -667,7 +762,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=449,
+        line=502,
     ),
     "sense": Symbol(
         "sense",
@@ -676,7 +771,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=456,
+        line=509,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -685,7 +780,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=463,
+        line=516,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -694,7 +789,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=468,
+        line=521,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -702,7 +797,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=473,
+        line=526,
     ),
     "overlap": Symbol(
         "overlap",
@@ -710,7 +805,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=477,
+        line=530,
     ),
     "line": Symbol(
         "line",
@@ -719,7 +814,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=489,
+        line=542,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -727,7 +822,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=494,
+        line=547,
     ),
     "bend": Symbol(
         "bend",
@@ -735,7 +830,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=499,
+        line=552,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -743,7 +838,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=504,
+        line=557,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -752,15 +847,15 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=508,
+        line=561,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
         "N*s",
-        "impulse that is given in one visit of a row, to B along the line",
+        "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=513,
+        line=566,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -769,25 +864,25 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=517,
+        line=570,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
         "N*s",
-        "push after a visit of a soft contact",
+        "accumulated impulse after an iteration of a soft contact",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=522,
+        line=575,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
         "N*s",
-        "push after the visit that makes bodies part again",
+        "accumulated impulse after restitution",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=527,
+        line=580,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -795,15 +890,15 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=532,
+        line=585,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
         "N*s",
-        "rub after a visit, held within what friction can give",
+        "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=536,
+        line=589,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -812,7 +907,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=540,
+        line=593,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -821,7 +916,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=545,
+        line=598,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -829,7 +924,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=550,
+        line=603,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -838,16 +933,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=554,
+        line=607,
     ),
     "impulse_share": Symbol(
         "impulse_share",
         "1",
-        "part of its push that a soft contact gives back in a visit",
+        "part of its impulse that a soft contact gives back in an iteration",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=559,
+        line=612,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -856,7 +951,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=564,
+        line=617,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -865,7 +960,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=571,
+        line=624,
     ),
     "extent": Symbol(
         "extent",
@@ -874,7 +969,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=578,
+        line=631,
     ),
     "firmest": Symbol(
         "firmest",
@@ -883,16 +978,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=585,
+        line=638,
     ),
     "preload": Symbol(
         "preload",
         "m",
-        "overlap at which a spring without preload would push as much",
+        "overlap at which a spring without preload would give as much",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=590,
+        line=643,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -901,7 +996,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=595,
+        line=648,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -910,7 +1005,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=600,
+        line=653,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -919,7 +1014,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=605,
+        line=658,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -928,7 +1023,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=610,
+        line=663,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -936,7 +1031,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=615,
+        line=668,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -944,7 +1039,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=619,
+        line=672,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -952,7 +1047,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=623,
+        line=676,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -960,7 +1055,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=627,
+        line=680,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -968,7 +1063,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=631,
+        line=684,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -977,7 +1072,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=635,
+        line=688,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -986,16 +1081,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=640,
+        line=693,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
         "s^2",
-        "way in a step for one unit of acceleration",
+        "displacement in a step for one unit of acceleration",
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=645,
+        line=698,
     ),
     "shift": Symbol(
         "shift",
@@ -1004,7 +1099,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=650,
+        line=703,
     ),
     "turn": Symbol(
         "turn",
@@ -1012,7 +1107,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=655,
+        line=708,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1021,16 +1116,16 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=659,
+        line=712,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
         "1",
-        "part of the push of two contacts that is that of the first",
+        "part of the normal impulse of two contacts that is that of the first",
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=666,
+        line=719,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1039,7 +1134,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=671,
+        line=724,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1048,7 +1143,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=678,
+        line=731,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1057,7 +1152,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=685,
+        line=738,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1066,7 +1161,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=691,
+        line=744,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1074,7 +1169,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=698,
+        line=751,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1083,7 +1178,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=711,
+        line=764,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1092,7 +1187,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=716,
+        line=769,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1101,7 +1196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=721,
+        line=774,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1109,7 +1204,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=726,
+        line=779,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1118,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=730,
+        line=783,
     ),
     "advance": Symbol(
         "advance",
@@ -1127,7 +1222,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=735,
+        line=788,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1135,7 +1230,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=740,
+        line=793,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1143,7 +1238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=744,
+        line=797,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1151,7 +1246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=748,
+        line=801,
     ),
     "slip": Symbol(
         "slip",
@@ -1159,7 +1254,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=753,
+        line=806,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1167,7 +1262,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=759,
+        line=812,
     ),
     "circling": Symbol(
         "circling",
@@ -1176,7 +1271,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=763,
+        line=816,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1184,7 +1279,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=770,
+        line=823,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1193,7 +1288,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=774,
+        line=827,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1202,7 +1297,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=779,
+        line=832,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1211,7 +1306,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=784,
+        line=837,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1219,7 +1314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=789,
+        line=842,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1228,7 +1323,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=793,
+        line=846,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1236,7 +1331,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=798,
+        line=851,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1244,7 +1339,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=802,
+        line=855,
     ),
     "arc": Symbol(
         "arc",
@@ -1253,7 +1348,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=808,
+        line=861,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1262,7 +1357,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=813,
+        line=866,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1270,7 +1365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=823,
+        line=876,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1278,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=827,
+        line=880,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1287,7 +1382,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=831,
+        line=884,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1296,7 +1391,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=836,
+        line=889,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1305,7 +1400,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=841,
+        line=894,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1314,7 +1409,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=846,
+        line=899,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1323,7 +1418,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=851,
+        line=904,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1331,7 +1426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=856,
+        line=909,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1340,7 +1435,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=865,
+        line=918,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1348,7 +1443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=870,
+        line=923,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1357,7 +1452,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=874,
+        line=927,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1365,7 +1460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=879,
+        line=932,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1373,7 +1468,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=883,
+        line=936,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1382,7 +1477,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=887,
+        line=940,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1391,7 +1486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=892,
+        line=945,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1400,7 +1495,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=897,
+        line=950,
     ),
     "work": Symbol(
         "work",
@@ -1408,7 +1503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=902,
+        line=955,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1417,7 +1512,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=906,
+        line=959,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1425,7 +1520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=911,
+        line=964,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1434,7 +1529,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=915,
+        line=968,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1442,7 +1537,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=920,
+        line=973,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1451,7 +1546,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=925,
+        line=978,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1460,7 +1555,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=930,
+        line=983,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1469,7 +1564,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=935,
+        line=988,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1478,7 +1573,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=942,
+        line=995,
     ),
     "energy": Symbol(
         "energy",
@@ -1486,7 +1581,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=947,
+        line=1000,
     ),
     "radius": Symbol(
         "radius",
@@ -1495,7 +1590,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=956,
+        line=1009,
     ),
     "length": Symbol(
         "length",
@@ -1504,7 +1599,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=961,
+        line=1014,
     ),
     "width": Symbol(
         "width",
@@ -1513,7 +1608,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=968,
+        line=1021,
     ),
     "height": Symbol(
         "height",
@@ -1522,7 +1617,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=973,
+        line=1026,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1531,7 +1626,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=978,
+        line=1031,
     ),
     "center": Symbol(
         "center",
@@ -1540,7 +1635,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=983,
+        line=1036,
     ),
     "offset": Symbol(
         "offset",
@@ -1548,7 +1643,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=988,
+        line=1041,
     ),
     "area": Symbol(
         "area",
@@ -1557,7 +1652,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=992,
+        line=1045,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1566,6 +1661,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=997,
+        line=1050,
     ),
 }

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.engine.batch import UNSTATED, Batch
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
@@ -15,9 +14,8 @@ from tamias2d.scene.rules import RuleError, sequence
 from tamias2d.scene.shapes import HalfPlane
 from tamias2d.simulator.batch import drag_rates
 from tamias2d.simulator.columns import as_array, numbers, vectors, wholes
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 
-Whole = NDArray[np.int64]
 Shapes = Shape | None | Sequence[Shape | None]
 _OF = {STATIC: "the static bodies", KINEMATIC: "the kinematic bodies", DYNAMIC: "the bodies"}
 _NUMBERS = {
@@ -155,7 +153,7 @@ def _surface(value: object, key: str, of: str, count: int) -> Array:
     return numbers(value, key, of, _SURFACE[key], count=count, symbol=key)
 
 
-def _filters(given: dict[str, Any], of: str, count: int) -> Whole:
+def _filters(given: dict[str, Any], of: str, count: int) -> IntArray:
     columns = [
         wholes(value, key, of, count=count, check=checked_whole)
         for key, value in (

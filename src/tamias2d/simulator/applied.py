@@ -1,19 +1,17 @@
 """Impulses and forces that are applied at points, as changes of a body's row (IM2, IM3)."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
 from tamias2d.generated import definitions, impact
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.columns import vectors
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 
-Whole = NDArray[np.int64]
 _OF = "the bodies"
 
 
-def velocity_changes(engine: Engine, rows: Whole, impulse: object, at: object) -> Array:
+def velocity_changes(engine: Engine, rows: IntArray, impulse: object, at: object) -> Array:
     """Return the changes of velocity and angular velocity (k, 3) by impulses, N s, at points."""
     remedy = "Give (x, y) in N s."
     given = vectors(impulse, "impulse", _OF, remedy, count=len(rows), symbol="impulse_vector")
@@ -30,7 +28,7 @@ def velocity_changes(engine: Engine, rows: Whole, impulse: object, at: object) -
     return changes
 
 
-def applied_loads(engine: Engine, rows: Whole, force: object, at: object) -> Array:
+def applied_loads(engine: Engine, rows: IntArray, force: object, at: object) -> Array:
     """Return the loads (k, 3), N and N m, by forces at points."""
     push = vectors(force, "force", _OF, "Give (x, y) in N.", count=len(rows), symbol="force")
     arms = _arms(engine, rows, at)
@@ -38,7 +36,7 @@ def applied_loads(engine: Engine, rows: Whole, force: object, at: object) -> Arr
         return np.column_stack((push, definitions.torque(arms, _pair(push))))
 
 
-def add_rows(values: Array, rows: Whole, changes: Array, what: str) -> None:
+def add_rows(values: Array, rows: IntArray, changes: Array, what: str) -> None:
     """Add changes (k, 3) to rows, one after another where a row is meant twice.
 
     Raises:
@@ -58,7 +56,7 @@ def add_rows(values: Array, rows: Whole, changes: Array, what: str) -> None:
         )
 
 
-def _arms(engine: Engine, rows: Whole, at: object) -> tuple[Array, Array]:
+def _arms(engine: Engine, rows: IntArray, at: object) -> tuple[Array, Array]:
     """Return the arms from centres of mass to points, m; 0 where no point is given."""
     if at is None:
         return np.zeros(len(rows)), np.zeros(len(rows))

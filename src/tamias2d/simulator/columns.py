@@ -10,9 +10,7 @@ from numpy.typing import NDArray
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, refuse_masked, shown
-from tamias2d.state import Array
-
-Whole = NDArray[np.int64]
+from tamias2d.state import Array, IntArray
 
 
 def numbers(value: object, key: str, of: str, remedy: str, *, count: int, symbol: str) -> Array:
@@ -25,7 +23,7 @@ def vectors(value: object, key: str, of: str, remedy: str, *, count: int, symbol
     return _judged(_spread(value, key, of, remedy, (count, 2)), key, of, remedy, symbol)
 
 
-def wholes(value: object, key: str, of: str, *, count: int, check: Callable[..., int]) -> Whole:
+def wholes(value: object, key: str, of: str, *, count: int, check: Callable[..., int]) -> IntArray:
     """Return a whole number for each of so many bodies (count,); `check` judges one of them."""
     given = as_array(value, key, of, "Give whole numbers.")
     if given.ndim and given.shape != (count,):

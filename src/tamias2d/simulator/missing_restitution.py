@@ -5,15 +5,12 @@ from itertools import combinations_with_replacement, product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import DYNAMIC, SENSOR
 from tamias2d.errors import SceneError
 from tamias2d.scene.filters import may_touch
-
-Whole = NDArray[np.int64]
 
 
 class _Class(NamedTuple):

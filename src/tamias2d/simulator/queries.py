@@ -3,16 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.state import LARGEST
 from tamias2d.scene.filters import checked_mask
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator.columns import as_array, vectors
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 
-Whole = NDArray[np.int64]
 _POINT = "Give (x, y) in m."
 
 
@@ -20,7 +18,7 @@ _POINT = "Give (x, y) in m."
 class Hits:
     """What k rays met first."""
 
-    body: Whole
+    body: IntArray
     """(k,), index, or -1 where a ray met nothing"""
     point: Array
     """(k, 2), where it was met, m; the end of the ray where that met nothing"""
@@ -66,7 +64,7 @@ def cast_rays(engine: Engine, start: object, end: object, mask: object) -> Hits:
     )
 
 
-def bodies_in_box(engine: Engine, low: object, high: object, mask: object) -> Whole:
+def bodies_in_box(engine: Engine, low: object, high: object, mask: object) -> IntArray:
     """Return the bodies (k,) that reach into a box between two corners (2,), m, by rank.
 
     Raises:
@@ -82,7 +80,7 @@ def bodies_in_box(engine: Engine, low: object, high: object, mask: object) -> Wh
     return _within(engine, least, most, mask)
 
 
-def bodies_at_point(engine: Engine, point: object, mask: object) -> Whole:
+def bodies_at_point(engine: Engine, point: object, mask: object) -> IntArray:
     """Return the bodies (k,) at a point (2,), m, by rank.
 
     Raises:
@@ -92,7 +90,7 @@ def bodies_at_point(engine: Engine, point: object, mask: object) -> Whole:
     return _within(engine, place, place, mask)
 
 
-def _within(engine: Engine, low: Array, high: Array, mask: object) -> Whole:
+def _within(engine: Engine, low: Array, high: Array, mask: object) -> IntArray:
     bits = checked_mask(mask, "the question")
     _refuse_endless(engine)
     return engine.queries.bodies_in_box(low, high, bits)

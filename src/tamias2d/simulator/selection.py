@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 from tamias2d.engine.tables import ABSENT
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.simulator.columns import as_array
+from tamias2d.state import IntArray
 
-Whole = NDArray[np.int64]
 Bodies: TypeAlias = int | str | Sequence[int] | Sequence[str] | NDArray[np.integer | np.bool_]
 """One body by index or name; many by a list or an array of them, or by a mask of truth values."""
 _REMEDY = "Give an index or a name, an array of indices, or a truth value for each body."
 
 
-def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -> Whole:
+def selected(bodies: object, kind: NDArray[np.int8], names: Mapping[str, int]) -> IntArray:
     """Return the rows of bodies (k,), or raise `RuleError` if one is not there."""
     found = names.get(bodies, bodies) if isinstance(bodies, str) else bodies
     given: NDArray[np.generic] = as_array(found, "bodies", "the selection", _REMEDY)

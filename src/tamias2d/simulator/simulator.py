@@ -35,12 +35,12 @@ from tamias2d.simulator.settings import (
     checked_substeps,
     checked_time_step,
 )
+from tamias2d.simulator.spring_rows import spring_rows
 from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.simulator.views import Views
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
-Whole = NDArray[np.int64]
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
@@ -55,13 +55,13 @@ class Simulator(Views):
     the scene and then of adding; the row of a removed body is one of zeros after the next step, and
     then free for one that is added. Adding may put the arrays elsewhere: take a view anew after it.
 
-    Forces that vary with time or state (laws, springs, attraction, fields, quadratic drag) are
-    evaluated once a step, at its start, and held through it: an error of first order in the time
-    step. Gravity, constant forces and linear and angular drag are solved with the step.
+    Gravity, constant forces and linear and angular drag are solved with the step. Springs and their
+    dampers are stable at any stiffness (IM14, DD52); laws, attraction and fields are kicks at both
+    ends of the step (DD53), quadratic drag acts in halves around it (DD55). All are of second order
+    in the time step where nothing touches.
     """
 
     __slots__ = (
-        "_lock",
         "_names",
         "_pushed",
         "_scene",
@@ -71,6 +71,7 @@ class Simulator(Views):
         "_touching",
         "_unsettled",
         "_varying",
+        "_warned",
     )  # fmt: skip
 
     def __init__(
@@ -98,7 +99,7 @@ class Simulator(Views):
         """
         checked_scene(scene)
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
-        varies = not VaryingLoads(scene, range(len(scene))).empty
+        varies = bool(scene.springs) or not VaryingLoads(scene, range(len(scene)), {}).empty
         self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
         self._staying = list(range(len(scene)))
@@ -124,6 +125,7 @@ class Simulator(Views):
         self._engine = engine
         self._look()
         self._varying: VaryingLoads | None = None
+        self._warned: dict[str, str] = {}
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
         self._unsettled = True
@@ -136,6 +138,9 @@ class Simulator(Views):
         Raises:
             InputError: a value that was set is not finite; the state is as it was before the step.
             SimulationError: a force that varies has no finite value.
+
+        Warns:
+            StepWarning: the time step is too long for a force that varies; once for each.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
@@ -165,8 +170,9 @@ class Simulator(Views):
         self._unsettled = False
         self._varying = None
         if self._scene is not None:
-            rank = self._engine.rank
-            varying = VaryingLoads(self._scene, sorted(self._staying, key=rank.__getitem__))
+            staying = sorted(self._staying, key=self._engine.rank.__getitem__)
+            self._engine.set_springs(spring_rows(self._scene, staying))
+            varying = VaryingLoads(self._scene, staying, self._warned)
             self._varying = None if varying.empty else varying
 
     def _settle_between(self) -> None:
@@ -177,17 +183,21 @@ class Simulator(Views):
 
     def _step_loaded(self) -> None:
         """Take a step with loads that count for this one only."""
-        engine = self._engine
-        kept = engine.load.copy()
-        if self._varying is not None:
-            engine.load[:] += self._varying.loads(engine, self.time)
-        if self._pushed is not None:
-            engine.load[: len(self._pushed)] += self._pushed
+        engine, varying = self._engine, self._varying
+        load, velocity, steps = engine.load.copy(), engine.velocity.copy(), engine.steps
         try:
+            if varying is not None:
+                varying.begin(engine, self.time, self._time_step)
+            if self._pushed is not None:
+                engine.load[: len(self._pushed)] += self._pushed
             self._advance(1)
         finally:  # a push that cannot be is forgotten, too
-            engine.load[:] = kept
+            engine.load[:] = load
             self._pushed = None
+            if engine.steps == steps:
+                engine.velocity[:] = velocity
+        if varying is not None:
+            varying.end(engine, self.time, self._time_step)
 
     # -- state
 
@@ -205,6 +215,11 @@ class Simulator(Views):
     def substeps(self) -> int:
         """In how many parts a step solves contacts."""
         return self._substeps
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was warned of so far: each force for which the time step is too long."""
+        return tuple(self._warned.values())
 
     # -- pushing
 
@@ -374,7 +389,7 @@ class Simulator(Views):
 
     @property
     @exclusive
-    def ended(self) -> Whole:
+    def ended(self) -> IntArray:
         """The pairs (k, 2) that touched before the last step, and not in it.
 
         What was removed is in none of them.
@@ -397,13 +412,13 @@ class Simulator(Views):
         return cast_rays(self._engine, start, end, mask)
 
     @exclusive
-    def at_point(self, point: object, *, mask: int | None = None) -> Whole:
+    def at_point(self, point: object, *, mask: int | None = None) -> IntArray:
         """Return the bodies (k,) at a point (2,), m, but for sensors; `mask` as in `ray_cast`."""
         self._settle_between()
         return bodies_at_point(self._engine, point, mask)
 
     @exclusive
-    def in_box(self, low: object, high: object, *, mask: int | None = None) -> Whole:
+    def in_box(self, low: object, high: object, *, mask: int | None = None) -> IntArray:
         """Return the bodies (k,) that reach into a box between two corners (2,), m.
 
         Sensors are not among them; `mask` is as in `ray_cast`.
@@ -498,7 +513,7 @@ class Simulator(Views):
     def __repr__(self) -> str:
         return f"<Simulator of {len(self)} bodies at {self.time:.6g} s>"
 
-    def _rows(self, bodies: Bodies) -> Whole:
+    def _rows(self, bodies: Bodies) -> IntArray:
         return selected(bodies, self._engine.kind, self._names)
 
     def _name_of(self, row: int) -> str:

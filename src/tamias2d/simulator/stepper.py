@@ -81,6 +81,11 @@ class Stepper:
         """Which was reached, s."""
         return self._sim.time
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was warned of on the way."""
+        return self._sim.warnings
+
     def history(self) -> History:
         """Return the states at all times that were reached."""
         x, y, turn, u, v, spin = self._rows[: self._told].transpose(1, 0, 2)

@@ -1,76 +1,187 @@
-"""Loads that vary with time or state: evaluated at the start of each step, and held through it.
+"""Loads that vary with time or state, but for springs: attraction, fields, laws, quadratic drag.
 
-Laws, springs, attraction, fields and quadratic drag vary. What is held over a step makes the answer
-one of first order in the time step. The engine itself has constant loads, gravity and linear drag.
+They are evaluated at both ends of a step: what acts at its beginning is held through it, and its
+end puts the velocities right by half of the change (DD53). Quadratic drag slows for half a step
+before all else and for half a step after it (DD55). Source: Verlet (1967), Strang (1968).
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
+from warnings import warn
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
-from tamias2d.errors import SimulationError
-from tamias2d.generated import drag
-from tamias2d.motion.terms import Attraction, Drag, LawTerm, Springs, Term
+from tamias2d.errors import SimulationError, StepWarning
+from tamias2d.generated import quadratic_step, spring_step
+from tamias2d.motion.terms import Attraction, LawTerm, Term
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_laws
 from tamias2d.state import Array
+
+_MOST_ROUNDS = 20  # in which velocities and the forces that depend on them agree
+_AGREED = 1e-13  # of the velocities
+_RESOLVED = 1e-10  # of a coordinate: changes below it say nothing of a force
+
+
+class _State(NamedTuple):
+    time: float
+    pose: Array
+    velocity: Array
+    loads: list[Array]
+    """(n, 3) of each term"""
 
 
 class VaryingLoads:
     """The loads on the bodies of a scene that are still there, given by rows in some order."""
 
-    def __init__(self, scene: Scene, rows: Sequence[int]) -> None:
-        """Take those that are there, in canonical order, so that no sum depends on another one."""
+    def __init__(self, scene: Scene, rows: Sequence[int], warned: dict[str, str]) -> None:
+        """Take those that are there, in canonical order, so that no sum depends on another one.
+
+        `warned` has the warnings that there were so far, by what is too fast for the step.
+        """
         rows = sorted(rows, key=lambda row: not scene.bodies[row].dynamic)  # those that move first
         self._scene = scene
         self._rows = np.array(rows, dtype=np.int64)
         self._terms = _terms(scene, rows)
+        self._drag = np.array([scene.bodies[row].quadratic_drag for row in rows])
+        self._warned = warned
+        self._begun: _State | None = None
+        self._ended: _State | None = None
 
     @property
     def empty(self) -> bool:
         """Whether no load varies."""
-        return not self._terms
+        return not self._terms and not self._drag.any()
 
-    def loads(self, engine: Engine, time: float) -> Array:
-        """Return the forces and torques (n, 3) on the bodies of an engine at a time, s.
+    def begin(self, engine: Engine, time: float, time_step: float) -> None:
+        """Let quadratic drag act for half a step, and add what acts at a time, s, to all loads.
 
         Raises:
             SimulationError: a force is not finite; names it and a body.
         """
-        place, rate = engine.pose[self._rows], engine.velocity[self._rows]
-        held = np.zeros_like(place)
+        self._slow_down(engine, time_step)
+        pose, velocity = engine.pose[self._rows], engine.velocity[self._rows]
+        last = self._ended
+        if (
+            last is None
+            or last.time != time
+            or not np.array_equal(last.pose, pose)
+            or not np.array_equal(last.velocity, velocity)
+        ):
+            last = _State(time, pose, velocity, self._loads(time, pose, velocity))
+        self._begun = last
+        for load in last.loads:
+            engine.load[self._rows] += load
+
+    def end(self, engine: Engine, time: float, time_step: float) -> None:
+        """Put the velocities right at the end of a step, a time in s; what sleeps is left alone.
+
+        Raises:
+            SimulationError: a force is not finite; names it and a body.
+        """
+        assert self._begun is not None
+        awake = ~engine.asleep[self._rows]
+        before = self._begun
+        pose, reached = engine.pose[self._rows], engine.velocity[self._rows]
+        moved = pose - before.pose
+        velocity, loads = reached, before.loads
+        for _ in range(_MOST_ROUNDS if self._terms else 0):
+            last, loads = velocity, self._loads(time, pose, velocity)
+            velocity = self._put_right(engine, reached, before.loads, loads, time_step)
+            velocity[~awake] = reached[~awake]
+            if np.all(np.abs(velocity - last) <= _AGREED * np.abs(velocity)):
+                break
+        if self._terms:
+            self._look(engine, before, pose, moved, time_step)
+        engine.velocity[self._rows] = velocity
+        self._ended = _State(time, pose, velocity, loads)
+        self._slow_down(engine, time_step, awake)
+
+    def _slow_down(
+        self, engine: Engine, time_step: float, awake: NDArray[np.bool_] | None = None
+    ) -> None:
+        """Let quadratic drag act alone for half a step (DD55)."""
+        if not self._drag.any():
+            return
+        velocity = engine.velocity[self._rows, :2].T
+        mass = engine.inverse_mass[self._rows]
         with np.errstate(all="ignore"):
-            for term in self._terms:
-                term.add(time, place, rate, held)
-                if not (good := np.isfinite(held).all(axis=1)).all():
-                    name = self._scene.bodies[int(self._rows[np.argmin(good)])].name
-                    raise SimulationError(
-                        f"{term.says.replace('_', ' ')} at {time!r} s: no finite force on "
-                        f"'{name}' (R4): bodies are at one place, or float64 cannot hold it. "
-                        "Move it, or change the scene."
-                    )
-        loads = np.zeros_like(engine.load)
-        loads[self._rows] = held
-        return loads
+            slower = quadratic_step.velocity_later(tuple(velocity), self._drag, mass, time_step)
+        slows = self._drag > 0.0 if awake is None else (self._drag > 0.0) & awake
+        engine.velocity[self._rows[slows], :2] = np.stack(slower, axis=-1)[slows]
+
+    def _put_right(
+        self,
+        engine: Engine,
+        velocity: Array,
+        first: Sequence[Array],
+        last: Sequence[Array],
+        time_step: float,
+    ) -> Array:
+        """Return velocities (n, 3) with half of what the loads have changed (DD53)."""
+        was, now = sum(first[1:], first[0]), sum(last[1:], last[0])
+        mass, inertia = engine.inverse_mass[self._rows], engine.inverse_inertia[self._rows]
+        x, y = spring_step.velocity_later(
+            tuple(velocity[:, :2].T), mass, tuple(was[:, :2].T), tuple(now[:, :2].T), time_step
+        )
+        spin = spring_step.angular_velocity_later(
+            velocity[:, 2], inertia, was[:, 2], now[:, 2], time_step
+        )
+        return np.stack((x, y, spin), axis=-1)
+
+    def _look(
+        self, engine: Engine, before: _State, pose: Array, moved: Array, time_step: float
+    ) -> None:
+        """Warn of forces that this step is too long for (DD54), each once."""
+        mass, inertia = engine.inverse_mass[self._rows], engine.inverse_inertia[self._rows]
+        far = np.abs(moved) > _RESOLVED * np.abs(pose)
+        for term, was in zip(self._terms, before.loads, strict=True):
+            if term.says in self._warned:
+                continue
+            now = self._load(term, before.time, pose, before.velocity)
+            shortest = spring_step.critical_step(
+                mass, tuple(was[:, :2].T), tuple(now[:, :2].T), tuple(moved[:, :2].T)
+            )
+            turning = spring_step.critical_step_turning(inertia, was[:, 2], now[:, 2], moved[:, 2])
+            shortest = np.where(far[:, :2].any(axis=1), shortest, np.inf)
+            shortest = np.minimum(shortest, np.where(far[:, 2], turning, np.inf))
+            k = int(np.argmin(shortest))
+            if shortest[k] < time_step:
+                name = self._scene.bodies[int(self._rows[k])].name
+                text = (
+                    f"{term.says.replace('_', ' ')} at {before.time:.6g} s: the time step of "
+                    f"{time_step:.6g} s is longer than {shortest[k]:.3g} s, beyond which the "
+                    f"motion of '{name}' gains energy (DD54). Give a shorter step."
+                )
+                self._warned[term.says] = text
+                warn(text, StepWarning, stacklevel=5)
+
+    def _loads(self, time: float, pose: Array, velocity: Array) -> list[Array]:
+        return [self._load(term, time, pose, velocity) for term in self._terms]
+
+    def _load(self, term: Term, time: float, pose: Array, velocity: Array) -> Array:
+        """Return the forces and torques (n, 3) of a term, or raise `SimulationError`."""
+        found = np.zeros_like(pose)
+        with np.errstate(all="ignore"):
+            term.add(time, pose, velocity, found)
+        if not (good := np.isfinite(found).all(axis=1)).all():
+            name = self._scene.bodies[int(self._rows[np.argmin(good)])].name
+            raise SimulationError(
+                f"{term.says.replace('_', ' ')} at {time!r} s: no finite force on "
+                f"'{name}' (R4): bodies are at one place, or float64 cannot hold it. "
+                "Move it, or change the scene."
+            )
+        return found
 
 
 def _terms(scene: Scene, rows: Sequence[int]) -> list[Term]:
-    """Return the terms of the loads; a spring is there while its bodies are."""
     dynamic = [row for row in rows if scene.bodies[row].dynamic]
-    place = {row: k for k, row in enumerate(rows)}
     found: list[Term] = [
         LawTerm(scene, rows, component, law, bodies)
         for (component, law), bodies in varying_laws(scene, rows).items()
     ]
-    if any(scene.bodies[row].quadratic_drag for row in dynamic):
-        found.append(Drag(scene, rows, "quadratic_drag", drag.quadratic_drag_force))
-    springs = [spring for spring in scene.springs if place.keys() >= set(spring.bodies)]
-    springs.sort(
-        key=lambda s: ([place[row] for row in s.bodies], s.point, s.stiffness, s.rest_length)
-    )
-    if springs:
-        found.append(Springs(scene, springs, place))
     if scene.attraction is not None and len(dynamic) > 1:
         found.append(Attraction(scene, dynamic))
     return found

@@ -103,7 +103,7 @@ def _refuse_endless(scene: Scene, duration: float, time_step: float | None, *, k
 def _method(
     scene: Scene, method: Method | None, duration: float
 ) -> tuple[Solvable, str, float | None]:
-    """Return the way with the reason for it, and the step that it takes if none is asked for."""
+    """Return the method with the reason for it, and the step that it takes if none is asked for."""
     if method is None:
         if reason := steps_because(scene, duration):
             return Stepped(), f"{Stepped()}: {reason}", 1 / FRAMES

@@ -46,11 +46,12 @@ def _reached(plan: Plan, stepper: Stepper) -> Run:
     run = run_of(plan, history, _impacts(stepper), (), tally)
     names = [body.name for body in plan.scene.bodies]
     notes = (
-        f"contacts: told at the ends of steps; {stepper.contacts} points pushed, over all steps",
+        f"contacts: told at the ends of steps; over all steps, {stepper.contacts} had an impulse",
         _overlap(stepper.deepest, names),
         f"energy: {run.energy[0]:.6g} J at first, {run.energy[-1]:.6g} J at last, "
         f"never more than {run.energy.max():.6g} J",
         "error: not bounded; `certify` finds how much shorter steps change",
+        *stepper.warnings,
     )
     cost = cost_of(run.impacts, tally, contacts=stepper.contacts)
     return replace(run, notes=run.notes + notes, cost=cost)

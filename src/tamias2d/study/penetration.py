@@ -18,7 +18,7 @@ from tamias2d.run import Run
 from tamias2d.scene.filters import may_touch
 from tamias2d.solve import sampler
 from tamias2d.state import Array, History
-from tamias2d.study.separation import Flags, Piece, View, divided, joined, pieces, view
+from tamias2d.study.separation import ConvexPart, Flags, View, divided, joined, pieces, view
 
 _EPSILON = 2.0**-52
 _TOUCH = 1e-9  # of the smaller size: overlaps less deep are touches
@@ -78,7 +78,7 @@ def crowded(run: Run) -> bool:
     return isinstance(run.method, Stepped) and solid > _BODIES
 
 
-def _pairs(run: Run) -> Iterator[tuple[Piece, Piece]]:
+def _pairs(run: Run) -> Iterator[tuple[ConvexPart, ConvexPart]]:
     """Go through all pairs of pieces that must not overlap; a half-plane is first."""
     bodies = run.scene.bodies
     solid = [k for k, body in enumerate(bodies) if body.shape is not None and not body.sensor]
@@ -97,7 +97,7 @@ def _nodes(run: Run) -> Array:
     return nodes[nodes <= end]
 
 
-def _near(a: Piece, b: Piece, nodes: Array, history: History) -> Flags:
+def _near(a: ConvexPart, b: ConvexPart, nodes: Array, history: History) -> Flags:
     """Return (k - 1,): in which intervals a pair may come near, by circles around both."""
     between = history.position[:, b.body] - history.position[:, a.body]
     if a.offset is None:
@@ -111,7 +111,7 @@ def _near(a: Piece, b: Piece, nodes: Array, history: History) -> Flags:
 
 
 def _tolerances(
-    a: Piece, b: Piece, share: float, nodes: Array, history: History
+    a: ConvexPart, b: ConvexPart, share: float, nodes: Array, history: History
 ) -> tuple[float, float]:
     """Return the overlap that counts as a touch, and the one that may go unseen, m."""
     size = min(a.size, b.size)
@@ -128,8 +128,8 @@ class _Search:
 
     def __init__(
         self,
-        a: Piece,
-        b: Piece,
+        a: ConvexPart,
+        b: ConvexPart,
         sample: Callable[[Array, Sequence[int]], History],
         touch: float,
         unseen: float,

@@ -47,7 +47,7 @@ class Case:
 
     @cached_property
     def run(self) -> Run:
-        """The run in the way that `simulate` takes by itself, 60 samples a second."""
+        """The run by the method that `simulate` takes by itself, 60 samples a second."""
         return simulate(self.scene, duration=self.duration)
 
     def outcome(

@@ -28,7 +28,7 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
         bound = float("nan") if claimed is None else claimed
         found = list(answers(run, bodies, slice(None)))
         off = max(float(np.linalg.norm(one.found - one.exact, axis=-1).max()) for one in found)
-        way = max(float(np.hypot(*np.ptp(one.exact, axis=0))) for one in found)
-        note = f"bound {bound:.2g}, true {off / way:.2g}, {run.method}"
+        size = max(float(np.hypot(*np.ptp(one.exact, axis=0))) for one in found)
+        note = f"bound {bound:.2g}, true {off / size:.2g}, {run.method}"
         yield case.outcome(given, f"bound over {asked}", bound / float(asked))
-        yield case.outcome(given, f"error over bound, for {asked}", off / way / bound, note)
+        yield case.outcome(given, f"error over bound, for {asked}", off / size / bound, note)

@@ -27,7 +27,7 @@ def compare(case: Case, given: Mapping[str, Any]) -> Iterator[Outcome]:
         yield from _kept(case, given, case.run, "")
 
 
-def _kept(case: Case, given: Mapping[str, Any], run: Run, way: str) -> Iterator[Outcome]:
+def _kept(case: Case, given: Mapping[str, Any], run: Run, by: str) -> Iterator[Outcome]:
     for quantity in _QUANTITIES:
         if quantity in given:
             rule = given[quantity]
@@ -35,7 +35,7 @@ def _kept(case: Case, given: Mapping[str, Any], run: Run, way: str) -> Iterator[
             size = _momenta(run) if quantity == "momentum" else _largest(values)
             change = (_rise if rule == "falls" else _drift)(values) / (size or 1.0)
             what = "never rises" if rule == "falls" else rule
-            yield case.outcome(given, f"{quantity.replace('_', ' ')} {what}{way}", change)
+            yield case.outcome(given, f"{quantity.replace('_', ' ')} {what}{by}", change)
 
 
 def _drift(values: Array) -> float:

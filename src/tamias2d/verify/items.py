@@ -7,11 +7,13 @@ import re
 from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 from tamias2d.scene import catalogue
 
 Item = Mapping[str, Any]
+_PACKAGE = Path(__file__).parents[1]
 _LABEL = re.compile(r"([A-Z]+)(\d+)([a-z]?)")
 
 
@@ -43,14 +45,24 @@ def label_order(case: str) -> tuple[bool, str, int, str]:
 def fingerprint(case: Item) -> str:
     """Return twelve hex digits that change with whatever a verdict on a case rests on.
 
-    That is what the case says, its scene, the requirements as they are worded, and all that the
-    items rest on which it uses.
+    That is what the case says, its scene, the requirements as they are worded, all that the items
+    rest on which it uses, and the code of the package: a case that passed may fail after any
+    change of it.
     """
     known, named = items(), case["links"]
     wording = [known[id]["data"] for id in named.get("verifies", ())]
     used = [known[id]["hash"] for id in named.get("uses", ())]
-    text = json.dumps([case["data"], _scene(case), wording, used], sort_keys=True)
+    text = json.dumps([case["data"], _scene(case), wording, used, _code()], sort_keys=True)
     return hashlib.sha256(text.encode()).hexdigest()[:12]
+
+
+@cache
+def _code() -> str:
+    """Return the SHA-256 of all modules of the package, printed or written by hand."""
+    total = hashlib.sha256()
+    for path in sorted(_PACKAGE.rglob("*.py")):
+        total.update(f"{path.relative_to(_PACKAGE).as_posix()}\n".encode() + path.read_bytes())
+    return total.hexdigest()
 
 
 def _scene(case: Item) -> str:

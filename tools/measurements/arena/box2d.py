@@ -10,7 +10,7 @@ import numpy as np
 
 from tamias2d.scene import Body, Scene
 from tamias2d.state import Array
-from tools.measurements.arena.pieces import Piece, pieces, size_of
+from tools.measurements.arena.pieces import ConvexPart, pieces, size_of
 from tools.measurements.arena.surfaces import friction, restitution
 
 SUBSTEPS = 4
@@ -84,7 +84,7 @@ def _mass(pyb2d3: Any, body: Body) -> Any:
     return mass
 
 
-def _shape(pyb2d3: Any, piece: Piece) -> Any:
+def _shape(pyb2d3: Any, piece: ConvexPart) -> Any:
     corners, radius = piece.corners, piece.radius
     if len(corners) == 1:
         return pyb2d3.circle(corners[0], radius)

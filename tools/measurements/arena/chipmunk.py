@@ -10,7 +10,7 @@ import numpy as np
 
 from tamias2d.scene import Body, Scene
 from tamias2d.state import Array
-from tools.measurements.arena.pieces import Piece, pieces, reaches, size_of
+from tools.measurements.arena.pieces import ConvexPart, pieces, reaches, size_of
 from tools.measurements.arena.surfaces import friction, restitution
 
 ITERATIONS = 10
@@ -75,7 +75,7 @@ def _body(pymunk: Any, body: Body) -> Any:
     return own
 
 
-def _shape(pymunk: Any, own: Any, piece: Piece) -> Any:
+def _shape(pymunk: Any, own: Any, piece: ConvexPart) -> Any:
     if len(piece.corners) == 1:
         return pymunk.Circle(own, piece.radius, piece.corners[0])
     if len(piece.corners) == 2:

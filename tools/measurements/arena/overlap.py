@@ -17,7 +17,7 @@ from scipy.spatial import cKDTree
 
 from tamias2d.scene import HalfPlane, Scene
 from tamias2d.state import Array
-from tools.measurements.arena.pieces import Piece, pieces
+from tools.measurements.arena.pieces import ConvexPart, pieces
 
 _FLAT = 1e-12  # of a hull's size: an overlap below it may be rounding, and is a distance
 _AT_ONCE = 50_000  # pairs, to bound the memory that they take
@@ -136,7 +136,7 @@ def _in_half_planes(scene: Scene, solids: _Solids, corners: Array) -> Iterator[O
             yield Overlap(float(depth.max()), float((depth / solids.inner[solids.moves]).max()))
 
 
-def _inner(piece: Piece) -> float:
+def _inner(piece: ConvexPart) -> float:
     """Return the radius of the largest circle about a piece's middle, m; inf for a line."""
     corners = np.array(piece.corners)
     middle = corners.mean(axis=0)

@@ -12,20 +12,20 @@ from tamias2d.scene.rules import Vector
 _LONG, _DEEP = 10.0, 2.0  # times the size of the scene: a half-plane in an engine without such
 
 
-class Piece(NamedTuple):
+class ConvexPart(NamedTuple):
     """A convex hull of one corner or more, rounded by a radius; m."""
 
     corners: tuple[Vector, ...]
     radius: float = 0.0
 
 
-def pieces(body: Body, size: float) -> list[Piece]:
+def pieces(body: Body, size: float) -> list[ConvexPart]:
     """Return what a body consists of; a half-plane is a box that reaches far beyond `size`, m."""
     if body.shape is None:
         return []
     if isinstance(body.shape, HalfPlane):
-        return [Piece(_slab(body.shape, size))]
-    return [Piece(part.core, part.shape.rounding) for part in pieces_of(body.shape)]
+        return [ConvexPart(_slab(body.shape, size))]
+    return [ConvexPart(part.core, part.shape.rounding) for part in pieces_of(body.shape)]
 
 
 def size_of(scene: Scene) -> float:

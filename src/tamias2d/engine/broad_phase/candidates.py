@@ -12,6 +12,7 @@ from tamias2d.engine.broad_phase.fat_box import (
     reaches_half_plane,
     sides_apart,
 )
+from tamias2d.engine.broad_phase.node_filters import may_meet, note_node_filters
 from tamias2d.engine.tables import (
     ABSENT,
     CATEGORY,
@@ -45,7 +46,8 @@ def find_candidates(bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: Bro
         for n in range(4):
             tree.boxes[k, n] = tree.boxes[s, FAT + n]
         note_centre(k, s, bodies, shapes, tree, broad_phase)
-    overlapping = find_leaf_pairs(leaves, tree, broad_phase.leaf_pairs)
+    filtered = note_node_filters(leaves, shapes.filters, tree)
+    overlapping = find_leaf_pairs(leaves, filtered, tree, broad_phase.leaf_pairs)
     if overlapping > len(broad_phase.leaf_pairs):
         return overlapping
     total = 0
@@ -58,11 +60,12 @@ def find_candidates(bodies: Bodies, shapes: Shapes, tree: Tree, broad_phase: Bro
     return total
 
 
-def find_leaf_pairs(leaves: int, tree: Tree, pairs: Integers) -> int:
+def find_leaf_pairs(leaves: int, filtered: bool, tree: Tree, pairs: Integers) -> int:
     """Write the pairs of leaves whose boxes overlap; return how many.
 
     The leaves of a bunch are compared together with those bunches on their right in the tree whose
-    box overlaps theirs. If there is no room for all pairs, the number is too large.
+    box overlaps theirs, but, where shapes are `filtered`, not with those that filters keep apart
+    from them. If there is no room for all pairs, the number is too large.
     """
     total = 0
     first = first_leaf_node(leaves)
@@ -71,9 +74,13 @@ def find_leaf_pairs(leaves: int, tree: Tree, pairs: Integers) -> int:
         box = tree.nodes[first + bunch]
         at = first + bunch
         while True:
-            while at < first and boxes_overlap(box, tree.nodes[at]):
+            near = boxes_overlap(box, tree.nodes[at])
+            if filtered:
+                near = near and may_meet(tree.filters[first + bunch], tree.filters[at])
+            if near and at < first:
                 at = 2 * at
-            if at >= first and boxes_overlap(box, tree.nodes[at]):
+                continue
+            if near:
                 other = (at - first) * BUNCH
                 for k in range(bunch * BUNCH, min(bunch * BUNCH + BUNCH, leaves)):
                     for m in range(max(k + 1, other), min(other + BUNCH, leaves)):

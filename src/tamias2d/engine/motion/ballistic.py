@@ -21,6 +21,7 @@ from tamias2d.engine.motion.chunks import (
     take_lanes,
     take_mixed,
 )
+from tamias2d.engine.state import LARGEST
 from tamias2d.engine.tables import (
     ANGLE_MARGIN,
     AT_START,
@@ -50,6 +51,7 @@ from tamias2d.engine.tables import (
     STAGE,
     STATIC,
     STEPS_TAKEN,
+    TIME_STEP,
     UNIFORM,
     Bodies,
     BodyState,
@@ -200,6 +202,7 @@ def note_course(world: World) -> None:
     contain infinity.
     """
     state, chunks = world.state, world.chunks
+    most_turn = LARGEST * world.control.settings[TIME_STEP]
     one = 0
     while one < len(state.kind) - 1 and state.kind[one] != DYNAMIC:
         one += 1
@@ -210,14 +213,20 @@ def note_course(world: World) -> None:
         alike = 0
         for k in range(CHUNK):
             i = CHUNK * g + k
-            note_bounds(i, k, state, world.broad_phase, chunks.course[g])
+            note_bounds(i, k, most_turn, state, world.broad_phase, chunks.course[g])
             same = state.properties[i, PROPAGATOR] == state.properties[one, PROPAGATOR]
             alike += 1 if state.kind[i] == DYNAMIC and same else 0
         chunks.course[g, UNIFORM] = 1.0 if alike == CHUNK else 0.0
 
 
-def note_bounds(i: int, k: int, state: BodyState, broad_phase: BroadPhase, course: Array) -> None:
-    """Note where a body, which is the k-th of its chunk, may be; an absent one anywhere."""
+def note_bounds(
+    i: int, k: int, most_turn: float, state: BodyState, broad_phase: BroadPhase, course: Array
+) -> None:
+    """Note where a body, which is the k-th of its chunk, may be; an absent one anywhere.
+
+    A disc may turn by any angle, but by more than `most_turn` in a step only with an angular
+    velocity that is not valid.
+    """
     low, high = course[L_LOW + 3 * k :], course[L_HIGH + 3 * k :]
     for n in range(3):
         low[n], high[n] = -FAR, FAR
@@ -225,5 +234,6 @@ def note_bounds(i: int, k: int, state: BodyState, broad_phase: BroadPhase, cours
         fat = broad_phase.fat_bounds[state.slot_of_body[i]]
         low[0], high[0] = max(-FAR, fat[LOW_X]), min(FAR, fat[HIGH_X])
         low[1], high[1] = max(-FAR, fat[LOW_Y]), min(FAR, fat[HIGH_Y])
-        low[2] = max(-FAR, fat[BASE_ANGLE] - fat[ANGLE_MARGIN])
-        high[2] = min(FAR, fat[BASE_ANGLE] + fat[ANGLE_MARGIN])
+        margin = min(fat[ANGLE_MARGIN], most_turn)
+        low[2] = max(-FAR, fat[BASE_ANGLE] - margin)
+        high[2] = min(FAR, fat[BASE_ANGLE] + margin)

@@ -32,13 +32,19 @@ WIDTH = 2.5  # bounding radii of the largest body: bodies farther apart do not t
 
 
 def divide_into_slabs(
-    tree_count: int, bodies: Bodies, touching: Touching, constraints: Constraints, direct: Direct
+    tree_count: int,
+    one: bool,
+    bodies: Bodies,
+    touching: Touching,
+    constraints: Constraints,
+    direct: Direct,
 ) -> None:
     """Divide the touching contacts into slabs, and list contacts and active bodies by slab.
 
-    Each tree-like island is in one slab.
+    Each tree-like island is in one slab. There is one only where springs act in the substeps,
+    because they reach from any slab to any other.
     """
-    number = assign_slabs(tree_count, bodies, touching, constraints, direct)
+    number = 1 if one else assign_slabs(tree_count, bodies, touching, constraints, direct)
     constraints.counts[SLABS] = number
     for q in range(number + 1):
         constraints.slabs[q, S_TREE] = -(-q * tree_count // number)

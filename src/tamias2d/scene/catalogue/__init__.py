@@ -35,15 +35,15 @@ _MADE: dict[str, Callable[[str], Scene]] = {
 }
 
 
-def names(way: Literal["located", "stepped"] | None = None) -> list[str]:
-    """Return the names of all scenes, or of those for one way, in alphabetical order.
+def names(contacts: Literal["located", "stepped"] | None = None) -> list[str]:
+    """Return the names of all scenes, or of those with such contacts, in alphabetical order.
 
-    Those for the stepped way have too many contacts, or too lasting ones, to be located.
+    Stepped are those that have too many contacts, or too lasting ones, to be located.
     """
     entries = [entry.name for entry in files(__name__).iterdir()]
     located = [name.removesuffix(_SUFFIX) for name in entries if name.endswith(_SUFFIX)]
-    of_ways = {None: [*located, *_MADE], "located": located, "stepped": list(_MADE)}
-    return sorted(of_ways[way])
+    found = {None: [*located, *_MADE], "located": located, "stepped": list(_MADE)}
+    return sorted(found[contacts])
 
 
 @suggests

@@ -3,7 +3,7 @@
 import pytest
 
 from tamias2d.errors import InputError, SpecError
-from tamias2d.verify import cases, engine, results, verify
+from tamias2d.verify import cases, results, suite, verify
 from tamias2d.verify.case import Case
 from tamias2d.verify.items import items
 
@@ -41,19 +41,19 @@ def test_an_error_is_a_failure_of_its_comparison(monkeypatch: pytest.MonkeyPatch
     def fault(*_: object) -> None:
         raise SpecError("here: found this: must be that (R4). Mend it.")
 
-    monkeypatch.setitem(engine.COMPARISONS, "exact", fault)  # type: ignore[arg-type]
-    outcomes = engine.judge(Case(items()["TC2"]))
+    monkeypatch.setitem(suite.COMPARISONS, "exact", fault)  # type: ignore[arg-type]
+    outcomes = suite.judge(Case(items()["TC2"]))
     assert [outcome.verdict for outcome in outcomes] == ["fail", "pass", "pass"]
     assert "Mend it" in outcomes[0].note
 
 
 def test_every_comparison_is_used_by_some_case() -> None:
     used = {key for case in cases() for key in case.data}
-    assert set(engine.COMPARISONS) <= used
+    assert set(suite.COMPARISONS) <= used
 
 
 def test_every_comparison_says_why_its_tolerance_and_whence_its_answer() -> None:
     for case in cases():
-        for key in set(case.data) & set(engine.COMPARISONS) - {"survey"}:
+        for key in set(case.data) & set(suite.COMPARISONS) - {"survey"}:
             assert case.data[key]["because"]
             assert case.data[key]["source"]

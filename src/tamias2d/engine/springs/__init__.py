@@ -1,0 +1,1 @@
+"""Springs between bodies: networks held through a step, or solved in the substeps of contacts."""

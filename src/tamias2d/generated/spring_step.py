@@ -1,0 +1,297 @@
+"""Spring step: Spring through a step; Spring in a substep; Forces at both ends of a step; Critical
+step of a force.
+
+Generated from srs/models/spring_step.md
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tamias2d.spec.functions import Scalar, Vector, largest, sqrt
+
+
+def tension_held(
+    stiffness: Scalar, rest_length: Scalar, distance: Scalar, distance_later: Scalar
+) -> Scalar:
+    """Pull of a spring and its damper, negative where it pushes; held through a step (N).
+
+    tension_held = stiffness*((distance + distance_later)/2 - rest_length)
+
+    Args:
+        stiffness: Force of a spring for each unit of extension, N/m
+        rest_length: Distance at which a spring neither pulls nor pushes, m
+        distance: Distance between two places, m
+        distance_later: Distance between two places; after the bodies have moved, m
+
+    Source: IM14, srs/models/spring_step.md:41.
+    """
+    return stiffness * ((distance + distance_later) / 2 - rest_length)
+
+
+def spring_force_held(
+    tension_held: Scalar,
+    damping: Scalar,
+    span: Vector,
+    span_later: Vector,
+    distance: Scalar,
+    distance_later: Scalar,
+    axis: Vector,
+    time_step: Scalar,
+) -> Vector:
+    """Force of a spring and its damper on the end at body A; held through a step (N).
+
+    spring_force_held = tension_held*(span + span_later)/max(distance + distance_later,
+    1e-150[m]) + damping*velocity_along*axis
+        where velocity_along = dot(span_later - span, axis)/time_step
+
+    Args:
+        tension_held: Pull of a spring and its damper, negative where it pushes; held through a
+            step, N
+        damping: Force of a spring's damper for each unit of the extension's rate, kg/s
+        span: Vector from one place to another, m
+        span_later: Vector from one place to another; after the bodies have moved, m
+        distance: Distance between two places, m
+        distance_later: Distance between two places; after the bodies have moved, m
+        axis: Unit vector from one end of a spring to the other, 1
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM14, srs/models/spring_step.md:42.
+    """
+    span_x, span_y = span
+    span_later_x, span_later_y = span_later
+    axis_x, axis_y = axis
+    velocity_along = (
+        (span_later_x - span_x) * axis_x + (span_later_y - span_y) * axis_y
+    ) / time_step
+    return (
+        tension_held * (span_x + span_later_x) / largest(distance + distance_later, 1e-150)
+        + damping * velocity_along * axis_x,
+        tension_held * (span_y + span_later_y) / largest(distance + distance_later, 1e-150)
+        + damping * velocity_along * axis_y,
+    )
+
+
+def damping_held(damping: Scalar, stiffness: Scalar, row_mass: Scalar, time_step: Scalar) -> Scalar:
+    """Force of a spring's damper for each unit of the extension's rate; held through a step
+    (kg/s).
+
+    damping_held = damping*(1 + time_step**2*stiffness/(4*row_mass))/sqrt(1 + damping_step**2)
+        where damping_step = time_step*damping/(2*row_mass)
+
+    Args:
+        damping: Force of a spring's damper for each unit of the extension's rate, kg/s
+        stiffness: Force of a spring for each unit of extension, N/m
+        row_mass: Impulse along the line for one unit of change of the row's velocity, kg
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM14, srs/models/spring_step.md:45.
+    """
+    damping_step = time_step * damping / (2 * row_mass)
+    return (
+        damping
+        * (1 + time_step * time_step * stiffness / (4 * row_mass))
+        / sqrt(1 + damping_step * damping_step)
+    )
+
+
+def arm_held(arm: Vector, half_turn: Scalar, half_turn_sine: Scalar) -> Vector:
+    """Lever arm, from the centre of mass to the contact point; held through a step (m).
+
+    arm_held = half_turn_sine/half_turn*arm
+
+    Args:
+        arm: Lever arm, from the centre of mass to the contact point, m
+        half_turn: Half of the angle by which a body turns in a step, rad
+        half_turn_sine: Sine of half of the angle by which a body turns in a step, 1
+
+    Source: IM14, srs/models/spring_step.md:48.
+    """
+    arm_x, arm_y = arm
+    return (half_turn_sine / half_turn * arm_x, half_turn_sine / half_turn * arm_y)
+
+
+def spring_impulse(
+    stiffness: Scalar, rest_length: Scalar, distance: Scalar, axis: Vector, time_step: Scalar
+) -> Vector:
+    """Impulse of a spring in a substep on the end at body A, at rest (N*s).
+
+    spring_impulse = time_step*stiffness*extension*axis
+        where extension = distance - rest_length
+
+    Args:
+        stiffness: Force of a spring for each unit of extension, N/m
+        rest_length: Distance at which a spring neither pulls nor pushes, m
+        distance: Distance between two places, m
+        axis: Unit vector from one end of a spring to the other, 1
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD52, srs/models/spring_step.md:141.
+    """
+    axis_x, axis_y = axis
+    extension = distance - rest_length
+    return (time_step * stiffness * extension * axis_x, time_step * stiffness * extension * axis_y)
+
+
+def resistance_along(stiffness: Scalar, damping: Scalar, time_step: Scalar) -> Scalar:
+    """Impulse by which a spring resists a velocity along its axis, over it (kg).
+
+    resistance_along = time_step**2*stiffness + time_step*damping
+
+    Args:
+        stiffness: Force of a spring for each unit of extension, N/m
+        damping: Force of a spring's damper for each unit of the extension's rate, kg/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD52, srs/models/spring_step.md:142.
+    """
+    return time_step * time_step * stiffness + time_step * damping
+
+
+def resistance_across(
+    stiffness: Scalar, rest_length: Scalar, distance: Scalar, time_step: Scalar
+) -> Scalar:
+    """Impulse by which a spring resists a velocity across its axis, over it (kg).
+
+    resistance_across = time_step**2*max(stiffness*extension, 0[N])/max(distance, 1e-150[m])
+        where extension = distance - rest_length
+
+    Args:
+        stiffness: Force of a spring for each unit of extension, N/m
+        rest_length: Distance at which a spring neither pulls nor pushes, m
+        distance: Distance between two places, m
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD52, srs/models/spring_step.md:143.
+    """
+    extension = distance - rest_length
+    return time_step * time_step * largest(stiffness * extension, 0.0) / largest(distance, 1e-150)
+
+
+def resisting_impulse(
+    resistance_along: Scalar, resistance_across: Scalar, axis: Vector, end_velocity: Vector
+) -> Vector:
+    """Impulse on the end at body A by which a spring resists velocities (N*s).
+
+    resisting_impulse = resistance_along*velocity_along*axis + resistance_across*(end_velocity
+    - velocity_along*axis)
+        where velocity_along = dot(end_velocity, axis)
+
+    Args:
+        resistance_along: Impulse by which a spring resists a velocity along its axis, over it,
+            kg
+        resistance_across: Impulse by which a spring resists a velocity across its axis, over
+            it, kg
+        axis: Unit vector from one end of a spring to the other, 1
+        end_velocity: Velocity of a spring's end B as seen from its end A, m/s
+
+    Source: DD52, srs/models/spring_step.md:147.
+    """
+    axis_x, axis_y = axis
+    end_velocity_x, end_velocity_y = end_velocity
+    velocity_along = end_velocity_x * axis_x + end_velocity_y * axis_y
+    return (
+        resistance_along * velocity_along * axis_x
+        + resistance_across * (end_velocity_x - velocity_along * axis_x),
+        resistance_along * velocity_along * axis_y
+        + resistance_across * (end_velocity_y - velocity_along * axis_y),
+    )
+
+
+def velocity_later(
+    velocity: Vector, inverse_mass: Scalar, force: Vector, force_later: Vector, time_step: Scalar
+) -> Vector:
+    """Velocity of the centre of mass; after the bodies have moved (m/s).
+
+    velocity_later = velocity + time_step/2*inverse_mass*(force_later - force)
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+        force: Applied force on a body, without its weight, N
+        force_later: Applied force on a body, without its weight; after the bodies have moved, N
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD53, srs/models/spring_step.md:184.
+    """
+    velocity_x, velocity_y = velocity
+    force_x, force_y = force
+    force_later_x, force_later_y = force_later
+    return (
+        velocity_x + time_step / 2 * inverse_mass * (force_later_x - force_x),
+        velocity_y + time_step / 2 * inverse_mass * (force_later_y - force_y),
+    )
+
+
+def angular_velocity_later(
+    angular_velocity: Scalar,
+    inverse_inertia: Scalar,
+    torque: Scalar,
+    torque_later: Scalar,
+    time_step: Scalar,
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; after the bodies have moved (rad/s).
+
+    angular_velocity_later = angular_velocity + time_step/2*inverse_inertia*(torque_later -
+    torque)
+
+    Args:
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+        torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
+        torque_later: Applied torque about the centre of mass, positive counter-clockwise; after
+            the bodies have moved, N*m
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD53, srs/models/spring_step.md:186.
+    """
+    return angular_velocity + time_step / 2 * inverse_inertia * (torque_later - torque)
+
+
+def critical_step(
+    inverse_mass: Scalar, force: Vector, force_later: Vector, shift: Vector
+) -> Scalar:
+    """Step from which on kicks and drifts let an oscillation grow (s).
+
+    critical_step = 2*sqrt(norm(shift)/max(inverse_mass*norm(force_later - force),
+    1e-150[m/s^2]))
+
+    Args:
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+        force: Applied force on a body, without its weight, N
+        force_later: Applied force on a body, without its weight; after the bodies have moved, N
+        shift: How far the centre of mass has moved since the step began, m
+
+    Source: DD54, srs/models/spring_step.md:219.
+    """
+    force_x, force_y = force
+    force_later_x, force_later_y = force_later
+    shift_x, shift_y = shift
+    return 2 * sqrt(
+        sqrt(shift_x * shift_x + shift_y * shift_y)
+        / largest(
+            inverse_mass
+            * sqrt(
+                (force_later_x - force_x) * (force_later_x - force_x)
+                + (force_later_y - force_y) * (force_later_y - force_y)
+            ),
+            1e-150,
+        )
+    )
+
+
+def critical_step_turning(
+    inverse_inertia: Scalar, torque: Scalar, torque_later: Scalar, turn: Scalar
+) -> Scalar:
+    """Step from which on kicks and drifts let an oscillation grow; with what turning adds (s).
+
+    critical_step_turning = 2*sqrt(abs(turn)/max(inverse_inertia*abs(torque_later - torque),
+    1e-150[rad/s^2]))
+
+    Args:
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+        torque: Applied torque about the centre of mass, positive counter-clockwise, N*m
+        torque_later: Applied torque about the centre of mass, positive counter-clockwise; after
+            the bodies have moved, N*m
+        turn: How far a body has turned since the step began, rad
+
+    Source: DD54, srs/models/spring_step.md:222.
+    """
+    return 2 * sqrt(abs(turn) / largest(inverse_inertia * abs(torque_later - torque), 1e-150))
