@@ -136,7 +136,7 @@ class KernelMarching:
         return call.steps(count, finished=finished)
 
     def _call(self, scheme: str, start: Start, most: int, ahead: float) -> "_Call | None":
-        """Return what is to be called; None where it is not known, or the general code is faster."""
+        """Return what is to be called; None where it is unknown, or the general code is faster."""
         found = march(scheme, self.demand)
         turned = not self.demand.rotation and start.velocity[:, 2].any()
         if found is None or turned:  # what turns it is unknown here
