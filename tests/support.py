@@ -10,6 +10,7 @@ from hypothesis import assume, reject, strategies as st
 from scipy.integrate import solve_ivp
 
 from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.spec.constraint_functions import ConstraintFunctions
 from tamias2d.spec.evaluate import evaluate
 from tamias2d.spec.expression import Node, parse
 
@@ -69,6 +70,71 @@ def agrees(
             reject()
         assume(np.all(np.isfinite(np.array(wanted, float))))
         close(function(**given), wanted)
+
+
+def follows(constraint: ConstraintFunctions, given: Mapping[str, Value]) -> None:
+    """Slopes, rate and convective part agree with differences of what they are derivatives of.
+
+    Central differences over a way of 1e-3 err by 1e-7 of third derivatives, after one halving
+    that takes away the square by 1e-12 of fifth ones; rounding adds 1e-12. Where two places are
+    nearly one, a distance bends too sharply for that, and other values are drawn.
+    """
+    assume(all(abs(span) > 1.0 for span in _spans(constraint, given)))
+    known = {"time": 0.3, **given}
+    entries = {end: constraint.slopes[end](known) for end in constraint.bodies}
+    for end in constraint.bodies:
+        for column, seed in enumerate(("x", "y", "turn")):
+            slope = _difference(lambda s, e=end, c=seed: constraint.constraint(_at(known, e, c, s)))
+            close(np.array(entries[end], float).reshape(-1, 3)[:, column], slope, 1e-7)
+    close(
+        constraint.rate(known), _difference(lambda s: constraint.constraint(_moved(known, s))), 1e-6
+    )
+    bend = _difference(lambda s: constraint.rate(_moved(known, s)))
+    close(constraint.convective(known), bend, 1e-5)
+
+
+def _difference(value: Callable[[float], Value]) -> Any:
+    """The derivative at 0, by central differences of two widths."""
+
+    def central(h: float) -> Any:
+        return (np.array(value(h), float) - np.array(value(-h), float)) / (2 * h)
+
+    return (4 * central(5e-4) - central(1e-3)) / 3
+
+
+def _at(known: Mapping[str, Value], end: str, seed: str, way: float) -> dict[str, Value]:
+    x, y = known[f"position_{end}"]
+    turn = known[f"orientation_{end}"]
+    place = (x + way * (seed == "x"), y + way * (seed == "y"))
+    moved = {f"position_{end}": place, f"orientation_{end}": turn + way * (seed == "turn")}
+    return {**known, **moved}
+
+
+def _moved(known: Mapping[str, Value], time: float) -> dict[str, Value]:
+    """Values a little later, where no body is accelerated."""
+    moved = {**known, "time": known["time"] + time}
+    for end in "abc":
+        (x, y), (u, v) = known[f"position_{end}"], known[f"velocity_{end}"]
+        moved[f"position_{end}"] = (x + u * time, y + v * time)
+        turn, spin = known[f"orientation_{end}"], known[f"angular_velocity_{end}"]
+        moved[f"orientation_{end}"] = turn + spin * time
+    return moved
+
+
+def _spans(constraint: ConstraintFunctions, given: Mapping[str, Value]) -> list[float]:
+    """The distances by which slopes are divided, in m."""
+    places = {}
+    for end in "abc":
+        turn = complex(math.cos(given[f"orientation_{end}"]), math.sin(given[f"orientation_{end}"]))
+        center = complex(*given[f"position_{end}"])
+        for name in (f"anchor_{end}", "post_a", "post_b"):
+            if name in given:
+                places[name, end] = center + turn * complex(*given[name])
+    if ("post_a", "c") in places:
+        return [abs(places[f"anchor_{e}", e] - places[f"post_{e}", "c"]) for e in "ab"]
+    if "joint_length" in constraint.parameters:
+        return [abs(places["anchor_a", "a"] - places["anchor_b", "b"])]
+    return []
 
 
 def only(given: Mapping[str, Value], function: Callable[..., Value]) -> dict[str, Value]:

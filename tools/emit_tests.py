@@ -7,6 +7,7 @@ import json
 from collections.abc import Iterable
 
 from tamias2d.spec.chapter import Item
+from tamias2d.spec.constraint import COORDINATES, ENDS
 from tamias2d.spec.specification import Specification
 from tools.emit_functions import module_of
 from tools.quoting import docstring
@@ -26,6 +27,7 @@ def emit(specification: Specification) -> dict[str, str]:
     return {
         "__init__.py": "",
         "test_closed_forms.py": _closed_forms(specification),
+        "test_constraints.py": _constraints(specification),
         "test_schemes.py": _schemes(specification),
     }
 
@@ -66,6 +68,30 @@ def _closed_form(item: Item) -> str:
         call = f"{module_of(item)}.{state}(**only(given, {module_of(item)}.{state}))"
         lines.append(f'    close({call}, solution["{state}"])')
     return "\n".join(lines) + "\n"
+
+
+def _constraints(specification: Specification) -> str:
+    items = specification.of_kind("constraint")
+    imports = [
+        "from hypothesis import given",
+        "from tamias2d.generated.constraints import CONSTRAINTS",
+        "from tests.support import Value, follows, values",
+    ]
+    title = "Slopes, rate and convective part of each constraint follow from its equation."
+    return _file(title, imports, map(_constraint, items))
+
+
+def _constraint(item: Item) -> str:
+    names = dict.fromkeys(item.data["parameters"])
+    places = [f"{name}_{end}" for end in ENDS for pair in COORDINATES.items() for name in pair]
+    names |= dict.fromkeys(places)
+    drawn = "\n".join(f'    {name}=values("{name}"),' for name in names)
+    return (
+        f"@given(\n{drawn}\n)\n"
+        f"def test_{item.id}_follows_from_its_equation(**given: Value) -> None:\n"
+        f"{_says(f'{item.file}:{item.line}.')}\n"
+        f'    follows(CONSTRAINTS["{item.id}"], given)\n'
+    )
 
 
 def _schemes(specification: Specification) -> str:

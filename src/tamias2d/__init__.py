@@ -38,7 +38,9 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         DormandPrince5 as DormandPrince5,
         ExplicitEuler as ExplicitEuler,
         ExponentialDrag as ExponentialDrag,
+        JointError as JointError,
         Legacy2018 as Legacy2018,
+        Reactions as Reactions,
         Reference as Reference,
         RungeKutta4 as RungeKutta4,
         SemiImplicitEuler as SemiImplicitEuler,
@@ -56,11 +58,19 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         Capsule as Capsule,
         Compound as Compound,
         Disc as Disc,
+        Distance as Distance,
+        Equation as Equation,
+        Gear as Gear,
+        Groove as Groove,
         HalfPlane as HalfPlane,
         Part as Part,
         Polygon as Polygon,
+        Prismatic as Prismatic,
+        Pulley as Pulley,
+        Revolute as Revolute,
         Scene as Scene,
         Segment as Segment,
+        Weld as Weld,
         catalogue as catalogue,
         load as load,
         needs as needs,
@@ -81,13 +91,13 @@ _HOMES = {
     "ensemble": "Grid Mean ensemble ensemble_mean random_stream sensitivities world_scene",
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "StepWarning TamiasError",
-    "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag Legacy2018 "
-    "Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError Stepped "
-    "VelocityVerlet Yoshida4",
+    "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag JointError "
+    "Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError "
+    "Stepped VelocityVerlet Yoshida4",
     "run": "Run",
     "run_data": "Impacts",
-    "scene": "Body Box Capsule Compound Disc HalfPlane Part Polygon Scene Segment catalogue load "
-    "needs scene_text",
+    "scene": "Body Box Capsule Compound Disc Distance Equation Gear Groove HalfPlane Part Polygon "
+    "Prismatic Pulley Revolute Scene Segment Weld catalogue load needs scene_text",
     "simulate": "simulate",
     "simulator": "Hits Simulator",
     "study.certify": "certify",

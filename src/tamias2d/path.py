@@ -73,5 +73,16 @@ class Paths(Protocol):
         They begin and end where their paths of now do; nothing is returned for good ones.
         """
 
+    def struck(
+        self,
+        time: float,
+        impulses: Mapping[int, Acceleration],
+        state: Callable[[int], State],
+    ) -> Mapping[int, Acceleration]:
+        """Return what impulses on jointed bodies change at a time, s, and all that joints move.
+
+        Impulses are in N s and N m s, changes of velocities in m/s and rad/s.
+        """
+
     def free(self, body: int, time: float, state: Callable[[int], State]) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""

@@ -2,15 +2,16 @@
 
 import hashlib
 from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.certificate import Certificate
 from tamias2d.cost import Cost
-from tamias2d.motion import Method
+from tamias2d.motion import Method, Reactions, reactions_of
 from tamias2d.scene import Scene
-from tamias2d.state import Array
+from tamias2d.state import Array, History
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,6 +76,12 @@ class RunData:
     """What it cost; None if it was not simulated but read from a recording."""
     certificate: Certificate | None = None
     """How wrong it is at most; None until it is certified."""
+
+    @cached_property
+    def reactions(self) -> Reactions:
+        """What the joints exert at each sample, and how well they hold (TM7)."""
+        states = (self.position, self.orientation, self.velocity, self.angular_velocity)
+        return reactions_of(self.scene, self.times, History(*states))
 
     def digest(self) -> str:
         """Return the SHA-256 of all numbers of the run: equal runs have equal digests."""

@@ -26,7 +26,9 @@ WORST_FIRST = (FAIL, STALE, UNCOVERED, NOT_RUN, MANUAL, PASS, NONE)
 OPEN = (FAIL, STALE, UNCOVERED, NOT_RUN)
 _DEMANDS = ("goal", "requirement")
 _UNJUDGED = ("change", "erratum")
-_PASSED_UP = ("model", "definition", "property", "requirement", "scheme", "theory")
+_PASSED_UP = (
+    *("constraint", "model", "definition", "property", "requirement", "scheme", "theory"),
+)
 
 
 @dataclass(frozen=True)

@@ -89,7 +89,7 @@ def test_a_function_stays_itself_when_its_module_is_imported() -> None:
         ("Space", "; did you mean t2.Scene?"),
         ("half_plane", "; did you mean t2.HalfPlane?"),
         ("Simulater", "; did you mean t2.Simulator?"),
-        ("Quaternion", ". dir(tamias2d) lists what there is."),
+        ("Voxel", ". dir(tamias2d) lists what there is."),
     ],
 )
 def test_an_unknown_name_is_refused_with_what_was_meant(name: str, meant: str) -> None:

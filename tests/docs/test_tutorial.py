@@ -37,6 +37,7 @@ PAGES = (
     "docs/tutorial.md",
     "docs/scenes.md",
     "docs/own_force.md",
+    "docs/joints.md",
     "docs/frame_loop.md",
     "docs/ensembles.md",
     "docs/choosing.md",

@@ -1,4 +1,4 @@
-"""Steps by kernels: the bits of the general way, plain and compiled, for all forces and schemes."""
+"""Steps by kernels: the bits of the general code, plain and compiled, by all forces and schemes."""
 
 from collections.abc import Callable
 

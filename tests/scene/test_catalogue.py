@@ -21,6 +21,7 @@ EXPECTED = [
     *(f"galperin-{100**k}" for k in range(4)),
     *("drag-fall", "quadratic-drag", "oscillator", "damped-oscillator", "pendulum", "kepler"),
     *("two-body", "figure-eight", "solar", "spring-chain", "own-law"),
+    *("pendulum-a01", "four-bars", "slider-crank", "andrews", "gear-train"),
 ]
 STEPPED = {
     "pyramid-30": 465,

@@ -55,6 +55,7 @@ TERMS = {
     "oscillator": "springs and dampers (IM7)",
     "two-body": "attraction between bodies (IM5)",
     "own-law": "force fields (IM8)",
+    "pendulum-a01": "joints (TM7, GD17)",
 }
 
 
@@ -144,6 +145,7 @@ NOTHING_ELSE_ACTS = [
     "omits quadratic drag (IM6): no body has a quadratic drag",
     "omits angular drag (IM6): no body has an angular drag",
     "omits springs and dampers (IM7): the scene has no spring",
+    "omits joints (TM7, GD17): the scene has no joint",
     "omits force fields (IM8): the scene has no field",
 ]
 APART = "omits integration of bodies together: nothing but contact acts between bodies"
@@ -206,7 +208,7 @@ def test_three_bodies_that_meet() -> None:
     assert needs(scene, 3.0).pairs == ((0, 1), (0, 2))
     turned = "'a' and 2 more are turned when hit beside the centre of mass"
     assert found[1] == f"needs orientation, angular velocity: {turned}"
-    assert found[12:] == [
+    assert found[13:] == [
         f"needs rotation (IM2): {turned}",
         "needs detection (IM4): 3 bodies have shapes",
         f"needs impact (IM3): {met}",

@@ -150,5 +150,6 @@ def _texts(item: Item) -> Iterator[str]:
         for name, text in data.get(key, {}).items():
             if name != "when":
                 yield from (name, text)
+    yield from data.get("constraint", [])
     for step in data.get("derivation", []):
         yield step["equation"]

@@ -68,6 +68,8 @@ def _formulas(item: Item, woven: Woven) -> Iterator[str]:
     lines = [relation(woven, data["equation"])] if "equation" in data else []
     lines += [rate(woven, state, text) for state, text in data.get("states", {}).items()]
     lines += [equation(woven, name, text) for name, text in data.get("equations", {}).items()]
+    if item.kind == "constraint":
+        lines += [relation(woven, f"{text} == 0") for text in data["constraint"]]
     if lines and item.kind != "case":
         yield display(stack(lines))
     if closed := data.get("closed_form"):
@@ -88,7 +90,7 @@ def _conditions(item: Item, woven: Woven) -> Iterator[str]:
 
 def _symbols(item: Item, woven: Woven) -> Iterator[str]:
     names = named(item)
-    if names and item.kind in ("theory", "definition", "model", "property"):
+    if names and item.kind in ("theory", "definition", "model", "property", "constraint"):
         yield fence("dropdown", "Symbols", symbol_table(names, woven), depth=6, color="light")
 
 

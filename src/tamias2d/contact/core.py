@@ -39,10 +39,12 @@ class Core:
         steady: bool = True,
         timed: bool = False,
         group: frozenset[int] = frozenset(),
+        jointed: bool = False,
     ) -> None:
         """Take a body, whether its loads are constant, whether they change at rest, and its group.
 
-        The group holds the bodies on whose states its loads depend, itself included.
+        The group holds the bodies on whose states its loads depend, itself included. It is jointed
+        where it moves and a joint holds it.
         """
         shape = body.shape
         self.index = index
@@ -54,6 +56,7 @@ class Core:
         self.steady = steady
         self.timed = timed
         self.group = group
+        self.jointed = jointed
         self.inverse_mass = body.inverse_mass
         self.inverse_inertia = body.inverse_inertia
         self.corners: tuple[Vector, ...] = ((0.0, 0.0),)
@@ -78,8 +81,16 @@ def cores_of(scene: Scene) -> list[Core]:
     """Return all bodies of a scene."""
     varying, timed = varying_loads(scene), timed_loads(scene)
     group_of = {i: frozenset(group) for group in groups(scene) for i in group}
+    jointed = {i for joint in scene.joints for i in joint.bodies}
     return [
-        Core(i, body, steady=i not in varying, timed=i in timed, group=group_of.get(i, frozenset()))
+        Core(
+            i,
+            body,
+            steady=i not in varying,
+            timed=i in timed,
+            group=group_of.get(i, frozenset()),
+            jointed=i in jointed and body.dynamic,
+        )
         for i, body in enumerate(scene.bodies)
     ]
 

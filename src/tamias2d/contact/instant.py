@@ -14,6 +14,12 @@ from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
 from tamias2d.contact.frictional_rest import LASTING_NOISE, PairFriction, island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
+from tamias2d.contact.jointed_impact import (
+    Struck,
+    change_by_unit,
+    changed,
+    impulses as jointed_impulses,
+)
 from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import (
     Contact,
@@ -24,6 +30,7 @@ from tamias2d.contact.manifold import (
     tangent_of,
 )
 from tamias2d.contact.refusal import (
+    JointedContactError,
     RangeError,
     SimultaneousImpactsError,
     UndecidedContactError,
@@ -51,6 +58,8 @@ class InstantInputs(NamedTuple):
     """The bodies whose bounding boxes overlap with that of a body."""
     free: Callable[[int, Callable[[int], State]], Acceleration]
     """The acceleration of an unconstrained body, now, for given states."""
+    struck: Struck
+    """What impulses on jointed bodies change, now."""
     lasting: Mapping[PairOf, Sequence[Contact]]
     """The contacts that have lasted until now."""
     sticking: Collection[PairOf]
@@ -116,7 +125,7 @@ class Instant:
         return self.states[body] if body in self.states else self._world.state(body)
 
     def _find_touching(self, bodies: Sequence[int]) -> None:
-        todo = list(bodies)
+        todo = self._with_mechanisms(bodies)
         seen = set(todo)
         for body in todo:  # grows while it is gone through
             self._place(body)
@@ -125,10 +134,33 @@ class Instant:
                 if pair in self.touching_pairs or not (touch := self._touch(pair)):
                     continue
                 self.touching_pairs[pair] = touch
-                for i in pair:
+                for i in self._with_mechanisms(pair):
                     if i not in seen and self._world.cores[i].dynamic:
                         seen.add(i)
                         todo.append(i)
+
+    def _refuse_jointed(self, contacts: Iterable[Contact], what: str) -> None:
+        """Refuse contacts of bodies that a joint holds, which are not within the models."""
+        for contact in contacts:
+            jointed = [i for i in (contact.a, contact.b) if self._world.cores[i].jointed]
+            if jointed:
+                name = self._world.cores[jointed[0]].name
+                touch = self.touching_pairs[contact.a, contact.b]
+                raise JointedContactError(
+                    f"{self._names(touch)} at {self.time!r} s: {what}, and a joint holds "
+                    f"'{name}': that is not solved yet (R13). End the run before, move one away, "
+                    "or let them pass through each other: give them one negative group, or no "
+                    "shape.",
+                    time=self.time,
+                )
+
+    def _with_mechanisms(self, bodies: Iterable[int]) -> list[int]:
+        """Return bodies, and those that joints tie to them, which an impulse reaches too."""
+        cores = self._world.cores
+        found = dict.fromkeys(bodies)
+        for body in list(found):
+            found |= dict.fromkeys(sorted(cores[body].group) if cores[body].jointed else ())
+        return list(found)
 
     def _place(self, body: int) -> Placed:
         if body not in self._placed:
@@ -208,7 +240,8 @@ class Instant:
                         "without end (IM3). End the run before, or change the scene a little.",
                         time=self.time,
                     )
-            self.changed.update(i for i in touch.pair if self._world.cores[i].dynamic)
+            reached = self._with_mechanisms(touch.pair)
+            self.changed.update(i for i in reached if self._world.cores[i].dynamic)
         self._refuse_driven_together(approaching)
 
     def _resolve_pair(self, touch: TouchingPair) -> None:
@@ -219,6 +252,9 @@ class Instant:
         cores, states, (a, b) = self._world.cores, self.states, touch.pair
         approaching = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
         restitution = self._world.restitution(a, b)
+        if cores[a].jointed or cores[b].jointed:
+            self._resolve_jointed_pair(touch.pair, approaching, restitution)
+            return
         if coefficient := self._world.friction(a, b):
             self._resolve_frictional_pair(touch.pair, approaching, restitution, coefficient)
             return
@@ -233,6 +269,24 @@ class Instant:
                 cores, impulse.contact, impulse.impulse, states[a], states[b]
             )
         self.contact_impulses += contact_impulses
+
+    def _resolve_jointed_pair(
+        self, pair: PairOf, approaching: Sequence[Contact], restitution: float
+    ) -> None:
+        """Resolve the contacts of a pair together with the joints that hold it (GD20)."""
+        if self._world.friction(*pair):
+            self._refuse_jointed(approaching, "they meet with friction")
+        cores, states = self._world.cores, self.states
+        changes = [change_by_unit(cores, contact, self._world.struck) for contact in approaching]
+        found = jointed_impulses(approaching, changes, states.__getitem__, restitution)
+        self.contact_impulses += [
+            ContactImpulse(contact, impulse, self._rate(contact))
+            for contact, impulse in zip(approaching, found, strict=True)
+            if impulse > 0
+        ]
+        for change, impulse in zip(changes, found, strict=True):
+            for body, by_unit in change.items():
+                states[body] = changed(states[body], by_unit, impulse)
 
     def _resolve_frictional_pair(
         self, pair: PairOf, approaching: Sequence[Contact], restitution: float, coefficient: float
@@ -256,11 +310,20 @@ class Instant:
     def _refuse_coupled(self, approaching: Sequence[TouchingPair]) -> None:
         for k, first in enumerate(approaching):
             for second in approaching[k + 1 :]:
+                if self._joined(first, second):
+                    self._refuse(first, second, "meet")
                 directions = self._impulse_directions(first), self._impulse_directions(second)
                 if any(
                     self._coupled(one, other) for one in directions[0] for other in directions[1]
                 ):
                     self._refuse(first, second, "meet")
+
+    def _joined(self, first: TouchingPair, second: TouchingPair) -> bool:
+        """Whether joints carry an impulse from one pair to another."""
+        cores = self._world.cores
+        return any(
+            cores[i].jointed and j in cores[i].group for i in first.pair for j in second.pair
+        )
 
     def _impulse_directions(self, touch: TouchingPair) -> list[Contact]:
         """Return the contacts of a pair, once for each direction of their impulses."""
@@ -277,7 +340,7 @@ class Instant:
         """Refuse impacts that drive a touching pair into another impact."""
         for touch in self.touching_pairs.values():
             if approaching and self._approaches(touch):
-                by = next(m for m in approaching if set(m.pair) & set(touch.pair))
+                by = next((m for m in approaching if set(m.pair) & set(touch.pair)), approaching[0])
                 self._refuse(by, touch, "drive together")
 
     def _refuse(self, first: TouchingPair, second: TouchingPair, what: str) -> None:
@@ -299,9 +362,11 @@ class Instant:
             for contact in touch.contacts
             if abs(self._rate(contact)) <= touch.noise
         ]
+        self._refuse_jointed(staying, "they stay in contact")
         self._refuse_corners(staying)
         islands = self._islands(staying)
         while low := self._unresolved_bounces(islands, staying):
+            self._refuse_jointed(low, "they come to rest on each other")
             staying += low
             islands = self._islands(staying)
         lasting = [contact for island in islands for contact in island.lasting]

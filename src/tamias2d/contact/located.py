@@ -51,7 +51,7 @@ class Located:
         self._events: list[tuple[float, int, int, int, int]] = []
         self._stalled = [0 for _ in self._cores]
         self._repeats: tuple[float, Counter[PairOf]] = (0.0, Counter())
-        self._aabbs = SweptAabbs(self._cores)
+        self._aabbs = SweptAabbs(self._cores, scene.kept_apart)
         self._rest_times = RestTimes()
         self._refined: dict[PairOf, tuple[int, int]] = {}
 
@@ -67,7 +67,7 @@ class Located:
             State(b.position, b.orientation, b.velocity, b.angular_velocity)
             for b in self._scene.bodies
         ]
-        refuse_overlap(self._cores, states)
+        refuse_overlap(self._cores, states, self._scene.kept_apart)
         self._until = duration
         while self.time < duration:
             end = self._segment(states)
@@ -201,6 +201,7 @@ class Located:
             self._state,
             self._aabbs.overlapping,
             lambda body, state: self._motion.free(body, time, state),
+            lambda impulses: self._motion.struck(time, impulses, self._state),
             self._lasting,
             [pair for pair, sense in self._senses.items() if not sense],
             self._separating_direction,

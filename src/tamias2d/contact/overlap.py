@@ -1,7 +1,7 @@
 """Overlapping bodies, at the start of a run or at the steps of the scheme of 2018."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from tamias2d.contact.core import Core, cores_of, place
 from tamias2d.contact.gap import axes, resolution
@@ -12,11 +12,19 @@ from tamias2d.scene.filters import may_touch
 from tamias2d.state import Array, History, State
 
 
-def refuse_overlap(cores: Sequence[Core], states: Sequence[State]) -> None:
-    """Raise `OverlapError` if two bodies overlap at the start; it is about the worst of them."""
+def refuse_overlap(
+    cores: Sequence[Core],
+    states: Sequence[State],
+    kept_apart: Collection[tuple[int, int]] = (),
+) -> None:
+    """Raise `OverlapError` if two bodies overlap at the start; it is about the worst of them.
+
+    Those that are kept apart, (i, j), i < j, do not touch whatever they do.
+    """
     found = [
         (depth / min(a.bounding_radius, b.bounding_radius), a.name, b.name, depth)
         for a, b, depth in _overlaps(cores, states)
+        if (a.index, b.index) not in kept_apart
     ]
     for share, a, b, depth in sorted(found, reverse=True)[:1]:
         raise OverlapError(named(a, b), depth, share=share)

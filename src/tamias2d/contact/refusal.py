@@ -36,6 +36,12 @@ class FrictionError(Refusal):
     code = "friction"
 
 
+class JointedContactError(Refusal):
+    """A contact of a body that a joint holds, with friction or one that lasts: not solved yet."""
+
+    code = "jointed-contact"
+
+
 class UndecidedContactError(Refusal):
     """Float64 cannot tell whether bodies part."""
 

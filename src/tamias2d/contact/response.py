@@ -41,8 +41,8 @@ def coupling(cores: Sequence[Core], first: Contact, second: Contact) -> float:
             )
         )
     total = 0.0
-    for body, arm, force in _unit_forces(first):
-        for other, other_arm, other_force in _unit_forces(second):
+    for body, arm, force in unit_forces(first):
+        for other, other_arm, other_force in unit_forces(second):
             if body == other and cores[body].dynamic:
                 core = cores[body]
                 total += impact.coupling(
@@ -72,7 +72,7 @@ def after_impulse(
     return a, b
 
 
-def _unit_forces(contact: Contact) -> tuple[tuple[int, Vector, Vector], ...]:
+def unit_forces(contact: Contact) -> tuple[tuple[int, Vector, Vector], ...]:
     """Return for both bodies the arm, and the unit force along the normal."""
     x, y = contact.normal
     return (

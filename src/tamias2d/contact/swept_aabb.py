@@ -1,7 +1,7 @@
 """The broad phase: pairs whose swept bounding boxes overlap (IM4)."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -15,8 +15,10 @@ from tamias2d.state import Array
 class SweptAabbs:
     """The axis-aligned bounding boxes (AABBs) that n bodies sweep on their paths."""
 
-    def __init__(self, cores: Sequence[Core]) -> None:
+    def __init__(self, cores: Sequence[Core], kept_apart: Collection[tuple[int, int]] = ()) -> None:
+        """Take the bodies, and the pairs (i, j), i < j, that do not touch whatever they do."""
         self._cores = cores
+        self._kept_apart = kept_apart
         self._solid = np.array([core.solid for core in cores])
         self._dynamic = np.array([core.dynamic for core in cores])
         self._filtered = any(filters(core.filter) for core in cores)
@@ -42,6 +44,8 @@ class SweptAabbs:
         overlaps &= self._solid & (self._dynamic | self._dynamic[body])
         overlaps[body] = False
         found = [int(other) for other in np.flatnonzero(overlaps)]
+        if self._kept_apart:
+            found = [k for k in found if (min(k, body), max(k, body)) not in self._kept_apart]
         if not self._filtered:
             return found
         own_filter = self._cores[body].filter

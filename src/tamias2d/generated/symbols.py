@@ -587,6 +587,58 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=389,
     ),
+    "anchor": Symbol(
+        "anchor",
+        "m",
+        "place at which a joint holds a body, from its centre of mass, in the body's own axes",
+        shape="vector",
+        tex="\\boldsymbol{b}",
+        file="srs/symbols.md",
+        line=401,
+    ),
+    "post": Symbol(
+        "post",
+        "m",
+        "place of a wheel over which a rope runs, from the centre of mass of the body that carries it, in that body's own axes",
+        shape="vector",
+        tex="\\boldsymbol{w}",
+        file="srs/symbols.md",
+        line=408,
+    ),
+    "guide": Symbol(
+        "guide",
+        "1",
+        "unit vector along which a joint lets a body slide",
+        shape="vector",
+        tex="\\boldsymbol{g}",
+        file="srs/symbols.md",
+        line=415,
+    ),
+    "joint_length": Symbol(
+        "joint_length",
+        "m",
+        "length that a joint keeps",
+        range=Range("> 0", low=0.0),
+        tex="L",
+        file="srs/symbols.md",
+        line=420,
+    ),
+    "joint_angle": Symbol(
+        "joint_angle",
+        "rad",
+        "angle that a joint keeps between two bodies",
+        tex="\\theta",
+        file="srs/symbols.md",
+        line=425,
+    ),
+    "gear_ratio": Symbol(
+        "gear_ratio",
+        "1",
+        "how often one side of a joint moves for once that the other does",
+        tex="\\rho",
+        file="srs/symbols.md",
+        line=429,
+    ),
     "normal": Symbol(
         "normal",
         "1",
@@ -594,7 +646,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=402,
+        line=442,
     ),
     "tangent": Symbol(
         "tangent",
@@ -603,7 +655,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=407,
+        line=447,
     ),
     "direction": Symbol(
         "direction",
@@ -611,7 +663,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=412,
+        line=452,
     ),
     "arm": Symbol(
         "arm",
@@ -620,7 +672,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=416,
+        line=456,
     ),
     "separation": Symbol(
         "separation",
@@ -628,7 +680,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=421,
+        line=461,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -636,7 +688,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=425,
+        line=465,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -644,7 +696,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=431,
+        line=471,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -652,7 +704,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=437,
+        line=477,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -660,7 +712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=441,
+        line=481,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -669,7 +721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=445,
+        line=485,
     ),
     "coupling": Symbol(
         "coupling",
@@ -677,7 +729,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=450,
+        line=490,
     ),
     "impulse": Symbol(
         "impulse",
@@ -686,7 +738,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=456,
+        line=496,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -694,7 +746,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=461,
+        line=501,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -702,7 +754,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=465,
+        line=505,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -711,7 +763,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=471,
+        line=511,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -720,7 +772,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=476,
+        line=516,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -728,7 +780,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=483,
+        line=523,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -736,7 +788,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=489,
+        line=529,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -744,7 +796,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=493,
+        line=533,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -753,7 +805,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=497,
+        line=537,
     ),
     "share": Symbol(
         "share",
@@ -762,7 +814,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=502,
+        line=542,
     ),
     "sense": Symbol(
         "sense",
@@ -771,7 +823,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=509,
+        line=549,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -780,7 +832,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=516,
+        line=556,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -789,7 +841,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=521,
+        line=561,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -797,7 +849,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=526,
+        line=566,
     ),
     "overlap": Symbol(
         "overlap",
@@ -805,7 +857,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=530,
+        line=570,
     ),
     "line": Symbol(
         "line",
@@ -814,7 +866,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=542,
+        line=582,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -822,7 +874,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=547,
+        line=587,
     ),
     "bend": Symbol(
         "bend",
@@ -830,7 +882,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=552,
+        line=592,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -838,7 +890,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=557,
+        line=597,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -847,7 +899,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=561,
+        line=601,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -855,7 +907,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=566,
+        line=606,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -864,7 +916,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=570,
+        line=610,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -873,7 +925,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=575,
+        line=615,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -882,7 +934,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=580,
+        line=620,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -890,7 +942,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=585,
+        line=625,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -898,7 +950,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=589,
+        line=629,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -907,7 +959,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=593,
+        line=633,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -916,7 +968,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=598,
+        line=638,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -924,7 +976,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=603,
+        line=643,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -933,7 +985,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=607,
+        line=647,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -942,7 +994,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=612,
+        line=652,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -951,7 +1003,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=617,
+        line=657,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -960,7 +1012,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=624,
+        line=664,
     ),
     "extent": Symbol(
         "extent",
@@ -969,7 +1021,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=631,
+        line=671,
     ),
     "firmest": Symbol(
         "firmest",
@@ -978,7 +1030,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=638,
+        line=678,
     ),
     "preload": Symbol(
         "preload",
@@ -987,7 +1039,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=643,
+        line=683,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -996,7 +1048,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=648,
+        line=688,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1005,7 +1057,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=653,
+        line=693,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1014,7 +1066,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=658,
+        line=698,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1023,7 +1075,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=663,
+        line=703,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1031,7 +1083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=668,
+        line=708,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1039,7 +1091,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=672,
+        line=712,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1047,7 +1099,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=676,
+        line=716,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1055,7 +1107,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=680,
+        line=720,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1063,7 +1115,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=684,
+        line=724,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1072,7 +1124,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=688,
+        line=728,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1081,7 +1133,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=693,
+        line=733,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1090,7 +1142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=698,
+        line=738,
     ),
     "shift": Symbol(
         "shift",
@@ -1099,7 +1151,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=703,
+        line=743,
     ),
     "turn": Symbol(
         "turn",
@@ -1107,7 +1159,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=708,
+        line=748,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1116,7 +1168,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=712,
+        line=752,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1125,7 +1177,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=719,
+        line=759,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1134,7 +1186,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=724,
+        line=764,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1143,7 +1195,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=731,
+        line=771,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1152,7 +1204,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=738,
+        line=778,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1161,7 +1213,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=744,
+        line=784,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1169,7 +1221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=751,
+        line=791,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1178,7 +1230,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=764,
+        line=804,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1186,7 +1238,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=769,
+        line=809,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1194,7 +1246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=773,
+        line=813,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1203,7 +1255,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=779,
+        line=819,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1212,7 +1264,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=784,
+        line=824,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1220,7 +1272,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=789,
+        line=829,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1229,7 +1281,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=793,
+        line=833,
     ),
     "advance": Symbol(
         "advance",
@@ -1238,7 +1290,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=798,
+        line=838,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1246,7 +1298,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=803,
+        line=843,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1254,7 +1306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=807,
+        line=847,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1262,7 +1314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=811,
+        line=851,
     ),
     "slip": Symbol(
         "slip",
@@ -1270,7 +1322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=816,
+        line=856,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1278,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=822,
+        line=862,
     ),
     "circling": Symbol(
         "circling",
@@ -1287,7 +1339,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=826,
+        line=866,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1295,7 +1347,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=833,
+        line=873,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1304,7 +1356,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=837,
+        line=877,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1313,7 +1365,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=842,
+        line=882,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1322,7 +1374,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=847,
+        line=887,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1330,7 +1382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=852,
+        line=892,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1339,7 +1391,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=856,
+        line=896,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1347,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=861,
+        line=901,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1355,7 +1407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=865,
+        line=905,
     ),
     "arc": Symbol(
         "arc",
@@ -1364,7 +1416,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=871,
+        line=911,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1373,7 +1425,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=876,
+        line=916,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1381,7 +1433,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=886,
+        line=926,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1389,7 +1441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=890,
+        line=930,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1398,7 +1450,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=894,
+        line=934,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1407,7 +1459,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=899,
+        line=939,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1416,7 +1468,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=904,
+        line=944,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1425,7 +1477,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=909,
+        line=949,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1434,7 +1486,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=914,
+        line=954,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1442,7 +1494,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=919,
+        line=959,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1451,7 +1503,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=928,
+        line=968,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1459,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=933,
+        line=973,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1468,7 +1520,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=937,
+        line=977,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1476,7 +1528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=942,
+        line=982,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1484,7 +1536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=946,
+        line=986,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1493,7 +1545,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=950,
+        line=990,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1502,7 +1554,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=955,
+        line=995,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1511,7 +1563,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=960,
+        line=1000,
     ),
     "work": Symbol(
         "work",
@@ -1519,7 +1571,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=965,
+        line=1005,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1528,7 +1580,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=969,
+        line=1009,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1536,7 +1588,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=974,
+        line=1014,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1545,7 +1597,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=978,
+        line=1018,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1553,7 +1605,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=983,
+        line=1023,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1562,7 +1614,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=988,
+        line=1028,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1571,7 +1623,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=993,
+        line=1033,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1580,7 +1632,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=998,
+        line=1038,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1589,7 +1641,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1005,
+        line=1045,
     ),
     "energy": Symbol(
         "energy",
@@ -1597,7 +1649,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1010,
+        line=1050,
     ),
     "radius": Symbol(
         "radius",
@@ -1606,7 +1658,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1019,
+        line=1059,
     ),
     "length": Symbol(
         "length",
@@ -1615,7 +1667,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1024,
+        line=1064,
     ),
     "width": Symbol(
         "width",
@@ -1624,7 +1676,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1031,
+        line=1071,
     ),
     "height": Symbol(
         "height",
@@ -1633,7 +1685,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1036,
+        line=1076,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1642,7 +1694,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1041,
+        line=1081,
     ),
     "center": Symbol(
         "center",
@@ -1651,7 +1703,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1046,
+        line=1086,
     ),
     "offset": Symbol(
         "offset",
@@ -1659,7 +1711,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1051,
+        line=1091,
     ),
     "area": Symbol(
         "area",
@@ -1668,7 +1720,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1055,
+        line=1095,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1677,6 +1729,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1060,
+        line=1100,
     ),
 }

@@ -57,7 +57,8 @@ def demand_of(scene: Scene, method: Method) -> Demand | None:
     """
     scheme = getattr(method, "scheme", None)
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
-    if scheme is None or not moving or scene.springs or len(groups(scene)) != len(moving):
+    acting = scene.springs or scene.joints or len(groups(scene)) != len(moving)
+    if scheme is None or not moving or acting:
         return None
     laws = varying_laws(scene, moving)
     shared = all(len(rows) == len(moving) for rows in laws.values())

@@ -41,7 +41,7 @@ _NAMES = {
 }
 _HEAD = '''"""Steps of Tamias2D by {family}: {demand}.
 
-Made from the generated functions and from nothing else; its bits are those of the general way.
+Made from the generated functions and from nothing else; its bits are those of the general code.
 """
 '''
 _ROWS = '''def same(one, other):

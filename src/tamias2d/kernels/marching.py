@@ -45,7 +45,8 @@ _LIKELY = 1000  # accelerations are asked for by those who cannot say how often 
 
 def march_by_kernels(motion: Motion, scene: Scene) -> None:
     """Let a motion by a generated scheme take its steps by kernels."""
-    if isinstance(motion, IntegratedMotion):
+    jointed = bool(scene.joints)  # their reactions are not in kernels
+    if isinstance(motion, IntegratedMotion) and not jointed:
         motion.marching = _makers(scene)
 
 
@@ -135,7 +136,7 @@ class KernelMarching:
         return call.steps(count, finished=finished)
 
     def _call(self, scheme: str, start: Start, most: int, ahead: float) -> "_Call | None":
-        """Return what is to be called; None where it is not known, or the general way is faster."""
+        """Return what is to be called; None where it is unknown, or the general code is faster."""
         found = march(scheme, self.demand)
         turned = not self.demand.rotation and start.velocity[:, 2].any()
         if found is None or turned:  # what turns it is unknown here

@@ -6,6 +6,7 @@ derivatives. Hides: how that path is found (closed form, a scheme, scipy).
 
 from tamias2d.motion.adaptive import StepSizeError
 from tamias2d.motion.legacy import Legacy2018
+from tamias2d.motion.mechanism import JointError
 from tamias2d.motion.method import Method
 from tamias2d.motion.methods import (
     ClosedForm,
@@ -23,6 +24,7 @@ from tamias2d.motion.methods import (
     Yoshida4,
 )
 from tamias2d.motion.motion import Motion, Tally
+from tamias2d.motion.reactions import Reactions, reactions_of
 from tamias2d.motion.stability import StabilityError
 from tamias2d.path import Bounds, Piece
 
@@ -33,11 +35,13 @@ __all__ = [
     "DormandPrince5",
     "ExplicitEuler",
     "ExponentialDrag",
+    "JointError",
     "Legacy2018",
     "Method",
     "Motion",
     "PathMethod",
     "Piece",
+    "Reactions",
     "Reference",
     "RungeKutta4",
     "SemiImplicitEuler",
@@ -48,4 +52,5 @@ __all__ = [
     "Tally",
     "VelocityVerlet",
     "Yoshida4",
+    "reactions_of",
 ]

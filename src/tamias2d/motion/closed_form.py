@@ -64,6 +64,10 @@ class ClosedFormMotion:
         """Return nothing: exact paths need not be better anywhere."""
         return {}
 
+    def struck(self, *_: object) -> dict[int, Acceleration]:
+        """Return nothing: what has a closed form is held by no joint."""
+        return {}
+
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""
         return self._loads.acceleration(body, time, state)

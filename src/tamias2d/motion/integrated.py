@@ -1,6 +1,6 @@
 """Motion by integration: the steps of an integrator as paths of bodies."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Protocol
 
 import numpy as np
@@ -11,9 +11,10 @@ from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.marching import Marching
+from tamias2d.motion.mechanism import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
-from tamias2d.motion.polynomial import DenseStep, JoinedPath
+from tamias2d.motion.polynomial import DenseStep, JoinedPath, moved_end
 from tamias2d.motion.step_batch import BatchPath, StepBatch
 from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
@@ -47,7 +48,6 @@ class IntegratedMotion:
     def __init__(
         self, scene: Scene, duration: float, integrator: Integrator, notes: tuple[str, ...] = ()
     ) -> None:
-        self.notes = notes
         self._scene = scene
         self._duration = duration
         self._integrator = integrator
@@ -63,6 +63,7 @@ class IntegratedMotion:
         self.marching: Callable[[Sequence[int]], Marching | None] = lambda _: None
         """What takes many steps at once of bodies that act on no others, if anything does."""
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+        self.notes = notes + self._loads.joint_notes(self._moving)
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]
@@ -167,6 +168,12 @@ class IntegratedMotion:
             pieces[body] = JoinedPath([*kept, before[body], after[body]])
         return pieces
 
+    def struck(
+        self, time: float, impulses: Mapping[int, Acceleration], state: StateOf
+    ) -> dict[int, Acceleration]:
+        """Return what impulses on jointed bodies change at a time in s, in their mechanisms."""
+        return self._loads.struck(time, impulses, state)
+
     def free(self, body: int, time: float, state: StateOf) -> Acceleration:
         """Return the acceleration of an unconstrained body, at a time in s."""
         return self._loads.acceleration(body, time, state)
@@ -215,11 +222,16 @@ class IntegratedMotion:
     def _dense_steps(
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
     ) -> Iterator[DenseStep]:
+        found = self._loads.mechanisms(field.bodies)
+        if found and start == 0:
+            position, velocity = fitted(found, start, position, velocity)
         while start < end:
             step = self._integrator.step(field, start, end, position, velocity)
             self.tally.steps += 1
             if not isinstance(self._integrator, FixedSteps):
                 self.work.step(step.end)
+            if found:
+                step = moved_end(step, *fitted(found, step.end, *step.last))
             yield step
             start, (position, velocity) = step.end, step.last
 
@@ -227,7 +239,8 @@ class IntegratedMotion:
         self, field: MemoisedField, start: float, end: float, now: tuple[Array, Array], most: int
     ) -> Iterator[DenseStep | StepBatch]:
         """Yield steps, up to `most` of them as one where the integrator can do that."""
-        if self._batching is None or (most <= 1 and field.marching is None):
+        joined = self._loads.mechanisms(field.bodies)
+        if joined or self._batching is None or (most <= 1 and field.marching is None):
             yield from self._dense_steps(field, start, end, *now)
             return
         while start < end:

@@ -10,6 +10,7 @@ from tamias2d.motion.integrated import history_of
 from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.motion.method import Method
 from tamias2d.scene import Scene
+from tamias2d.scene.joints import refuse_joints
 from tamias2d.state import Array, History
 from tamias2d.suggestions import suggests
 
@@ -29,6 +30,7 @@ class Legacy2018(Method):
 
         The scheme remembers the acceleration of the step before, which is 0 before the first.
         """
+        refuse_joints(scene.joints, f"method {self}", "Take Reference(), or none.")
         times = grid(duration, time_step)
         moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
         field = Loads(scene).field(moving, [None] * len(moving))

@@ -1,12 +1,13 @@
 """The accelerations of a scene's bodies, from gravity and the sum of all loads (IM1, IM2, GD6)."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated import rotation, translation
+from tamias2d.motion.mechanism import Mechanism, mechanisms
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import groups, steady_load, varying_loads
@@ -31,6 +32,7 @@ class Loads:
         """The bodies that act on each other, for each body that moves."""
         self._steady = [self._steadily(k) for k in range(len(scene))]
         self._fields: dict[int, Field] = {}
+        self._mechanisms: dict[tuple[int, ...], list[tuple[list[int], Mechanism]]] = {}
 
     def steady(self, body: int) -> Acceleration:
         """Return what gravity and all constant forces and torques give a body."""
@@ -53,7 +55,7 @@ class Loads:
         Who acts on one of the bodies must be among them (`group_of`).
         """
         held = [(row, constraint) for row, constraint in enumerate(constraints) if constraint]
-        free = self._free(bodies)
+        free = self._jointed(bodies, self.free_field(bodies))
         if not held:
             return free
 
@@ -66,7 +68,62 @@ class Loads:
 
         return field
 
-    def _free(self, bodies: Sequence[int]) -> Field:
+    def mechanisms(self, bodies: Sequence[int]) -> list[tuple[list[int], Mechanism]]:
+        """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
+        if not self._scene.joints:
+            return []
+        if (key := tuple(bodies)) not in self._mechanisms:
+            self._mechanisms[key] = mechanisms(self._scene, bodies)
+        return self._mechanisms[key]
+
+    def struck(
+        self, time: float, impulses: Mapping[int, Acceleration], state: StateOf
+    ) -> dict[int, Acceleration]:
+        """Return the changes of all velocities by impulses on jointed bodies, N s and N m s."""
+        found: dict[int, Acceleration] = {}
+        for _, mechanism in self.mechanisms(sorted(self.group_of)):
+            own = mechanism.bodies
+            if not any(k in impulses for k in own):
+                continue
+            struck = np.array([impulses.get(k, _STILL) for k in own])
+            position, _ = coordinates([state(k) for k in own])
+            changes = mechanism.struck(time, position, struck)
+            found |= {
+                k: (x, y, turn) for k, (x, y, turn) in zip(own, changes.tolist(), strict=True)
+            }
+        return found
+
+    def joint_notes(self, bodies: Sequence[int]) -> tuple[str, ...]:
+        """Return what is to be told of the joints among some bodies at the start (GD19).
+
+        Raises:
+            JointError: no reactions keep them.
+        """
+        found = self.mechanisms(bodies)
+        if not found:
+            return ()
+        states = start_states(self._scene)
+        q, rate = coordinates([states[k] for k in bodies])
+        pull = self.free_field(bodies)(0.0, q, rate)
+        notes = (m.examined(0.0, q[own], rate[own], pull[own]) for own, m in found)
+        return tuple(note for note in notes if note)
+
+    def _jointed(self, bodies: Sequence[int], free: Field) -> Field:
+        """Return the accelerations with the reactions of joints (GD17)."""
+        found = self.mechanisms(bodies)
+        if not found:
+            return free
+
+        def field(time: float, position: Array, velocity: Array) -> Array:
+            rows = free(time, position, velocity).copy()
+            for own, mechanism in found:
+                rows[own] = mechanism.accelerations(time, position[own], velocity[own], rows[own])
+            return rows
+
+        return field
+
+    def free_field(self, bodies: Sequence[int]) -> Field:
+        """Return the accelerations by the loads alone, whatever holds the bodies."""
         if not any(body in self.varying for body in bodies):
             fixed = np.array([self._steady[body] for body in bodies]).reshape(-1, 3)
             return lambda time, position, velocity: fixed  # noqa: ARG005

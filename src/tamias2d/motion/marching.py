@@ -55,7 +55,7 @@ class Control:
 
 
 class Marching(Protocol):
-    """The steps of some bodies that no contact holds, with the bits of the general way.
+    """The steps of some bodies that no contact holds, with the bits of the general code.
 
     None are returned for what it does not know.
     """

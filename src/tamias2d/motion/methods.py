@@ -27,6 +27,7 @@ from tamias2d.motion.stability import check
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
+from tamias2d.scene.joints import refuse_joints
 from tamias2d.suggestions import suggests
 
 
@@ -121,6 +122,7 @@ class ExponentialDrag(_FixedStep):
     scheme = "exponential_verlet"
 
     def _steps(self, scene: Scene, duration: float, time_step: float) -> FixedSteps:
+        refuse_joints(scene.joints, f"method {self}", "Take RungeKutta4(), Reference(), or none.")
         return ExponentialSteps(scene, duration, time_step)
 
 

@@ -6,7 +6,7 @@ polynomial, so that the place of a contact and the speed of its approach cannot 
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 
 import numpy as np
@@ -52,6 +52,19 @@ class DenseStep:
             state_of(self.last[0][body], self.last[1][body]),
             self.coefficients[:, body].tolist(),
         )
+
+
+def moved_end(step: DenseStep, position: Array, velocity: Array) -> DenseStep:
+    """Return a step that ends at other coordinates and rates (n, 3), and begins as it did.
+
+    A cubic that is level at the start is added to its path.
+    """
+    way, change = position - step.last[0], (velocity - step.last[1]) * (step.end - step.start)
+    cubic = (way / 2 - change / 8, 3 * way / 4 - change / 8, change / 8, (change - 2 * way) / 8)
+    powers = np.zeros((max(len(step.coefficients), 4), *position.shape))
+    powers[: len(step.coefficients)] = step.coefficients
+    powers[:4] += np.stack(cubic)
+    return replace(step, last=(position, velocity), coefficients=powers)
 
 
 def hermite(

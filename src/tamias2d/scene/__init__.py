@@ -7,6 +7,17 @@ from tamias2d.scene import catalogue
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.compound import Compound, Part, Shape, pieces_of
 from tamias2d.scene.fields import ForceField
+from tamias2d.scene.joint_kinds import (
+    Distance,
+    Equation,
+    Gear,
+    Groove,
+    Prismatic,
+    Pulley,
+    Revolute,
+    Weld,
+)
+from tamias2d.scene.joints import Joint
 from tamias2d.scene.needs import Need, Needs, needs
 from tamias2d.scene.reading import load
 from tamias2d.scene.scene import Scene
@@ -20,16 +31,25 @@ __all__ = [
     "Capsule",
     "Compound",
     "Disc",
+    "Distance",
+    "Equation",
     "ForceField",
+    "Gear",
+    "Groove",
     "HalfPlane",
+    "Joint",
     "Need",
     "Needs",
     "Part",
     "Polygon",
+    "Prismatic",
+    "Pulley",
+    "Revolute",
     "Scene",
     "Segment",
     "Shape",
     "Spring",
+    "Weld",
     "catalogue",
     "load",
     "needs",

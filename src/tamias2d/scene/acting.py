@@ -1,6 +1,7 @@
 """The loads on each body, those that vary, and the groups of bodies that act on each other."""
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import TypeAlias
 
 from tamias2d.scene.law import Law, StateLaw, value_at, varies
@@ -71,6 +72,8 @@ def _variations(scene: SceneData, moving: Sequence[int]) -> Iterator[tuple[int, 
             yield k, "under angular drag"
     for spring in scene.springs:
         yield from ((k, "held by a spring") for k in spring.bodies)
+    for joint in scene.joints:
+        yield from ((k, "held by a joint") for k in joint.bodies)
     if scene.attraction is not None and len(moving) > 1:
         yield from ((k, "attracted by other bodies") for k in moving)
     for field in scene.fields:
@@ -84,7 +87,8 @@ def felt_velocity(scene: SceneData) -> bool:
     """Return whether a load of any body depends on a velocity."""
     laws = (law for k in range(len(scene)) for _, law in _laws_on(scene, k))
     return (
-        any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
+        bool(scene.joints)
+        or any(b.linear_drag or b.quadratic_drag or b.angular_drag for b in scene.bodies)
         or any(spring.damping for spring in scene.springs)
         or any(isinstance(law, StateLaw) and law.names & _VELOCITIES for law in laws)
     )
@@ -96,9 +100,11 @@ def groups(scene: SceneData) -> list[list[int]]:
     if scene.attraction is not None and moving:
         return [moving]
     group_of = {k: [k] for k in moving}
-    for spring in scene.springs:
-        held = [group_of[k] for k in spring.bodies if k in group_of]
-        if len(held) == 2 and held[0] is not held[1]:
-            held[0].extend(held[1])
-            group_of.update(dict.fromkeys(held[1], held[0]))
+    for bodies in (*(s.bodies for s in scene.springs), *(j.bodies for j in scene.joints)):
+        held = [k for k in bodies if k in group_of]
+        for one, other in pairwise(held):
+            if group_of[one] is not group_of[other]:
+                joined = group_of[other]
+                group_of[one].extend(joined)
+                group_of.update(dict.fromkeys(joined, group_of[one]))
     return [sorted(group) for group in {id(group): group for group in group_of.values()}.values()]

@@ -15,9 +15,10 @@ def closed_forms(scene: SceneData) -> dict[int, Form]:
     Besides what the form says, all loads are constant.
     """
     varying = varying_loads(scene)
+    tied = {k for joint in scene.joints for k in joint.bodies}
     forms: dict[int, Form] = {}
     for k, body in enumerate(scene.bodies):
-        if not body.dynamic:
+        if not body.dynamic or k in tied:
             continue
         if k not in varying:
             forms[k] = "constant loads"

@@ -102,6 +102,8 @@ class _Inquiry:
             )
         held = self._bodies({k for spring in self.scene.springs for k in spring.bodies})
         yield _about("springs and dampers (IM7)", "term", held, "held", "the scene has no spring")
+        tied = self._bodies({k for joint in self.scene.joints for k in joint.bodies})
+        yield _about("joints (TM7, GD17)", "term", tied, "tied", "the scene has no joint")
         reached = self._bodies(
             {k for k in range(len(self.scene)) for f in self.scene.fields if f.acts_on(k)}
         )
@@ -112,6 +114,8 @@ class _Inquiry:
         yield Need("rotation (IM2)", "model", *self.turns())
         solid = [body for body in self.scene.bodies if body.shape is not None]
         compared = len(solid) > 1 and any(body.dynamic for body in solid)
+        for word, own in self.tied().items():
+            yield Need(f"{word} joint (R13)", "model", True, f"{_named(own)} tied by it")
         yield Need("detection (IM4)", "model", compared, self.compared(len(solid)))
         yield Need("impact (IM3)", "model", bool(self.pairs), self.meeting())
         yield Need("resting contact (GD3)", "model", *self.rests())
@@ -176,6 +180,7 @@ class _Inquiry:
     def turns(self) -> tuple[bool, str]:
         """Whether anything can turn a body, and what."""
         twisted = {k for s in self.scene.springs for k, anchor in s.ends if anchor != (0, 0)}
+        twisted |= {k for joint in self.scene.joints for k in joint.bodies}
         for field in self.scene.fields:
             if field.torque != 0:
                 twisted |= {k for k in range(len(self.scene)) if field.acts_on(k)}
@@ -200,6 +205,13 @@ class _Inquiry:
         if not self.pairs:
             return False, f"{idle}, and none can be hit"
         return False, f"{idle}, and a disc is hit through its centre (no friction, A6)"
+
+    def tied(self) -> dict[str, list[Body]]:
+        """Return the bodies that joints of each kind hold."""
+        found: dict[str, set[int]] = {}
+        for joint in self.scene.joints:
+            found.setdefault(joint.model, set()).update(joint.bodies)
+        return {word: self._bodies(held) for word, held in found.items()}
 
     @property
     def rough(self) -> list[Body]:

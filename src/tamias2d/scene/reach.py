@@ -51,7 +51,7 @@ def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
         bounds = [_swept(body, gravity, loads.get(k), duration) for k, body in bounded]
         met = _overlaps(bounds, moves, both=both)
         found += [_ordered(index[one], index[other]) for one, other in met]
-    if any(filters(body) for _, body in solid):
+    if scene.joints or any(filters(body) for _, body in solid):
         found = [pair for pair in found if scene.collides(*pair)]
     return sorted(found)
 

@@ -10,6 +10,7 @@ from tamias2d.errors import SceneError
 from tamias2d.scene.forms import SECTIONS, listed, mapping, two_names, within
 from tamias2d.scene.quantities import KeyPath, read_quantity, read_value, scalar_text
 from tamias2d.scene.reading_acting import add_acting
+from tamias2d.scene.reading_joints import add_joints
 from tamias2d.scene.reading_shapes import read_shape, shape_keys
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene import Scene
@@ -18,7 +19,7 @@ from tamias2d.suggestions import suggests
 
 _TOP_MAY = (
     *("name", "says", "duration", *SECTIONS, "restitution_of_pairs", "friction_of_pairs"),
-    *("order", "springs", "attraction", "fields"),
+    *("order", "springs", "attraction", "fields", "joints"),
 )
 _SURFACE = ("restitution", "friction", "category", "mask", "group", "sensor")
 _MAY = {
@@ -134,6 +135,7 @@ def _scene(tree: object, name: str) -> Scene:
         with within(pairs):
             _set_pairs(scene, key, entries)
     add_acting(scene, top)
+    add_joints(scene, top.get("joints", []))
     return scene
 
 

@@ -29,6 +29,9 @@ from tamias2d.scene.checks import (
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.fields import checked_field, refuse_field
 from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole
+from tamias2d.scene.joint_checks import checked_joint
+from tamias2d.scene.joint_kinds import Equation, Kind
+from tamias2d.scene.joints import End
 from tamias2d.scene.law import checked_force, checked_law
 from tamias2d.scene.rules import RuleError, VectorLike, number, sequence, shown, vector
 from tamias2d.scene.scene_data import SceneData
@@ -254,6 +257,43 @@ class Scene(SceneData):
         self._springs.append(spring)
         return len(self._springs) - 1
 
+    def add_joint(
+        self,
+        kind: Kind,
+        first: int | str | VectorLike,
+        second: int | str | VectorLike | None = None,
+        *,
+        anchor: VectorLike = (0.0, 0.0),
+        other_anchor: VectorLike = (0.0, 0.0),
+        third: int | str | None = None,
+        third_anchor: VectorLike = (0.0, 0.0),
+        name: str | None = None,
+        collide: bool = False,
+    ) -> int:
+        """Tie two bodies, or a body and the plane, and return the joint's index (TM7).
+
+        A and B are bodies, given by index or name, or points (x, y) of the plane in m; a third one,
+        C, is what a gear or a pulley is seen from. It holds a body at an anchor (x, y), in m from
+        the centre of mass and in the body's own axes. Bodies that are tied do not touch, unless
+        they `collide`.
+
+        Raises:
+            InputError: a value breaks a rule (R4), the joint moves nothing, its equation has no
+                derivative, or it does not hold at the start; the message says so.
+        """
+        name = self._free_joint_name(name)
+        if second is None and isinstance(kind, Equation):  # it says itself what it holds
+            second = (0.0, 0.0)
+        ends = (
+            self._end(first, "first", name),
+            self._end(second, "second", name),
+            (0.0, 0.0) if third is None else self.index(third),
+        )
+        anchors = (anchor, other_anchor, third_anchor)
+        joint = checked_joint(kind, name, ends, anchors, collide, self._bodies)
+        self._joints.append(joint)
+        return len(self._joints) - 1
+
     def add_attraction(self, *, gravitational_constant: float) -> None:
         """Let all bodies that move attract each other, each pair by its masses (IM5).
 
@@ -306,6 +346,26 @@ class Scene(SceneData):
                 f"pair of '{self._bodies[i].name}' with itself (R3). Name two bodies.", "bodies"
             )
         return i, j
+
+    def _end(self, value: object, key: str, name: str) -> End:
+        """Return a body's index, or a point of the plane, m."""
+        if isinstance(value, Integral | str):
+            return self.index(value)  # type: ignore[arg-type]
+        remedy = "Give the name of a body, or a point (x, y) of the plane in m."
+        return vector(value, "point", f"joint '{name}'", remedy, at=(key,))
+
+    def _free_joint_name(self, name: object) -> str:
+        taken = {joint.name for joint in self._joints}
+        if name is None:
+            name = next(free for k in count(len(taken)) if (free := f"joint{k}") not in taken)
+        name = checked_text(name, "name")
+        if not name.strip() or len(name) > _MAX_NAME or name in taken:
+            raise RuleError(
+                f"name {shown(name)} of a joint: must have 1 to {_MAX_NAME} characters, and be no "
+                "other joint's (R1). Give a word of its own.",
+                "name",
+            )
+        return name
 
     def _append(self, body: Body) -> int:
         self._index[body.name] = len(self._bodies)

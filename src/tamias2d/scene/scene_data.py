@@ -11,6 +11,7 @@ from tamias2d.generated import definitions
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.fields import ForceField
 from tamias2d.scene.filters import may_touch
+from tamias2d.scene.joints import Joint, kept_apart
 from tamias2d.scene.rules import RuleError, Vector, shown
 from tamias2d.scene.springs import Spring
 from tamias2d.suggestions import suggests
@@ -34,6 +35,7 @@ class SceneData:
         self._springs: list[Spring] = []
         self._attraction: float | None = None
         self._fields: list[ForceField] = []
+        self._joints: list[Joint] = []
 
     @property
     def gravity(self) -> Vector:
@@ -87,6 +89,16 @@ class SceneData:
         """All force fields, in the order of adding."""
         return tuple(self._fields)
 
+    @property
+    def joints(self) -> tuple[Joint, ...]:
+        """All joints, in the order of adding."""
+        return tuple(self._joints)
+
+    @property
+    def kept_apart(self) -> frozenset[tuple[int, int]]:
+        """The pairs of bodies, the lower index first, that do not touch because a joint says so."""
+        return kept_apart(self._joints)
+
     def restitution(self, i: int, j: int) -> float:
         """Return the restitution with which bodies i and j part.
 
@@ -121,12 +133,15 @@ class SceneData:
         return float(definitions.pair_friction(first, second))
 
     def collides(self, i: int, j: int) -> bool:
-        """Return whether bodies i and j may touch, by their groups, categories and masks.
+        """Return whether bodies i and j may touch, by their groups, categories, masks and joints.
 
         Two of the same group, if that is not 0, do where it is positive and do not where it is
-        negative. Any others do if each one's category shares a bit with the other's mask.
+        negative. Any others do if each one's category shares a bit with the other's mask. Those
+        that a joint holds do not, unless it says that they `collide`.
         """
-        return may_touch(self._bodies[i], self._bodies[j])
+        if not may_touch(self._bodies[i], self._bodies[j]):
+            return False
+        return (min(i, j), max(i, j)) not in self.kept_apart
 
     def index(self, body: int | str) -> int:
         """Return the index of a body given by its index or name; raise `InputError` if none."""

@@ -10,6 +10,7 @@ from tamias2d.scene.compound import Compound, Part, Shape
 from tamias2d.scene.fields import ForceField
 from tamias2d.scene.filters import ALL
 from tamias2d.scene.forms import SECTIONS
+from tamias2d.scene.joints import Joint
 from tamias2d.scene.law import Law
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.scene_data import SceneData, checked_scene
@@ -17,6 +18,12 @@ from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segmen
 from tamias2d.scene.springs import Spring
 from tamias2d.suggestions import suggests
 
+_JOINT_KEYS = {
+    "guide_a": "axis",
+    "gear_ratio": "ratio",
+    "joint_angle": "angle",
+    "joint_length": "length",
+}
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 
@@ -46,6 +53,7 @@ def _lines(scene: SceneData) -> Iterator[str]:
     yield from _pairs("restitution", scene, scene.restitution_of_pairs)
     yield from _pairs("friction", scene, scene.friction_of_pairs)
     yield from _acting(scene)
+    yield from _joints(scene)
     if list(scene.bodies) != [body for bodies in sections.values() for body in bodies]:
         names = ", ".join(_text(body.name) for body in scene.bodies)
         yield f"order: [{names}]"
@@ -181,6 +189,49 @@ def _field(scene: SceneData, field: ForceField) -> Iterator[str]:
         yield f"torque: {_law(field.torque, 'torque')}"
     if field.bodies is not None:
         yield f"bodies: [{', '.join(_text(scene.bodies[k].name) for k in field.bodies)}]"
+
+
+def _joints(scene: SceneData) -> Iterator[str]:
+    if scene.joints:
+        yield "joints:"
+    for joint in scene.joints:
+        lines = list(_joint(scene, joint))
+        yield f"  - {lines[0]}"
+        yield from (f"    {line}" for line in lines[1:])
+
+
+def _joint(scene: SceneData, joint: Joint) -> Iterator[str]:
+    yield f"kind: {joint.model}"
+    between = (
+        _vector(at, "position") if k is None else _text(scene.bodies[k].name)
+        for k, at in zip(joint.ends[:2], joint.anchors[:2], strict=True)
+    )
+    yield f"between: [{', '.join(between)}]"
+    keys = ("anchor", "other_anchor", "third_anchor")
+    for key, k, at in zip(keys, joint.ends, joint.anchors, strict=True):
+        if k is not None and any(at):
+            yield f"{key}: {_vector(at, 'anchor')}"
+    if joint.ends[2] is not None:
+        yield f"third: {_text(scene.bodies[joint.ends[2]].name)}"
+    yield f"name: {_text(joint.name)}"
+    if joint.collide:
+        yield "collide: true"
+    yield from _parameters(joint)
+
+
+def _parameters(joint: Joint) -> Iterator[str]:
+    given = dict(joint.parameters)
+    posts = [_vector(given.pop(key), "post") for key in ("post_a", "post_b") if key in given]  # type: ignore[arg-type]
+    if posts:
+        yield f"posts: [{', '.join(posts)}]"
+    for symbol, value in given.items():
+        key = _JOINT_KEYS[symbol]
+        if isinstance(value, tuple):
+            yield f"{key}: {_vector(value, symbol.removesuffix('_a'))}"
+        else:
+            yield f"{key}: {_quantity(value, symbol)}"
+    if joint.equations:
+        yield f"equation: [{', '.join(json.dumps(text) for text in joint.equations)}]"
 
 
 def _force(force: tuple[Law, Law]) -> str:

@@ -18,6 +18,7 @@ from tamias2d.engine.saved_state import restored_engine, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
+from tamias2d.scene.joints import refuse_joints
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
@@ -98,6 +99,7 @@ class Simulator(Views):
             InputError: a value breaks a rule (R4).
         """
         checked_scene(scene)
+        refuse_joints(scene.joints, "the frame loop", "Take simulate(scene, ...), which does.")
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
         varies = bool(scene.springs) or not VaryingLoads(scene, range(len(scene)), {}).empty
         self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it

@@ -9,6 +9,7 @@ from tamias2d.errors import SimulationError
 from tamias2d.kernels import flight, march_by_kernels
 from tamias2d.motion import Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
+from tamias2d.motion.mechanism import fitted_history
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
 from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
@@ -29,7 +30,7 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
     located = Located(plan.scene, motion, motion.work)
     try:
         if not located.can_meet:
-            history = _without_contact(plan, method, motion)
+            history = fitted_history(plan.scene, plan.times, _without_contact(plan, method, motion))
             return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
         follow(located, plan.duration, progress=progress)
     except SimulationError as refusal:
@@ -68,7 +69,8 @@ def _reached(plan: Plan, motion: Motion, located: Located) -> Run:
         return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
     times = plan.times[plan.times <= located.time]
     plan = plan._replace(times=times if len(times) else np.zeros(1))
-    history, impacts = sample(located.tracks, plan.times), _impacts(located.contact_impulses)
+    history = fitted_history(plan.scene, plan.times, sample(located.tracks, plan.times))
+    impacts = _impacts(located.contact_impulses)
     return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally)
 
 

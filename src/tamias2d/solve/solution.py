@@ -46,11 +46,11 @@ def solve(
         try:
             return _run(plan, progress)
         except _UNDECIDED as refusal:
-            if method is not None:
+            if method is not None or scene.joints:
                 raise
             reason = f"impacts could be located up to {refusal.time:.6g} s. {refusal}"
         except OverlapError as refusal:
-            if method is not None or refusal.share > MEANT_TO_TOUCH:
+            if method is not None or scene.joints or refusal.share > MEANT_TO_TOUCH:
                 raise
             reason = (
                 f"bodies touch at the start; {refusal.bodies} overlap by {refusal.depth:.2g} m, "

@@ -200,6 +200,9 @@ class _Checker:
                 return Type("scalar", self.vector(first).dimension)
             case "perp":
                 return self.vector(first)
+            case "rotate":
+                self.pure(rest[0])
+                return self.vector(first)
             case "vector":
                 self.scalar(first)
                 self.scalar(rest[0])

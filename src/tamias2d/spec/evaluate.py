@@ -120,6 +120,10 @@ def _cross(a: Value, b: Value) -> Value:
     return a[0] * b[1] - a[1] * b[0] if isinstance(a, tuple) else (-a * b[1], a * b[0])
 
 
+def _rotated(a: Value, cosine: Value, sine: Value) -> Value:
+    return cosine * a[0] - sine * a[1], sine * a[0] + cosine * a[1]
+
+
 _BINARY: dict[str, Callable[[Value, Value], Value]] = {
     "+": lambda a, b: _each(operator.add, a, b),
     "-": lambda a, b: _each(operator.sub, a, b),
@@ -152,6 +156,7 @@ _CALL: dict[str, Callable[..., Value]] = {
     "dot": lambda a, b: a[0] * b[0] + a[1] * b[1],
     "cross": _cross,
     "perp": lambda a: (-a[1], a[0]),
+    "rotate": lambda a, angle: _rotated(a, fn.cos(angle), fn.sin(angle)),
     "norm": lambda a: fn.sqrt(a[0] * a[0] + a[1] * a[1]),
     "sum": lambda a: _each(fn.total, a),
 }

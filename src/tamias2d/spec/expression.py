@@ -24,7 +24,7 @@ MAX_DIGITS = 40
 ARITY = {
     "d": 2, "integral": 2, "dot": 2, "cross": 2, "perp": 1, "norm": 1, "vector": 2, "x": 1, "y": 1,
     "sqrt": 1, "sin": 1, "cos": 1, "tan": 1, "exp": 1, "log": 1, "abs": 1, "min": 2, "max": 2,
-    "atan2": 2, "sum": 1, "phi1": 1, "phi2": 1,
+    "atan2": 2, "sum": 1, "phi1": 1, "phi2": 1, "rotate": 2,
 }  # fmt: skip
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _RELATIONS = {ast.Eq: "==", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from tamias2d.spec.cases import check_case
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import Type
+from tamias2d.spec.constraint_items import check_constraint
 from tamias2d.spec.derivation import check_closed_form, check_derivation
 from tamias2d.spec.equations import Report, functions, parsed, relation, typed
 from tamias2d.spec.messages import Code, Diagnostic, SpecFault
@@ -27,6 +28,8 @@ def check_item(item: Item, items: Mapping[str, Item], table: SymbolTable) -> lis
         check_stability(item, report)
     elif item.kind == "case":
         check_case(item, table, report)
+    elif item.kind == "constraint":
+        check_constraint(item, table, report)
     elif item.kind in ("theory", "definition", "model", "property"):
         _check_statement(item, table, report)
         if not faults:  # a faulty formula would only be reported twice

@@ -119,6 +119,20 @@ KINDS = {
             ),
         ),
         Kind(
+            "constraint",
+            r"[a-z][a-z0-9_]*",
+            mapping(
+                ("says", "parameters", "constraint"),
+                says=TEXT,
+                uses=_IDS,
+                source=_TEXTS,
+                condition=TEXT,
+                parameters=_NAMES,
+                equations=_EXPRESSIONS,
+                constraint=_TEXTS,
+            ),
+        ),
+        Kind(
             "requirement",
             r"(R|NFR)\d+",
             mapping(

@@ -62,9 +62,17 @@ class PythonPrinter:
             case Call(function="cross", arguments=(turn, arm)):
                 other = self.tight(arm, "y" if axis == "x" else "x")
                 return f"{'-' if axis == 'x' else ''}{self.tight(turn)} * {other}"
+            case Call(function="rotate", arguments=(arm, angle)):
+                return self.rotated(arm, self.scalar(angle), axis)
             case Call(function="sum", arguments=(inner,)):
                 return self.helper("sum", self.component(inner, axis))
         raise TypeError(node)
+
+    def rotated(self, arm: Node, angle: str, axis: str) -> str:
+        """Source of one component of a vector turned by an angle."""
+        cosine, sine = self.helper("cos", angle), self.helper("sin", angle)
+        x, y = self.tight(arm, "x"), self.tight(arm, "y")
+        return f"{cosine} * {x} - {sine} * {y}" if axis == "x" else f"{sine} * {x} + {cosine} * {y}"
 
     def scalar(self, node: Node) -> str:
         """Source of a scalar or a condition."""
@@ -118,7 +126,9 @@ class PythonPrinter:
         return f"({text})" if loose or chain or powers else text
 
     def is_sum(self, node: Node) -> bool:
-        """Whether the source is a sum; scalar products are printed as sums."""
+        """Whether the source is a sum; scalar products and turned vectors are printed as sums."""
+        if isinstance(node, Call) and node.function == "rotate":
+            return True
         if isinstance(node, Call) and node.function in ("dot", "cross"):
             return not self.is_vector(node)
         return isinstance(node, Binary) and node.operator in "+-"

@@ -29,6 +29,7 @@ _CALLS = {
     "dot": r"{0} \cdot {1}",
     "cross": r"{0} \times {1}",
     "perp": r"{0}^{{\perp}}",
+    "rotate": r"\mathbf{{R}}\left({1}\right) {0}",
     "norm": r"\left\lVert {0} \right\rVert",
     "vector": r"\left({0},\; {1}\right)",
     "x": r"\left({0}\right)_x",

@@ -62,9 +62,10 @@ def _conserves_energy(scene: Scene) -> bool:
 
 
 def _gives_energy(scene: Scene) -> bool:
-    """Whether a force or a body that moves as it is told may do work."""
+    """Whether a force, or a body or a joint that moves as it is told, may do work."""
     pushed = any(law != 0 for body in scene.bodies for law in (*body.force, body.torque))
     driven = any(body.kinematic for body in scene.bodies)
+    driven = driven or any(joint.driven for joint in scene.joints)
     return bool(pushed or driven or scene.fields)
 
 

@@ -83,6 +83,11 @@ class World:
         self._space.collision_slop = _SLOP * _smallest(scene)
         elasticity = math.sqrt(_of_all_pairs(scene, scene.restitution, "restitution"))
         friction = math.sqrt(_of_all_pairs(scene, scene.friction, "friction"))
+        if scene.joints:
+            raise PeerError(
+                f"Pymunk: joint '{scene.joints[0].name}': its joints are not translated. Leave "
+                "Pymunk out."
+            )
         self._bodies = [_body(pymunk, body) for body in scene.bodies]
         self._index = {body: k for k, body in enumerate(self._bodies)}
         self._new: dict[tuple[int, int], int] = {}

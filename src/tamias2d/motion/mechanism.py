@@ -1,0 +1,257 @@
+"""Bodies that joints hold together: their reactions, and the way back to their constraints.
+
+By the equations of motion in index one (GD17), the return to the constraints after each step (GD18)
+and the rule for constraints that depend on each other (GD19).
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from tamias2d.errors import SimulationError
+from tamias2d.motion.constraint_rows import ConstraintRows
+from tamias2d.motion.least import LeastSolution
+from tamias2d.scene import Scene
+from tamias2d.scene.joints import Joint
+from tamias2d.state import Array, History, Vector
+
+_MOST = 20  # returns; each squares what is left, so that more than a few do not get there
+_NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding
+_ROUNDING = 1e-8  # of how far off the origin: a smaller mechanism is as good as a point there
+_APART = 1e-6  # of the mechanism's size: joints that depend on others may not be further apart
+_CONTRADICTION = 0.01  # of the accelerations: so much is no remnant of a joint near its instant
+
+
+class JointError(SimulationError):
+    """Joints that contradict each other, or that a step has torn; `run` is the history so far."""
+
+    code = "joint"
+
+
+class Mechanism:
+    """The joints of some bodies that they connect, directly or not."""
+
+    def __init__(self, scene: Scene, joints: Sequence[Joint], bodies: Sequence[int]) -> None:
+        """Take the joints, and the moving bodies in the order of their coordinates."""
+        self.joints = tuple(joints)
+        self.bodies = tuple(bodies)
+        self.rows = ConstraintRows(scene, joints, {body: k for k, body in enumerate(bodies)})
+        weights = [
+            (body.inverse_mass, body.inverse_mass, body.inverse_inertia)
+            for body in (scene.bodies[k] for k in bodies)
+        ]
+        self._weights = np.sqrt(np.array(weights))
+        self._fixed = np.array(_fixed_places(scene, joints)).reshape(-1, 2)
+        self._reach_length = max(
+            math.hypot(*at)
+            for joint in joints
+            for k, at in zip(joint.ends, joint.anchors, strict=True)
+            if k is not None
+        )
+        self._reach = np.array([(1.0, 1.0, _lever(joints, k)) for k in bodies]).ravel()
+
+    def accelerations(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
+        """Return the accelerations (n, 3) for those by the loads alone.
+
+        Raises:
+            JointError: no reactions keep the joints.
+        """
+        x, _ = self._reactions(time, position, velocity, free)
+        accelerations: Array = free + self._weights * x.reshape(free.shape)
+        return accelerations
+
+    def multipliers(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
+        """Return the multipliers (m,), likewise."""
+        x, least = self._reactions(time, position, velocity, free)
+        return least.shares(x)
+
+    def _reactions(
+        self, time: float, position: Array, velocity: Array, free: Array
+    ) -> tuple[Array, LeastSolution]:
+        """Return what the reactions do to the weighed accelerations, and how it was found."""
+        with np.errstate(all="ignore"):  # what is not finite is refused
+            slopes, least = self._factors(time, position)
+            convective = self.rows.convective(time, position, velocity)
+        pull = np.einsum("ijk,jk->i", slopes, free)
+        wanted = -(pull + convective)
+        if not np.isfinite(wanted).all():
+            raise self._torn(time, "has no finite value", wanted)
+        x = least(wanted)
+        if least.rank < self.rows.count:
+            size = least.size(pull) + least.size(convective)
+            if least.missed(wanted) > _CONTRADICTION * size:
+                raise self._contradiction(time, least)
+        return x, least
+
+    def struck(self, time: float, position: Array, impulses: Array) -> Array:
+        """Return the changes of the velocities (n, 3) by impulses (n, 3), N s and N m s.
+
+        The joints answer with impulses of their own that keep their rates (GD20).
+        """
+        slopes, least = self._factors(time, position)
+        free = self._weights * impulses
+        x = least(np.einsum("ijk,jk->i", slopes, self._weights * free))
+        changes: Array = self._weights * (free - x.reshape(free.shape))
+        return changes
+
+    def fitted(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array]:
+        """Return places and velocities (n, 3), moved by the least way to where the joints hold.
+
+        Raises:
+            JointError: no place near by fits.
+        """
+        position, least = self._placed(time, position)
+        rates = self.rows.rates(time, position, velocity)
+        x = least(rates)
+        return position, velocity - self._weights * x.reshape(position.shape)
+
+    def _placed(self, time: float, position: Array) -> tuple[Array, LeastSolution]:
+        size = self._size(position)
+        before = np.inf
+        for _ in range(_MOST):
+            with np.errstate(all="ignore"):
+                _, least = self._factors(time, position)
+                values = self.rows.values(time, position)
+            if not np.isfinite(values).all():
+                break
+            x = least(values)
+            position = position - self._weights * x.reshape(position.shape)
+            way = float(np.abs(x).max(initial=0.0))
+            if way <= _NEAR * size:
+                if least.missed(values) > _APART * self._length(position):
+                    raise self._contradiction(time, least)
+                return position, least
+            if way > 2 * before:
+                break
+            before = way
+        raise self._torn(time, "is torn by the step before", values)
+
+    def _factors(self, time: float, position: Array) -> tuple[Array, LeastSolution]:
+        slopes = self.rows.slopes(time, position)
+        if not np.isfinite(slopes).all():
+            raise self._torn(time, "has no finite slope", slopes.sum(axis=(1, 2)))
+        rows = slopes.reshape(len(slopes), -1)
+        return slopes, LeastSolution(rows, self._weights.ravel(), self._reach)
+
+    def _length(self, position: Array) -> float:
+        """Return a length that is not small, m: of the mechanism, or else where it is."""
+        places = np.vstack((position[:, :2], self._fixed))
+        spread = float(np.ptp(places, axis=0).max())
+        far = float(np.abs(places).max())
+        return max(spread, self._reach_length, _ROUNDING * far) or far or 1.0
+
+    def _size(self, position: Array) -> float:
+        """Return a length that is not small, weighed as the coordinates are."""
+        return self._length(position) / float(self._weights[:, :2].max(initial=0.0))
+
+    def _torn(self, time: float, what: str, rows: Array) -> JointError:
+        worst = int(np.argmax(np.where(np.isfinite(rows), np.abs(rows), np.inf)))
+        (name,) = self.named([worst])
+        return JointError(
+            f"joint '{name}' at {time!r} s: {what} (GD18). Take a smaller step or a smaller "
+            "tolerance, or end the run before."
+        )
+
+    def _contradiction(self, time: float, least: LeastSolution) -> JointError:
+        names = ", ".join(f"'{name}'" for name in self.named(least.dependent_rows))
+        return JointError(
+            f"joints {names} at {time!r} s: no finite reactions keep them all (GD19): they are "
+            "pulled taut, contradict each other, or stand where they could go on in several ways. "
+            "Leave one out, give the mechanism slack, or begin elsewhere."
+        )
+
+    def examined(self, time: float, position: Array, velocity: Array, free: Array) -> str | None:
+        """Return which joints depend on each other at the start, or None.
+
+        Raises:
+            JointError: they do not let the mechanism go where the loads accelerate it.
+        """
+        _, least = self._factors(time, position)
+        if least.rank == self.rows.count:
+            return None
+        bent = velocity + self.accelerations(time, position, velocity, free)  # after a second of it
+        convective = self.rows.convective(time, position, bent)
+        if least.missed(convective) > _CONTRADICTION * least.size(convective):
+            raise self._contradiction(time, least)
+        names = ", ".join(f"'{name}'" for name in self.named(least.dependent_rows))
+        return (
+            f"joints: {self.rows.count - least.rank} of {self.rows.count} equations depend on "
+            f"others, among {names}: how they share the load is open, the least is told (GD19)"
+        )
+
+    def named(self, rows: Sequence[int]) -> list[str]:
+        """Return the names of the joints to which some rows belong."""
+        chosen = set(rows)
+        owners = {joint for joint, own, _ in self.rows.of_joints() if chosen & set(own)}
+        return [self.joints[k].name for k in sorted(owners)]
+
+
+def _fixed_places(scene: Scene, joints: Sequence[Joint]) -> list[Vector]:
+    """Return where joints hold what stands still, m."""
+    found: list[Vector] = []
+    for joint in joints:
+        for k, at in zip(joint.ends, joint.anchors, strict=True):
+            if k is None:
+                found.append(at)
+            elif not scene.bodies[k].dynamic:
+                found.append(scene.bodies[k].position)
+    return found
+
+
+def _lever(joints: Sequence[Joint], body: int) -> float:
+    """Return one over how far from its centre joints hold a body, 1/m; 1 where at its centre."""
+    anchors = [
+        math.hypot(*at)
+        for joint in joints
+        for k, at in zip(joint.ends, joint.anchors, strict=True)
+        if k == body
+    ]
+    return 1 / (max(anchors, default=0.0) or 1.0)
+
+
+def mechanisms(scene: Scene, bodies: Sequence[int]) -> list[tuple[list[int], Mechanism]]:
+    """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
+    place = {body: k for k, body in enumerate(bodies)}
+    chain = {body: {body} for body in bodies}
+    for joint in scene.joints:
+        held = [body for body in joint.bodies if body in chain]
+        joined = set().union(*(chain[body] for body in held)) if held else set()
+        chain.update(dict.fromkeys(joined, joined))
+    found: list[tuple[list[int], Mechanism]] = []
+    for members in {id(group): group for group in chain.values()}.values():
+        joints = [joint for joint in scene.joints if members & set(joint.bodies)]
+        if joints:
+            own = sorted(members, key=place.__getitem__)
+            found.append(([place[body] for body in own], Mechanism(scene, joints, own)))
+    return found
+
+
+def fitted(
+    found: Sequence[tuple[list[int], Mechanism]], time: float, position: Array, velocity: Array
+) -> tuple[Array, Array]:
+    """Return coordinates and rates (n, 3) of bodies, moved to where all their joints hold (GD18).
+
+    Raises:
+        JointError: no place near by fits.
+    """
+    position, velocity = position.copy(), velocity.copy()
+    for own, mechanism in found:
+        position[own], velocity[own] = mechanism.fitted(time, position[own], velocity[own])
+    return position, velocity
+
+
+def fitted_history(scene: Scene, times: Array, history: History) -> History:
+    """Return the states at times (k,), s, likewise; those of a scene without joints as they are."""
+    if not scene.joints:
+        return history
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    found = mechanisms(scene, moving)
+    rows = [part.copy() for part in history]
+    for k, time in enumerate(times.tolist()):
+        q = np.column_stack((rows[0][k, moving], rows[1][k, moving]))
+        rate = np.column_stack((rows[2][k, moving], rows[3][k, moving]))
+        q, rate = fitted(found, time, q, rate)
+        rows[0][k, moving], rows[1][k, moving] = q[:, :2], q[:, 2]
+        rows[2][k, moving], rows[3][k, moving] = rate[:, :2], rate[:, 2]
+    return History(*rows)

@@ -1,0 +1,171 @@
+"""The checks of a joint: it ties bodies that can move, and holds at the start (R4, R13).
+
+What is not given, such as a length, is found from how the bodies stand at the start.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from tamias2d.scene.bodies import Body
+from tamias2d.scene.joint_kinds import Equation, Kind
+from tamias2d.scene.joint_start import Start
+from tamias2d.scene.joints import End, Joint
+from tamias2d.scene.rules import RuleError, Vector, shown, vector
+from tamias2d.spec.constraint import ENDS
+
+_FITS = 1e-6
+"""Of the joint's size, and of the speeds: by so much a joint may be off at the start, as written
+numbers are; the run begins with what fits."""
+
+
+def checked_joint(
+    kind: object,
+    name: str,
+    ends: tuple[End, End, End],
+    anchors: tuple[object, object, object],
+    collide: object,
+    bodies: Sequence[Body],
+) -> Joint:
+    """Return a joint that ties bodies and holds at the start, or raise `RuleError`."""
+    of = f"joint '{name}'"
+    if not isinstance(kind, Kind):
+        raise RuleError(
+            f"kind of {of}: found {shown(kind)}: must be a kind of joint (TM7). Give one such as "
+            "Revolute() or Distance(length=1.0), with its brackets.",
+            "kind",
+        )
+    if not isinstance(collide, bool):
+        raise RuleError(
+            f"collide of {of}: found {shown(collide)}: must be True or False (TM7). Say whether "
+            "the bodies may touch.",
+            "collide",
+        )
+    held = [end if isinstance(end, int) else None for end in ends]
+    placed = [
+        _anchor(end, anchor, of, key)
+        for end, anchor, key in zip(
+            ends, anchors, ("anchor", "other_anchor", "third_anchor"), strict=True
+        )
+    ]
+    own = tuple(kind.equations) if isinstance(kind, Equation) else ()
+    joint = Joint(
+        name=name,
+        model=kind.model,
+        ends=(held[0], held[1], held[2]),
+        anchors=(placed[0], placed[1], placed[2]),
+        equations=own,
+        collide=collide,
+    )
+    _refuse_idle(joint, bodies, of)
+    return _fitted(joint, kind, bodies, of)
+
+
+def _anchor(end: End, anchor: object, of: str, key: str) -> Vector:
+    """Return where a joint holds a body; a point of the plane is its own anchor."""
+    remedy = "Give (x, y) in m, in the body's axes."
+    at = vector(anchor, "anchor", of, remedy, at=(key,))
+    if isinstance(end, int):
+        return at
+    if at != (0, 0):
+        raise RuleError(
+            f"{key.replace('_', ' ')} of {of}: a point of the plane has none (TM7). Move the point "
+            "itself.",
+            key,
+        )
+    return end
+
+
+def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
+    """Refuse a joint that holds a body twice, none that moves, or one whose motion is given."""
+    held = joint.bodies
+    for k in held:
+        if held.count(k) > 1:
+            raise RuleError(
+                f"{of}: it ties '{bodies[k].name}' to itself (TM7). Name two bodies.", "between"
+            )
+        if bodies[k].kinematic:
+            raise RuleError(
+                f"{of}: '{bodies[k].name}' is kinematic, and joints hold only bodies that move "
+                "freely or stand still (TM7). Drive a body by an Equation with the time.",
+                "between",
+            )
+    if not any(bodies[k].dynamic for k in held):
+        raise RuleError(f"{of}: it holds no body that moves (TM7). Name one that does.", "between")
+
+
+def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str) -> Joint:
+    """Return the joint with all its parameters; what is not given is as at the start."""
+    known = {name: value for name, value in kind.given.items() if value is not None}
+    joint = _with(joint, known)
+    _refuse_missing(joint, of)
+    for name in (name for name, value in kind.given.items() if value is None):
+        start = Start(_with(joint, {**known, name: 0.0}), bodies)
+        known[name] = float(start.rows[-1]) + 0.0
+        joint = _with(joint, known)
+    start = Start(joint, bodies)
+    _refuse_singular(start, bodies, of)
+    _refuse_unfit(start, of)
+    return joint
+
+
+def _with(joint: Joint, known: Mapping[str, float | Vector]) -> Joint:
+    return replace(joint, parameters=tuple(known.items()))
+
+
+def _refuse_missing(joint: Joint, of: str) -> None:
+    """Refuse a joint whose equation asks for a third body that is not named as such."""
+    taken = joint.functions.bodies
+    for end, body in zip(ENDS, joint.ends, strict=True):
+        if body is not None and end not in taken:
+            raise RuleError(
+                f"{of}: its equation does not ask where body {end.upper()} is (TM7). Leave that "
+                "body out, or let the equation hold it.",
+                "third" if end == "c" else "between",
+            )
+
+
+def _refuse_singular(start: Start, bodies: Sequence[Body], of: str) -> None:
+    """Refuse a joint without finite value and slopes at the start, or that turns a mere point."""
+    parts = (start.rows, start.rates, start.convective, *start.slopes.values())
+    if not all(np.isfinite(part).all() for part in parts):
+        raise RuleError(
+            f"{of}: its equation has no finite derivative at the start (TM7): its ends are at one "
+            "place, or it divides by zero there. Move them apart; two points at one place are held "
+            "by a Revolute().",
+            "between",
+        )
+    moving = [k for k in start.joint.bodies if bodies[k].dynamic]
+    ends = [end for end, k in zip(ENDS, start.joint.ends, strict=True) if k in moving]
+    rows = np.hstack([start.slopes[end] for end in ends])
+    if not np.abs(rows).max(axis=1).all():
+        raise RuleError(
+            f"{of}: its equation does not change with any place of a body that moves (TM7): its "
+            "slope at the start is 0. Rewrite it, or begin elsewhere.",
+            "between",
+        )
+    for body in start.turned:
+        if body.dynamic and body.inertia == math.inf:
+            raise RuleError(
+                f"{of}: '{body.name}' has no inertia, and the joint would turn it (IM2, TM7). "
+                "State its inertia.",
+                "between",
+            )
+
+
+def _refuse_unfit(start: Start, of: str) -> None:
+    """Refuse a joint that does not hold at the start."""
+    if start.way(start.rows) > _FITS * start.size:
+        raise RuleError(
+            f"{of}: it does not hold at the start: it is off by {start.worst(start.rows)} (TM7). "
+            "Move the bodies or the anchors so that it fits.",
+            "between",
+        )
+    if start.way(start.rates) > _FITS * start.speed:
+        raise RuleError(
+            f"{of}: the velocities at the start tear it: it is left at "
+            f"{start.worst(start.rates, '/s')} (TM7). Give its bodies velocities that fit.",
+            "between",
+        )

@@ -1,0 +1,119 @@
+"""A joint's own equation: read, checked for names, units and derivatives, made ready to compute.
+
+Serves: joints that a scene states by an equation. Hides: what such an equation may use.
+"""
+
+from collections.abc import Sequence
+from functools import cache
+
+from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.scene.rules import RuleError
+from tamias2d.spec.check import infer
+from tamias2d.spec.constraint import (
+    COORDINATES,
+    ENDS,
+    TIME,
+    Constraint,
+    Values,
+)
+from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula, Value
+from tamias2d.spec.evaluate import Program
+from tamias2d.spec.expression import Node, names, parse, substituted
+from tamias2d.spec.messages import SpecFault
+from tamias2d.spec.symbols import Index, SymbolTable
+
+_PLACES = tuple(f"{name}_{end}" for end in ENDS for name in (*COORDINATES, "point"))
+_ALLOWED = frozenset((*_PLACES, TIME))
+
+
+def read_equations(texts: Sequence[str], of: str) -> ConstraintFunctions:
+    """Return what a solver asks of a joint with these equations.
+
+    Raises:
+        RuleError: one is not in the language, uses what is not there, or has no derivative.
+    """
+    trees = tuple(_read(text, of, k) for k, text in enumerate(texts))
+    used = {name for tree in trees for name in names(tree)}
+    where = tuple(
+        (f"point_{end}", parse(f"position_{end} + rotate(anchor_{end}, orientation_{end})"))
+        for end in ENDS
+        if f"point_{end}" in used
+    )
+    constraint = Constraint(trees, where, _table())
+    try:
+        return _functions(constraint)
+    except ValueError as error:
+        raise RuleError(
+            f"equations of {of}: {error} (TM7). Write it without min, max and abs.", "equations"
+        ) from None
+
+
+def _read(text: str, of: str, k: int) -> Node:
+    at = ("equations", k)
+    try:
+        node = parse(text)
+        infer(node, _table())
+    except SpecFault as fault:
+        where = f"equations[{k}] of {of}"
+        raise RuleError(
+            f"{where}: {fault.message} (TM7, column {fault.offset + 1}). It may use "
+            f"{', '.join(_PLACES[:3])}, likewise for b and c, and time.",
+            *at,
+        ) from None
+    used = set(names(node))
+    if wrong := sorted(used - _ALLOWED):
+        raise RuleError(
+            f"equations[{k}] of {of}: '{wrong[0]}' is no place of a body (TM7). It may use "
+            f"{', '.join(_PLACES[:3])}, likewise for b and c, and time.",
+            *at,
+        )
+    if not used & set(_PLACES):
+        raise RuleError(
+            f"equations[{k}] of {of}: '{text}' holds no body (TM7). Let it use a place of one.", *at
+        )
+    return node
+
+
+@cache
+def _table() -> SymbolTable:
+    wanted = (*COORDINATES, *COORDINATES.values(), "point", "anchor", TIME)
+    indices = [Index(end, end.upper(), f"of body {end.upper()}") for end in ENDS]
+    return SymbolTable([SYMBOLS[name] for name in wanted], indices)
+
+
+def _functions(constraint: Constraint) -> ConstraintFunctions:
+    anchors = [name.replace("point", "anchor") for name, _ in constraint.where]
+    units = [
+        str(found.dimension or 1)
+        for found in constraint.types
+        for _ in range(2 if found.shape == "vector" else 1)
+    ]
+    return ConstraintFunctions(
+        parameters=tuple(anchors),
+        bodies=constraint.bodies,
+        units=tuple(units),
+        constraint=_formula(constraint.values()),
+        slopes={end: _formula(constraint.slopes(end)) for end in constraint.bodies},
+        rate=_formula(constraint.rates()),
+        convective=_formula(constraint.convective()),
+    )
+
+
+def _formula(values: Values) -> Formula:
+    rows = list(values.rows)
+    for name, tree in reversed(values.where):
+        rows = [substituted(row, {name: tree}) for row in rows]
+    arguments = tuple(dict.fromkeys(name for row in rows for name in names(row)))
+    return Formula(_Evaluated(tuple(map(Program, rows)), arguments), arguments)
+
+
+class _Evaluated:
+    """Rows that are evaluated rather than printed."""
+
+    def __init__(self, programs: tuple[Program, ...], arguments: tuple[str, ...]) -> None:
+        self._programs = programs
+        self._arguments = arguments
+
+    def __call__(self, *values: Value) -> tuple[Value, ...]:
+        known = dict(zip(self._arguments, values, strict=True))
+        return tuple(program(known) for program in self._programs)

@@ -1,0 +1,94 @@
+"""A joint as it is at the start: whether it holds, and by how much it is off."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.scene.bodies import Body
+from tamias2d.scene.joints import Joint
+from tamias2d.spec.constraint import ENDS
+from tamias2d.spec.constraint_functions import Formula
+
+
+class Start:
+    """A joint as it is at the start: its rows, their slopes and rates."""
+
+    def __init__(self, joint: Joint, bodies: Sequence[Body]) -> None:
+        self.joint = joint
+        values: dict[str, Any] = {"time": 0.0, **joint.given}
+        held = [None if k is None else bodies[k] for k in joint.ends]
+        for end, body in zip(ENDS, held, strict=True):
+            values[f"position_{end}"] = body.position if body else (0.0, 0.0)
+            values[f"orientation_{end}"] = body.orientation if body else 0.0
+            values[f"velocity_{end}"] = body.velocity if body else (0.0, 0.0)
+            values[f"angular_velocity_{end}"] = body.angular_velocity if body else 0.0
+        functions = joint.functions
+        self.rows = _numbers(functions.constraint, values)
+        self.rates = _numbers(functions.rate, values)
+        self.convective = _numbers(functions.convective, values)
+        self.slopes = {
+            end: _numbers(functions.slopes[end], values).reshape(-1, 3) for end in functions.bodies
+        }
+        self._held = {end: body for end, body in zip(ENDS, held, strict=True) if body}
+
+    @property
+    def turned(self) -> list[Body]:
+        """The bodies that the joint turns, by some slope."""
+        return [
+            self._held[end]
+            for end, slopes in self.slopes.items()
+            if end in self._held and np.any(slopes[:, 2])
+        ]
+
+    @property
+    def size(self) -> float:
+        """A length that is not small in it, m."""
+        places = [body.position for body in self._held.values()]
+        reach = [math.hypot(*at) for k, at in enumerate(self.joint.anchors) if self.joint.ends[k]]
+        reach += [math.dist(one, other) for one in places for other in places]
+        reach += [body.shape.bounding_radius for body in self._held.values() if body.shape]
+        reach += [
+            abs(value)
+            for name, value in self.joint.parameters
+            if name == "joint_length" and isinstance(value, float)
+        ]
+        return max((length for length in reach if math.isfinite(length)), default=0.0) or 1.0
+
+    @property
+    def speed(self) -> float:
+        """The largest speed of the bodies that it holds, by their turning too, m/s."""
+        size = self.size
+        bodies = self._held.values()
+        return max(math.hypot(*b.velocity) + abs(b.angular_velocity) * size for b in bodies)
+
+    def way(self, rows: NDArray[np.float64]) -> float:
+        """Return the least way, m, by which bodies that move can make some rows zero."""
+        size = self.size
+        moving = [
+            slopes * (1.0, 1.0, 1 / size)
+            for end, slopes in self.slopes.items()
+            if end in self._held and self._held[end].dynamic
+        ]
+        slopes = np.hstack(moving)
+        way, *_ = np.linalg.lstsq(slopes, rows, rcond=1e-12)
+        left = np.abs(slopes @ way - rows).max()
+        small = 1e-9 * (np.abs(rows).max() + np.abs(slopes).max() * size)
+        return float(np.linalg.norm(way)) if left <= small else math.inf
+
+    def worst(self, rows: NDArray[np.float64], per: str = "") -> str:
+        """Return the largest of some rows with its unit."""
+        k = int(np.argmax(np.abs(rows)))
+        unit = self.joint.functions.units[k]
+        unit = {"1": "rad"}.get(unit, unit)
+        return f"{rows[k]:g} {unit}{per}"
+
+
+def _numbers(formula: Formula, values: Mapping[str, Any]) -> NDArray[np.float64]:
+    with np.errstate(all="ignore"):
+        try:
+            return np.array(formula(values), dtype=np.float64)
+        except (ArithmeticError, ValueError, TypeError):
+            return np.full(3, math.nan)

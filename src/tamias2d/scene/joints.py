@@ -1,0 +1,80 @@
+"""Joints: what ties up to three bodies, or bodies to the plane, by an equation (TM7)."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+from typing import TypeAlias
+
+from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.scene.joint_equation import read_equations
+from tamias2d.scene.rules import RuleError, Vector
+from tamias2d.spec.constraint import ENDS, TIME
+from tamias2d.spec.constraint_functions import ConstraintFunctions
+from tamias2d.suggestions import suggests
+
+End: TypeAlias = int | Vector
+"""A body, by its index, or a point of the plane, m."""
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
+class Joint:
+    """One joint of a scene, checked; made by `Scene.add_joint`."""
+
+    name: str
+    model: str
+    """Its constraint in srs/models/joints.md; "equation" for one of its own."""
+    ends: tuple[int | None, int | None, int | None]
+    """The indices of bodies A, B and C; None for the plane."""
+    anchors: tuple[Vector, Vector, Vector]
+    """Where it holds each, in the body's own axes from its centre of mass, or in the plane, m."""
+    parameters: tuple[tuple[str, float | Vector], ...] = ()
+    """What else it is given, by symbol, SI units."""
+    equations: tuple[str, ...] = ()
+    """Its own, if it has any."""
+    collide: bool = False
+    """Whether the bodies that it holds may touch."""
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        """The bodies that it holds."""
+        return tuple(k for k in self.ends if k is not None)
+
+    @cached_property
+    def functions(self) -> ConstraintFunctions:
+        """Its constraint, and what follows from it."""
+        if self.equations:
+            return read_equations(self.equations, f"joint '{self.name}'")
+        return CONSTRAINTS[self.model]
+
+    @property
+    def driven(self) -> bool:
+        """Whether its equation changes with time, so that it may do work."""
+        return TIME in self.functions.constraint.arguments
+
+    @property
+    def given(self) -> dict[str, float | Vector]:
+        """The values of all parameters of its constraint, by symbol."""
+        known = dict(self.parameters)
+        anchors = {f"anchor_{end}": at for end, at in zip(ENDS, self.anchors, strict=True)}
+        return {name: known.get(name, anchors.get(name, 0.0)) for name in self.functions.parameters}
+
+
+def refuse_joints(joints: Sequence[Joint], what: str, remedy: str) -> None:
+    """Raise `RuleError` where there are joints, for something that knows none."""
+    if joints:
+        raise RuleError(
+            f"joint '{joints[0].name}' of the scene: {what} knows no joints (R13). {remedy}",
+            "joints",
+        )
+
+
+def kept_apart(joints: Iterable[Joint]) -> frozenset[tuple[int, int]]:
+    """Return the pairs of bodies (i, j), i < j, that joints keep from touching."""
+    return frozenset(
+        pair
+        for joint in joints
+        if not joint.collide
+        for pair in combinations(sorted(joint.bodies), 2)
+    )

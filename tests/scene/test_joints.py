@@ -1,0 +1,165 @@
+"""Joints in scenes and scene files: what is refused, where, and what comes back."""
+
+import re
+from collections.abc import Callable
+
+import pytest
+
+import tamias2d as t2
+from tamias2d.errors import InputError, SceneError
+from tamias2d.scene import Scene
+
+
+def scene() -> Scene:
+    made = Scene(gravity=(0, -9.81))
+    made.add_body(t2.Box(width=1, height=0.1), mass=1, position=(0.5, 0), name="rod")
+    made.add_body(t2.Disc(radius=0.2), mass=1, position=(2, 0), name="wheel")
+    made.add_body(None, mass=1, position=(0, 3), name="bob")
+    made.add_static(t2.Disc(radius=0.1), position=(0, -5), name="post")
+    made.add_static(t2.Disc(radius=0.1), position=(1, -5), name="stake")
+    made.add_kinematic(t2.Disc(radius=0.1), position=(9, 0), name="lift")
+    return made
+
+
+BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
+    "anchors that do not fit": (
+        lambda s: s.add_joint(t2.Revolute(), "rod", (0.1, 0), anchor=(-0.5, 0)),
+        "does not hold at the start: it is off by 0.1 m",
+    ),
+    "a body with itself": (lambda s: s.add_joint(t2.Weld(), "rod", "rod"), "'rod' to itself"),
+    "two statics": (
+        lambda s: s.add_joint(t2.Distance(), "post", "stake"),
+        "it holds no body that moves",
+    ),
+    "two points": (lambda s: s.add_joint(t2.Distance(), (0, 0), (1, 0)), "no body that moves"),
+    "a kinematic body": (lambda s: s.add_joint(t2.Distance(), "rod", "lift"), "is kinematic"),
+    "a length that is another": (
+        lambda s: s.add_joint(t2.Distance(length=1), "rod", "wheel"),
+        "off by 0.5 m",
+    ),
+    "a length of zero": (lambda _: t2.Distance(length=0), r"length 0 m of a distance joint: must"),
+    "no distance at all": (
+        lambda s: s.add_joint(t2.Distance(), "rod", (0.5, 0)),
+        "no finite derivative at the start",
+    ),
+    "an axis of zero": (lambda _: t2.Groove(axis=(0, 0)), "has no direction"),
+    "a ratio of zero": (lambda _: t2.Gear(ratio=0), "ratio 0 of a gear: must not be 0"),
+    "one post": (lambda _: t2.Pulley(posts=[(0, 0)]), "posts of a pulley: found 1"),
+    "an angle without inertia": (
+        lambda s: s.add_joint(t2.Weld(), "bob", (0, 3)),
+        "'bob' has no inertia, and the joint would turn it",
+    ),
+    "an anchor of the plane": (
+        lambda s: s.add_joint(t2.Revolute(), "rod", (0, 0), anchor=(-0.5, 0), other_anchor=(1, 0)),
+        "a point of the plane has none",
+    ),
+    "no kind": (lambda s: s.add_joint(t2.Revolute, "rod", "wheel"), "must be a kind of joint"),
+    "no such body": (lambda s: s.add_joint(t2.Revolute(), "rod", "well"), "the scene has none"),
+    "a name twice": (
+        lambda s: [s.add_joint(t2.Distance(), "rod", "wheel", name="x") for _ in "ab"],
+        "be no other joint's",
+    ),
+    "a wrong unit": (
+        lambda s: s.add_joint(t2.Equation("x(position_a) - 1[s]"), "rod"),
+        r"'1\[s\]' is a scalar in s.*column 1",
+    ),
+    "a name that is no place": (
+        lambda s: s.add_joint(t2.Equation("x(velocity_a) - 1[m/s]"), "rod"),
+        "'velocity_a' is no place of a body",
+    ),
+    "an equation of nothing": (
+        lambda s: s.add_joint(t2.Equation("time - 1[s]"), "rod"),
+        "holds no body",
+    ),
+    "an equation without derivative": (
+        lambda s: s.add_joint(t2.Equation("abs(x(position_a)) - 0.5[m]"), "rod"),
+        "abs has no derivative",
+    ),
+    "an equation without finite derivative": (
+        lambda s: s.add_joint(t2.Equation("sqrt(x(position_a) - 0.5[m])"), "rod"),
+        "no finite derivative at the start",
+    ),
+    "an equation without slope": (
+        lambda s: s.add_joint(t2.Equation("(x(position_a) - 0.5[m])**2"), "rod"),
+        "does not change with any place",
+    ),
+    "a drive that starts with a jerk": (
+        lambda s: s.add_joint(t2.Equation("orientation_a - 3[rad/s]*time"), "wheel"),
+        "the velocities at the start tear it: it is left at -3 rad/s",
+    ),
+}
+
+
+@pytest.mark.parametrize("what", BAD)
+def test_a_bad_joint_is_refused_by_name(what: str) -> None:
+    add, message = BAD[what]
+    with pytest.raises(InputError, match=message):
+        add(scene())
+
+
+FILE = """gravity: [0 m/s^2, -9.81 m/s^2]
+bodies:
+  rod: {shape: box, width: 1 m, height: 10 cm, mass: 1 kg, position: [0.5 m, 0 m]}
+joints:
+  - kind: revolute
+    between: [rod, [0 m, 0 m]]
+    anchor: [-0.5 m, 0 m]
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "place", "message"),
+    [
+        ("kind: revolute", "kind: revolut", "5:11", "did you mean 'revolute'"),
+        ("[0 m, 0 m]]", "[0 m, 0 s]]", "6:26", "must be in m"),
+        ("[rod,", "[rot,", "6:15", "the scene has none such"),
+        ("anchor: [-0.5 m", "anchor: [-0.4 m", "6:14", "off by -0.1 m"),
+        ("anchor:", "ankor:", "7:5", "did you mean 'anchor'"),
+        ("    anchor", "    length: 1 m\n    anchor", "7:5", "key 'length' of a joint of kind rev"),
+        (", [0 m, 0 m]]", "]", "6:14", "found 1 ends"),
+        (
+            "kind: revolute",
+            "kind: equation\n    equation: x(position_a) - 1[s]",
+            "6:15",
+            "'1[s]' is a scalar in s",
+        ),
+    ],
+)
+def test_a_bad_joint_in_a_file_has_its_place(old: str, new: str, place: str, message: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        t2.load(FILE.replace(old, new))
+    assert str(caught.value).startswith(f"scene:{place}: "), caught.value
+    assert message in str(caught.value)
+
+
+def test_joints_of_all_kinds_come_back_from_their_text_to_the_last_bit() -> None:
+    made = Scene(gravity=(0, -9.81), name="all")
+    for k in range(4):
+        made.add_body(
+            t2.Disc(radius=0.1), mass=1, position=(k / 3, 0.1), orientation=k / 7, name=f"b {k}"
+        )
+    made.add_joint(t2.Revolute(), "b 0", (0, 0.1))
+    made.add_joint(t2.Distance(), "b 0", "b 1", anchor=(0.01, 0.02), other_anchor=(-0.1, 0))
+    made.add_joint(t2.Gear(ratio=-1 / 3), "b 0", "b 1", third="b 2", collide=True)
+    made.add_joint(t2.Prismatic(axis=(1, 3)), (2 / 3, 0.1), "b 2")
+    made.add_joint(t2.Groove(axis=(0.3, 0.1)), (1, 0.1), "b 3", name="slot")
+    made.add_joint(
+        t2.Pulley(posts=[(0, 3), (1, 3)], ratio=1.5), "b 1", "b 3", third="b 2", third_anchor=(0, 1)
+    )
+    made.add_joint(t2.Weld(), "b 3", (1, 0.1))
+    made.add_joint(t2.Equation(["x(point_a - point_b) + 1/3*1[m]"]), "b 0", "b 1", anchor=(0, 0))
+    again = t2.load(t2.scene_text(made))
+    assert again == made
+    assert again.digest() == made.digest()
+    assert not re.search(r"joints", t2.scene_text(scene()))
+
+
+def test_what_is_not_given_is_as_at_the_start() -> None:
+    made = scene()
+    made.add_joint(t2.Distance(), "rod", "wheel")
+    made.add_joint(t2.Gear(ratio=2), "rod", "wheel", name="gear")
+    assert dict(made.joints[0].parameters) == {"joint_length": 1.5}
+    assert dict(made.joints[1].parameters)["joint_angle"] == 0
+    assert made.joints[1].name == "gear"
+    assert not made.collides(0, 1)
+    assert made.collides(0, 3)
