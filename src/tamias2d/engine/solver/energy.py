@@ -6,15 +6,18 @@ It is a cheap test, and nearly always all that is needed where there is no resti
 from tamias2d.engine.tables import (
     CONTACT_CHANGE,
     DANGLE,
+    DRAG_FACTOR,
     DX,
     DY,
     DYNAMIC,
     FORCE_GAIN,
     GRAVITY_X,
     GRAVITY_Y,
+    INCREMENT,
     INVERSE_INERTIA,
     INVERSE_MASS,
     MOVED,
+    PART_SUBSTEPS,
     SPIN,
     STEP_START,
     SUBSTEP_START,
@@ -28,7 +31,7 @@ from tamias2d.engine.tables import (
     Control,
     Touching,
 )
-from tamias2d.generated.definitions import kinetic_energy
+from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
 from tamias2d.generated.island_energy import kinetic_energy_most, work
 from tamias2d.state import Array
 
@@ -49,7 +52,9 @@ def sum_step_energy(
         if bodies.kind[i] != DYNAMIC:
             energy[TOTAL_WORK] = UNLIMITED
             continue
-        if bodies.moved[i] == MOVED and unchanged_by_contacts(then, now):
+        if bodies.moved[i] == MOVED and unchanged_by_contacts(
+            control.counts[PART_SUBSTEPS], then, now
+        ):
             bodies.moved[i] = UNTOUCHED
         mass, inertia = mass_and_inertia(i, bodies.properties)
         velocity = (then[STEP_START], then[STEP_START + 1])
@@ -60,11 +65,16 @@ def sum_step_energy(
         energy[TOTAL_WORK] += work(mass, gravity, force, load[2], shift, now[DANGLE])
 
 
-def unchanged_by_contacts(state: Array, motion: Array) -> bool:
+def unchanged_by_contacts(substeps: int, state: Array, motion: Array) -> bool:
     """Return whether no contact has changed the velocity of a body in its substeps."""
     same = True
     for n in range(3):
         same = same & (state[CONTACT_CHANGE + n] == 0.0) & (motion[n] == state[SUBSTEP_START + n])
+    for n in range(3 if same else 0):
+        free = state[STEP_START + n]
+        for _ in range(substeps):
+            free = coordinate_velocity_later(state[DRAG_FACTOR + n], free, state[INCREMENT + n])
+        same = same & (motion[n] == free)
     return bool(same)
 
 
