@@ -86,10 +86,11 @@ def follows(constraint: ConstraintFunctions, given: Mapping[str, Value]) -> None
         for column, seed in enumerate(("x", "y", "turn")):
             slope = _difference(lambda s, e=end, c=seed: constraint.constraint(_at(known, e, c, s)))
             close(np.array(entries[end], float).reshape(-1, 3)[:, column], slope, 1e-7)
-    close(
-        constraint.rate(known), _difference(lambda s: constraint.constraint(_moved(known, s))), 1e-6
-    )
-    bend = _difference(lambda s: constraint.rate(_moved(known, s)))
+    # times in which no body goes farther than such a way
+    fastest = max(1.0, *(float(np.abs(known[name]).max()) for name in known if "velocity" in name))
+    drift = _difference(lambda s: constraint.constraint(_moved(known, s / fastest))) * fastest
+    close(constraint.rate(known), drift, 1e-6)
+    bend = _difference(lambda s: constraint.rate(_moved(known, s / fastest))) * fastest
     close(constraint.convective(known), bend, 1e-5)
 
 

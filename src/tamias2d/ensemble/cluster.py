@@ -21,7 +21,7 @@ def client_at(address: str | None) -> Iterator[Any]:
     with extra():
         from distributed import Client
     try:
-        client = Client(address, timeout=10)  # type: ignore[no-untyped-call]
+        client = Client(address, timeout=10, set_as_default=False)  # type: ignore[no-untyped-call]
     except (OSError, ValueError) as fault:
         raise SimulationError(
             f"scheduler {address!r}: does not answer ({type(fault).__name__}). Give the address of "

@@ -65,6 +65,8 @@ def scene_of(outline: Outline, like: Scene) -> Scene:
         scene.add_attraction(**outline["attraction"])
     for field in like.fields:
         scene.add_field(**_attributes(field))
+    for joint in like.joints:
+        scene.repeat_joint(joint)
     return scene
 
 

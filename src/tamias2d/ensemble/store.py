@@ -66,10 +66,12 @@ class Store:
     def dataset(self) -> Any:
         """Return the `xarray.Dataset`, of which values are read when they are asked for."""
         with extra():
+            from dask import config
             from xarray import open_zarr
 
         found = open_zarr(self.path, consolidated=False)
-        return found.assign_coords({name: found[name].load() for name in found.coords})
+        with config.set(scheduler="synchronous"):
+            return found.assign_coords({name: found[name].load() for name in found.coords})
 
     def _make(self, worlds: VariedWorlds | MadeWorlds, request: Request, chunk: int) -> None:
         """Make an empty store beside its place, and put it there whole."""
@@ -81,10 +83,13 @@ class Store:
             if variable.dims and variable.dims[0] == WORLDS
         }
         sizes["outcome"]["_FillValue"] = None
+        with extra():
+            from dask import config
         try:
-            template.to_zarr(
-                draft, compute=False, consolidated=False, zarr_format=2, encoding=sizes
-            )
+            with config.set(scheduler="synchronous"):  # not a client that is gone
+                template.to_zarr(
+                    draft, compute=False, consolidated=False, zarr_format=2, encoding=sizes
+                )
             os.rename(draft, self.path)
         finally:
             shutil.rmtree(draft, ignore_errors=True)

@@ -63,6 +63,14 @@ def checked_joint(
     return _fitted(joint, kind, bodies, of)
 
 
+def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
+    """Return a joint that holds at the start of other bodies, too, or raise `RuleError`."""
+    start = Start(joint, bodies)
+    _refuse_singular(start, bodies, f"joint '{joint.name}'")
+    _refuse_unfit(start, f"joint '{joint.name}'")
+    return joint
+
+
 def _anchor(end: End, anchor: object, of: str, key: str) -> Vector:
     """Return where a joint holds a body; a point of the plane is its own anchor."""
     remedy = "Give (x, y) in m, in the body's axes."

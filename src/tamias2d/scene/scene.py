@@ -29,9 +29,9 @@ from tamias2d.scene.checks import (
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.fields import checked_field, refuse_field
 from tamias2d.scene.filters import checked_mask, checked_sensor, checked_whole
-from tamias2d.scene.joint_checks import checked_joint
+from tamias2d.scene.joint_checks import checked_again, checked_joint
 from tamias2d.scene.joint_kinds import Equation, Kind
-from tamias2d.scene.joints import End
+from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.law import checked_force, checked_law
 from tamias2d.scene.rules import RuleError, VectorLike, number, sequence, shown, vector
 from tamias2d.scene.scene_data import SceneData
@@ -293,6 +293,14 @@ class Scene(SceneData):
         joint = checked_joint(kind, name, ends, anchors, collide, self._bodies)
         self._joints.append(joint)
         return len(self._joints) - 1
+
+    def repeat_joint(self, joint: Joint) -> None:
+        """Add a joint of a scene whose bodies have the same indices.
+
+        Raises:
+            InputError: it does not hold at the start (TM7); the message says so.
+        """
+        self._joints.append(checked_again(joint, self._bodies))
 
     def add_attraction(self, *, gravitational_constant: float) -> None:
         """Let all bodies that move attract each other, each pair by its masses (IM5).

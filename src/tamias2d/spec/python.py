@@ -107,6 +107,7 @@ class PythonPrinter:
 
     def added(self, operator: str, node: Node, axis: str = "") -> str:
         """Source of a further term with its sign; a minus of its own joins with the sign."""
+        node, axis = entry(node, axis)
         text = self.part(node, axis)
         if text.startswith("-") and not self.is_sum(node):
             return f" {'-' if operator == '+' else '+'} {text[1:]}"
@@ -118,6 +119,7 @@ class PythonPrinter:
 
     def tight(self, node: Node, axis: str = "", operator: str = "*") -> str:
         """Source of a factor, in brackets where it needs them."""
+        node, axis = entry(node, axis)
         text = self.part(node, axis)
         chain = isinstance(node, Binary) and node.operator in "*/" and operator == "/"
         powers = isinstance(node, Power) and operator == "/" and " " in text
@@ -172,6 +174,13 @@ class PythonPrinter:
             case "abs", (a,):
                 return f"abs({self.scalar(a)})"
         return self.helper(function, ", ".join(self.scalar(argument) for argument in arguments))
+
+
+def entry(node: Node, axis: str) -> tuple[Node, str]:
+    """The scalar that stands for an axis of a vector of entries; else what is given."""
+    if axis and isinstance(node, Call) and node.function == "vector":
+        return node.arguments["xy".index(axis)], ""
+    return node, axis
 
 
 def number(value: Fraction) -> str:
