@@ -8,6 +8,7 @@ length. Cost of choosing: a pass over contacts, and the gap of those that are fa
 """
 
 from tamias2d.engine.continuous.events import (
+    THIN,
     allowed_depth,
     manifold_at,
     senses,
@@ -52,7 +53,6 @@ from tamias2d.generated.continuous_collision import motion_bound
 FEW, OF_ALL = 3, 64  # pairs that are left to continuous collision: so many, or one of so many
 CHEAP = 5  # a level beyond which twice as many are left for each: their impacts cost less
 LIMIT = 1.5  # depths from which bodies are pushed back: how far a pair may go in a part
-THIN = 0.25  # of the smaller radius: thinner bodies are as if they were so thick
 
 
 def begin_part(world: World) -> None:

@@ -27,6 +27,7 @@ from tamias2d.engine.parts import (
     is_last_part,
     note_start,
     retake_part,
+    set_level,
     shorten_part,
 )
 from tamias2d.engine.sleep import (
@@ -53,6 +54,7 @@ from tamias2d.engine.tables import (
     IN_FLIGHT,
     INVALID,
     KINEMATIC,
+    LEVEL,
     LIST_HOLDS,
     LOCATED_PAIRS,
     MANIFOLDS_KNOWN,
@@ -74,6 +76,8 @@ from tamias2d.engine.tables import (
     UPDATES_LEFT,
     World,
 )
+
+SHORTEST_FOR_SPRINGS = 6  # level; networks for which that is too long go through the substeps
 
 
 def step(world: World) -> int:
@@ -124,7 +128,7 @@ def take_part(world: World) -> int:
     counts = control.counts
     if counts[STAGE] == AT_START:
         begin_part(world)
-        hold_springs(world)
+        hold_springs_of_part(world)
         left = find_moved(world)
         counts[STAGE] = PAIRS_KNOWN if update_pairs(left, world) else PAIRS_STALE
     if counts[STAGE] == PAIRS_STALE:
@@ -138,7 +142,7 @@ def take_part(world: World) -> int:
         shorten_part(world, contacts)
         if control.progress[PART_TIME] != length:
             release_springs(bodies, world.springs)
-            hold_springs(world)
+            hold_springs_of_part(world)
         again = counts[TICK] + counts[RETAKEN] > 0
         find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
         while islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands):
@@ -178,6 +182,15 @@ def take_part(world: World) -> int:
     broad_phase.counts[STEPS_SINCE] += 1
     counts[STAGE] = AT_START
     return DONE
+
+
+def hold_springs_of_part(world: World) -> None:
+    """Hold the loads of springs for a part, which is made so short that these can be found."""
+    solved = hold_springs(world)
+    while not solved and world.control.counts[LEVEL] < SHORTEST_FOR_SPRINGS:
+        release_springs(world.bodies, world.springs)
+        set_level(world.control.counts[LEVEL] + 1, world)
+        solved = hold_springs(world)
 
 
 def find_moved(world: World) -> int:

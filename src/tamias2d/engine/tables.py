@@ -721,6 +721,7 @@ class Events(NamedTuple):
     # where the contacts of each body begin; these contacts; a tournament tree of events
     queue: Annotated[IndexRows, Sized(3, "queue")]
     scratch: Annotated[FloatRows, Sized("clip", MANIFOLD)]  # a manifold, vertices of two shapes
+    together: Annotated[Places, Sized("slots")]  # the next of the bodies that go on together
 
 
 # -- ballistic motion

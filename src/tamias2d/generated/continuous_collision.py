@@ -1,6 +1,6 @@
 """Continuous collision: Line of a body through a step; Bend of a path through a step; Bound of
 motion; Passing of two circles; Conservative advancement; Least second derivative of a gap; Gap
-of two shapes that turn; Way along another body.
+of two shapes that turn; Way that bodies share; Way along another body.
 
 Generated from srs/models/continuous_collision.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -468,6 +468,28 @@ def separation_least(
     )
 
 
+def shift_shared(mass_a: Scalar, shift_a: Vector, mass_b: Scalar, shift_b: Vector) -> Vector:
+    """How far the centre of mass has moved since the step began; of bodies that go on together
+    (m).
+
+    shift_shared = (mass_a*shift_a + mass_b*shift_b)/(mass_a + mass_b)
+
+    Args:
+        mass_a: Mass of a body; of body A, kg
+        shift_a: How far the centre of mass has moved since the step began; of body A, m
+        mass_b: Mass of a body; of body B, kg
+        shift_b: How far the centre of mass has moved since the step began; of body B, m
+
+    Source: DD62, srs/models/continuous_collision.md:374.
+    """
+    shift_a_x, shift_a_y = shift_a
+    shift_b_x, shift_b_y = shift_b
+    return (
+        (mass_a * shift_a_x + mass_b * shift_b_x) / (mass_a + mass_b),
+        (mass_a * shift_a_y + mass_b * shift_b_y) / (mass_a + mass_b),
+    )
+
+
 def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
     """Part of its distance by which a carried body comes nearer to its carrier (1).
 
@@ -478,7 +500,7 @@ def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
         fraction: Part of a step that has passed, 1
         arc: Angle by which a wall turns before a body that it carries meets it again, rad
 
-    Source: DD49, srs/models/continuous_collision.md:376.
+    Source: DD49, srs/models/continuous_collision.md:389.
     """
     return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
 
@@ -495,7 +517,7 @@ def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scala
         inward_share: Part of its distance by which a carried body comes nearer to its carrier,
             1
 
-    Source: DD49, srs/models/continuous_collision.md:377.
+    Source: DD49, srs/models/continuous_collision.md:390.
     """
     shift_x, shift_y = shift
     span_x, span_y = span

@@ -4,8 +4,8 @@ In a step every body goes along a line and turns evenly. Where one goes farther 
 thickness, the instants at which it comes close to others are found. At the first of them the
 impact is resolved: both bodies go on along new paths for the rest of the step, and their events are
 found anew. Where a body leaves its fat bounds, pairs are updated. Bodies that forces press together
-again in the rest of the step stay together. After too many impacts in a step, bodies that meet are
-frozen until the next one.
+again in the rest of the step stay together. After too many impacts in a step, bodies that meet go
+on together until the next one.
 
 Cost: for each impact, the contacts of both bodies. Source: Mirtich, Impulse-based dynamic
 simulation (1996).
@@ -22,6 +22,8 @@ from tamias2d.engine.continuous.event_queue import (
 from tamias2d.engine.continuous.events import (
     MANY,
     SHALLOW,
+    THIN,
+    allowed_depth,
     find_events,
     goes_little,
     manifold_at,
@@ -30,7 +32,7 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
     update_events_of,
 )
-from tamias2d.engine.continuous.freeze import cannot_freeze, freeze, freeze_or_carry
+from tamias2d.engine.continuous.freeze import freeze, is_carried, join_or_carry
 from tamias2d.engine.continuous.impact import rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (
@@ -65,7 +67,7 @@ from tamias2d.engine.tables import (
 )
 
 MOST_IMPACTS, MOST_IMPACTS_OF_PAIR = 256, 4  # in a step in all, in a part for a pair that meets
-MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried
+MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried on
 TOO_LONG = -1.0  # a part of the step that is to be taken in shorter ones
 MOST_UPDATES = 32  # of pairs in one step, and as many for bodies that cannot be frozen
 
@@ -88,6 +90,8 @@ def solve_continuous(
     """
     if since == 0.0:
         begin_continuous(control, bodies)
+        for k in range(len(bodies.kind)):
+            events.together[k] = k
         control.progress[DEPTH_SHARE] = SHALLOW
     body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[CONTACTS]
     for k in range(body_count):
@@ -110,14 +114,14 @@ def solve_continuous(
         if now > 1.0:
             return MISSED
         if event < body_count:
-            least = -MOST_UPDATES if cannot_freeze(event, bodies.flight, bodies.kind) else 0
+            least = -MOST_UPDATES if is_carried(event, bodies.flight, bodies.kind) else 0
             if updates_left > least:
                 return now
             wide = bodies.properties[event, BOUNDING_RADIUS]
             if may_retake(path_length(event, bodies.motion, bodies.properties), wide, control):
                 return TOO_LONG
             i, j, frozen = event, event, True
-            freeze(i, now, control, bodies)
+            freeze(i, now, control, bodies, events.together)
         else:
             p, frozen = event - body_count, impacts_left <= 0
             if frozen and pair_may_retake(p, now, control, bodies, shapes, contacts):
@@ -128,14 +132,54 @@ def solve_continuous(
             if not handle_meeting(p, now, frozen, control, bodies, shapes, contacts, events):
                 update_event(event, event_count, events.times, events.queue)
                 continue
-        for one, other in ((i, -1), (j, i if bodies.kind[i] == DYNAMIC else -1)):
-            events.times[one] = time_of_leaving(one, now, bodies, broad_phase)
-            update_event(one, event_count, events.times, events.queue)
-            update_events_of(
-                one, other, now, 1.0 if impacts_left <= 0 else control.progress[DEPTH_SHARE],
-                control, bodies, shapes, broad_phase, contacts, events,
-            )  # fmt: skip
+        share = 1.0 if impacts_left <= 0 else control.progress[DEPTH_SHARE]
+        stays = bodies.kind[i] != DYNAMIC or frozen
+        for one, other in ((i, -1), (j, -1 if stays else i)):
+            update_body(
+                one, other, now, share, control, bodies, shapes, broad_phase, contacts, events
+            )
+        if frozen:
+            update_others(i, now, share, control, bodies, shapes, broad_phase, contacts, events)
     return MISSED
+
+
+def update_body(
+    i: int,
+    except_for: int,
+    now: float,
+    share: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    events: Events,
+) -> None:
+    """Find anew when a body leaves its bounds, and when it meets all others but one."""
+    count = len(bodies.kind) + broad_phase.counts[CONTACTS]
+    events.times[i] = time_of_leaving(i, now, bodies, broad_phase)
+    update_event(i, count, events.times, events.queue)
+    update_events_of(
+        i, except_for, now, share, control, bodies, shapes, broad_phase, contacts, events
+    )
+
+
+def update_others(
+    i: int,
+    now: float,
+    share: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    events: Events,
+) -> None:
+    """Find anew what the bodies meet that go on together with one."""
+    k = events.together[i]
+    while k != i:
+        update_body(k, -1, now, share, control, bodies, shapes, broad_phase, contacts, events)
+        k = events.together[k]
 
 
 def may_retake(length: float, deep: float, control: Control) -> bool:
@@ -152,7 +196,8 @@ def pair_may_retake(
         return False
     i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
     reach = smaller_radius(contacts.pairs[p, 0], contacts.pairs[p, 1], shapes.material)
-    return may_retake(relative_motion(i, j, bodies), reach, control)
+    deep = max(allowed_depth(i, j, reach, bodies.properties), THIN * reach)
+    return may_retake(relative_motion(i, j, bodies), deep, control)
 
 
 def count_located(flags: Integers) -> None:
@@ -194,7 +239,7 @@ def handle_meeting(
         if reaches_little(p, now, bodies, shapes, contacts):
             later, changed = MISSED, False
         else:
-            later, changed = now, freeze_or_carry(i, j, now, control, bodies)
+            later, changed = now, join_or_carry(i, j, now, control, bodies, events.together)
     else:
         later = MISSED
         changed = resolve_impact(p, now, control, bodies, shapes, contacts, events)

@@ -8,7 +8,6 @@ from tamias2d.engine.continuous.conservative_advancement import (
     time_of_impact,
 )
 from tamias2d.engine.continuous.event_queue import update_event
-from tamias2d.engine.continuous.gap_bound import UNBOUNDED
 from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
@@ -53,9 +52,10 @@ from tamias2d.generated.continuous_collision import fraction_closest, motion_bou
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
-# how far one body may go into another, from where the solver pushes it back, as a fraction of the
-# width of the thinner one; it is not farther than the smaller bounding radius
-PUSHED_BACK = 0.35
+# how far one body may go into another, from where the solver pushes it back, as a fraction of half
+# the width of the thinner one; it is not farther than the smaller bounding radius
+PUSHED_BACK = 0.7
+THIN = 0.25  # of the smaller radius: for the length of parts thinner bodies are as thick as this
 SHALLOW = 0.3  # of that: how far one goes in before its impact is looked for
 BOUNCY = 0.7  # restitution that gives half of the energy back
 MOST_SHALLOW = 8  # pairs in a part that are looked at for that
@@ -150,13 +150,8 @@ def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
 
 def allowed_depth(i: int, j: int, reach: float, properties: Array) -> float:
     """Return how far one body may go into another and be pushed back, m."""
-    width = thinner_width(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT])
-    return min(PUSHED_BACK * width, reach)
-
-
-def thinner_width(one: float, other: float) -> float:
-    """Return the width of the thinner of two bodies, m; half of it where one is a half-plane."""
-    return one if other > UNBOUNDED else other if one > UNBOUNDED else 2.0 * min(one, other)
+    thinner = min(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT])
+    return min(PUSHED_BACK * thinner, reach)
 
 
 def stay_near(i: int, j: int, share: float, reach: float, bodies: Bodies) -> bool:

@@ -84,15 +84,18 @@ ENOUGH = 1e-9  # the same, where rounds end without that
 ROUNDED = 1e-15  # of a position: what float64 does not tell apart
 
 
-def hold_springs(world: World) -> None:
-    """Add the loads of all springs to those of the bodies, for one step.
+def hold_springs(world: World) -> bool:
+    """Add the loads of all springs to those of the bodies, for a part of a step.
 
-    A network for which none are found is marked, and taken through the substeps.
+    A network for which none are found is marked, and taken through the substeps. Returns whether
+    there is none.
     """
     springs, bodies = world.springs, world.bodies
+    solved = True
     for n in range(springs.counts[NETWORKS]):
         gather_network(n, world.control, world.state, bodies, springs)
         found = solve_held(n, world.control.progress[PART_TIME], bodies, springs)
+        solved = solved and found
         unsolved = 0 if found else 1
         if springs.networks[n, N_UNSOLVED] != unsolved:
             springs.networks[n, N_UNSOLVED] = unsolved
@@ -102,6 +105,7 @@ def hold_springs(world: World) -> None:
         for c in range(3):
             row[HELD_LOAD + c] = row[BASE_LOAD + c] + row[PULL + c]
             load[c] = row[HELD_LOAD + c]
+    return solved
 
 
 def release_springs(bodies: Bodies, springs: Springs) -> None:
