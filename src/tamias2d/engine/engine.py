@@ -30,6 +30,9 @@ from tamias2d.engine.tables import (
     MORE_CANDIDATES,
     MORE_CONTACTS,
     MORE_SPARSE,
+    N_LOSES,
+    N_MEMBER,
+    NETWORKS,
     NEXT_LEVEL,
     OVERFLOWED,
     RESTITUTION,
@@ -143,6 +146,15 @@ class Engine(Store):
     def parts(self) -> int:
         """In how many parts the last step was taken where it was finest."""
         return 1 << int(self.world.control.counts[FINEST])
+
+    @property
+    def lossy_springs(self) -> int:
+        """The row of a body whose springs could not be solved in some step, or -1."""
+        springs = self.world.springs
+        for n in range(int(springs.counts[NETWORKS])):
+            if springs.networks[n, N_LOSES] > 0:
+                return int(springs.body[springs.networks[n, N_MEMBER]])
+        return -1
 
     # -- changes
 

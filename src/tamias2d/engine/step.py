@@ -58,6 +58,9 @@ from tamias2d.engine.tables import (
     LIST_HOLDS,
     LOCATED_PAIRS,
     MANIFOLDS_KNOWN,
+    N_LOSES,
+    N_UNSOLVED,
+    NETWORKS,
     OUT_OF_BOUNDS,
     OVERFLOWED,
     PAIRS_KNOWN,
@@ -191,6 +194,9 @@ def hold_springs_of_part(world: World) -> None:
         release_springs(world.bodies, world.springs)
         set_level(world.control.counts[LEVEL] + 1, world)
         solved = hold_springs(world)
+    networks = world.springs.networks
+    for n in range(0 if solved else world.springs.counts[NETWORKS]):
+        networks[n, N_LOSES] = max(networks[n, N_LOSES], networks[n, N_UNSOLVED])
 
 
 def find_moved(world: World) -> int:

@@ -656,7 +656,8 @@ _networks = Columns()
 N_MEMBER = _networks()  # where its members begin
 N_SPRING = _networks()  # where its springs begin
 N_STATUS = _networks()  # whether contacts act on it, and how it is solved, one of those below
-N_UNSOLVED = _networks()  # 1 if no loads were found that can be held
+N_UNSOLVED = _networks()  # 1 if no loads were found that can be held in this part of a step
+N_LOSES = _networks()  # 1 if that was so in any part so far: the network has lost energy
 ALONE, TOUCHED, TOUCHED_SOFT, TOUCHED_STIFF = range(4)
 
 MEMBER_A, MEMBER_B = range(2)  # ends of a spring; of B, -1 for a point of the plane

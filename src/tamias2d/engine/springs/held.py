@@ -80,7 +80,7 @@ from tamias2d.state import Array, Vector
 MOST_ROUNDS = 40
 SOLVED = 1e-12  # of the largest displacement: that by which the last round may change one
 INNER = 1e-3  # accuracy of each round, relative
-ENOUGH = 1e-9  # the same, where rounds end without that
+ENOUGH = 1e-11  # the same, where rounds end without that
 ROUNDED = 1e-15  # of a position: what float64 does not tell apart
 
 
