@@ -26,6 +26,7 @@ from tamias2d.engine.tables import (
     HORIZON,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    LEAST_LEVEL,
     MORE_BLOCKS,
     MORE_CANDIDATES,
     MORE_CONTACTS,
@@ -293,7 +294,8 @@ class Engine(Store):
         """Give up a step, and forget all that is known of contacts."""
         world = self.world
         counts = world.control.counts
-        counts[STAGE], counts[TICK], counts[RETAKEN] = AT_START, 0, 0
+        counts[STAGE] = AT_START
+        counts[TICK] = counts[RETAKEN] = counts[LEAST_LEVEL] = 0
         world.broad_phase.counts[NEXT_LEVEL] = 0
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),

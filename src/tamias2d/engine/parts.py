@@ -22,6 +22,7 @@ from tamias2d.engine.tables import (
     FINEST,
     FRAME_MOVES,
     GOES_FAR,
+    LEAST_LEVEL,
     LEVEL,
     LIST_HOLDS,
     MOST_LEVEL,
@@ -73,11 +74,11 @@ def end_part(world: World) -> bool:
     counts = control.counts
     level = counts[LEVEL]
     counts[TICK] += 1 << (MOST_LEVEL - level)
-    longer = level > 0 and counts[TICK] % (1 << (MOST_LEVEL - level + 1)) == 0
+    longer = level > counts[LEAST_LEVEL] and counts[TICK] % (1 << (MOST_LEVEL - level + 1)) == 0
     broad_phase.counts[NEXT_LEVEL] = level - 1 if longer else level
     counts[RETAKEN], counts[FINEST] = 0, max(counts[FINEST], level)
     if counts[TICK] == 1 << MOST_LEVEL:
-        counts[TICK] = 0
+        counts[TICK] = counts[LEAST_LEVEL] = 0
         set_level(0, world)
         return True
     for i in range(len(bodies.pose)):
@@ -111,7 +112,7 @@ def retake_part(world: World, contacts: Contacts) -> None:
             bodies.motion[i, DX + n] = 0.0
     for p in range(broad_phase.counts[CONTACTS] if counts[TICK] == 0 else 0):
         contacts.flags[p, TOUCHES] &= WAS_TOUCHING
-    broad_phase.counts[NEXT_LEVEL] = counts[LEVEL] + 1
+    broad_phase.counts[NEXT_LEVEL] = counts[LEAST_LEVEL] = counts[LEVEL] + 1
     counts[RETAKEN], counts[STAGE] = 1, AT_START
 
 

@@ -87,6 +87,7 @@ TICK = _control()  # at which a part of the step begins; a step has 2**MOST_LEVE
 LEVEL = _control()  # a part is this power of a half of the step
 GOES_FAR = _control()  # 1 if a body goes farther in this part than a fraction of its width
 RETAKEN = _control()  # 1 if the part was begun before, and was too long
+LEAST_LEVEL = _control()  # of the parts of this step: longer ones had too many impacts
 FINEST = _control()  # level of the shortest part of the last step
 PART_SUBSTEPS = _control()  # of a part
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)

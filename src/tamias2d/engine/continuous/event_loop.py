@@ -32,7 +32,7 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
     update_events_of,
 )
-from tamias2d.engine.continuous.freeze import freeze, is_carried, join_or_carry
+from tamias2d.engine.continuous.freeze import freeze, is_carried, join_or_carry, leave
 from tamias2d.engine.continuous.impact import rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (
@@ -286,4 +286,6 @@ def resolve_impact(
         recorded, flags = contacts.manifolds[p], contacts.flags[p]
         record_impact(impulse, i, now, sense, bodies, manifold, recorded, flags)
     bodies.flight[i, REDIRECTED] = bodies.flight[j, REDIRECTED] = 1.0
+    leave(i, events.together)
+    leave(j, events.together)
     return True

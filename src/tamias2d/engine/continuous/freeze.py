@@ -92,12 +92,18 @@ def join(i: int, j: int, now: float, control: Control, bodies: Bodies, together:
     way_i, way_j = (motion[i, DX], motion[i, DY]), (motion[j, DX], motion[j, DY])
     by = shift_shared(mass_i, way_i, mass_j, way_j)
     together[i], together[j] = together[j], together[i]
-    redirect(i, now, by, 0.0, control, bodies)
+    take_along(i, now, by, control, bodies)
     k = together[i]
     while k != i:
-        redirect(k, now, by, 0.0, control, bodies)
+        take_along(k, now, by, control, bodies)
         k = together[k]
     return True
+
+
+def take_along(i: int, now: float, by: Vector, control: Control, bodies: Bodies) -> None:
+    """Let a body go the way that it shares, and not turn."""
+    redirect(i, now, by, 0.0, control, bodies)
+    bodies.flight[i, REDIRECTED] = 1.0
 
 
 def leave(i: int, together: Integers) -> None:
