@@ -179,7 +179,7 @@ PATH_LENGTH = _flight()  # m, that some point of the body goes
 
 
 # moved: by the solver, or sleep; with contacts that change nothing; and pressed by overlaps
-UNMOVED, MOVED, UNTOUCHED, PRESSED = range(4)
+UNMOVED, MOVED, UNTOUCHED = range(3)
 
 
 class BodyState(NamedTuple):
@@ -396,6 +396,7 @@ TOUCHING = _touching()  # contacts that touch
 ARRANGED = _touching()  # 1 if slabs, blocks and trees are those of these contacts
 ISLANDS_KNOWN = _touching()  # 1 if islands are
 MEETING = _touching()  # contacts on the list that are apart and meet in this part
+PRESSED_DEEP = _touching()  # 1 if there is a deep overlap
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
 
 

@@ -18,7 +18,6 @@ from tamias2d.engine.tables import (
     INVERSE_MASS,
     KINEMATIC,
     LIFT,
-    PART_SUBSTEPS,
     PROPAGATOR,
     STEP_START,
     UNMOVED,
@@ -45,7 +44,7 @@ def integrate_free(control: Control, bodies: Bodies) -> bool:
     far = False
     for i in range(len(bodies.kind)):
         if bodies.moved[i] == UNTOUCHED and unchanged_by_contacts(
-            control.counts[PART_SUBSTEPS], bodies.substep_state[i], bodies.motion[i]
+            control, bodies.substep_state[i], bodies.motion[i]
         ):
             for n in range(3):
                 bodies.motion[i, n] = bodies.substep_state[i, STEP_START + n]

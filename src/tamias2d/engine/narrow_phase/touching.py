@@ -20,6 +20,7 @@ from tamias2d.engine.tables import (
     PART_TIME,
     POINT,
     POINT_COUNT,
+    PRESSED_DEEP,
     PX,
     PY,
     SENSOR,
@@ -52,6 +53,7 @@ from tamias2d.state import Array
 CLOSE = 0.02  # the gap below which there is a contact already
 AHEAD = 0.1  # the most by which the motion of a step raises that
 GRAZE = 2.0**-12  # the overlap of bodies that have just met
+DEEP = 0.15  # the overlap beyond which continuous collision sees to it that it grows no more
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 
 
@@ -71,6 +73,7 @@ def find_touching(
     are those of the last step, with as many points, their arrangement holds.
     """
     total = marked = 0
+    deep = False
     same = touching.counts[ARRANGED] == 1
     for p in range(broad_phase.counts[CONTACTS]):
         if contacts.flags[p, TOUCHES] != 0 and not again:
@@ -99,6 +102,7 @@ def find_touching(
             if not meets and smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
                 contacts.flags[p, POINT_COUNT] = 0
                 continue
+            deep = deep | (smallest_gap(contacts.manifolds[p], count) < -DEEP * smaller)
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
             total += 1
@@ -111,6 +115,7 @@ def find_touching(
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
     touching.counts[TOUCHING] = total
     touching.counts[MEETING] = marked
+    touching.counts[PRESSED_DEEP] = 1 if deep else 0
 
 
 def smallest_gap(manifold: Array, count: int) -> float:

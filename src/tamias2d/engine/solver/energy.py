@@ -20,6 +20,7 @@ from tamias2d.engine.tables import (
     PART_SUBSTEPS,
     SPIN,
     STEP_START,
+    SUBSTEP,
     SUBSTEP_START,
     TOTAL_ENERGY_NOW,
     TOTAL_ENERGY_START,
@@ -33,6 +34,7 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
 from tamias2d.generated.island_energy import kinetic_energy_most, work
+from tamias2d.generated.soft_contact import turn_later
 from tamias2d.state import Array
 
 GRACE = 1e-12  # of the energy, that rounding may add; one impact alone never takes more
@@ -52,9 +54,7 @@ def sum_step_energy(
         if bodies.kind[i] != DYNAMIC:
             energy[TOTAL_WORK] = UNLIMITED
             continue
-        if bodies.moved[i] == MOVED and unchanged_by_contacts(
-            control.counts[PART_SUBSTEPS], then, now
-        ):
+        if bodies.moved[i] == MOVED and unchanged_by_contacts(control, then, now):
             bodies.moved[i] = UNTOUCHED
         mass, inertia = mass_and_inertia(i, bodies.properties)
         velocity = (then[STEP_START], then[STEP_START + 1])
@@ -65,16 +65,17 @@ def sum_step_energy(
         energy[TOTAL_WORK] += work(mass, gravity, force, load[2], shift, now[DANGLE])
 
 
-def unchanged_by_contacts(substeps: int, state: Array, motion: Array) -> bool:
-    """Return whether no contact has changed the velocity of a body in its substeps."""
+def unchanged_by_contacts(control: Control, state: Array, motion: Array) -> bool:
+    """Return whether no contact has changed the velocity or the way of a body in its substeps."""
     same = True
     for n in range(3):
         same = same & (state[CONTACT_CHANGE + n] == 0.0) & (motion[n] == state[SUBSTEP_START + n])
     for n in range(3 if same else 0):
-        free = state[STEP_START + n]
-        for _ in range(substeps):
+        free, way = state[STEP_START + n], 0.0
+        for _ in range(control.counts[PART_SUBSTEPS]):
             free = coordinate_velocity_later(state[DRAG_FACTOR + n], free, state[INCREMENT + n])
-        same = same & (motion[n] == free)
+            way = turn_later(way, free, control.settings[SUBSTEP])
+        same = same & (motion[n] == free) & (motion[DX + n] == way)
     return bool(same)
 
 

@@ -28,7 +28,6 @@ from tamias2d.engine.tables import (
     POINT_SIZE,
     POINTS,
     PRELOAD,
-    PRESSED,
     PX,
     PY,
     R_BIAS_LEAST,
@@ -111,8 +110,6 @@ def fill_blocks(
             at = SHARED + n * POINT_SIZE + m
             fill_arms(m, n, delta, manifold, row)
             fill_impulses(m, n, ratio, manifold, row)
-            if row[at + P_GAP] <= 0.0:
-                bodies.moved[i] = bodies.moved[j] = PRESSED
             if ahead > 0.0:
                 row[at + P_GAP] = gap_before(
                     m, at, row, bodies.substep_state[i], bodies.substep_state[j], ahead
