@@ -223,9 +223,9 @@ def integrate(world: World) -> int:
         keep_touching_flags(broad_phase, contacts, islands)
     far = integrate_free(world.control, bodies)
     move_frame(broad_phase)
-    progress, touching = world.control.progress, world.touching
+    progress, counts = world.control.progress, world.touching.counts
     progress[FLOWN], progress[UPDATES_LEFT] = 0.0, MOST_UPDATES
-    if not far and touching.counts[LOCATED_PAIRS] + touching.counts[PRESSED_DEEP] == 0:
+    if not far and counts[LOCATED_PAIRS] + counts[PRESSED_DEEP] == 0:
         return ARRIVING
     leaving = mark_leaving_bounds(bodies, broad_phase)
     return OUT_OF_BOUNDS if leaving > 0 or left_by_frame(bodies, broad_phase) else IN_FLIGHT
