@@ -66,7 +66,8 @@ from tamias2d.engine.tables import (
     Shapes,
 )
 
-MOST_IMPACTS, MOST_IMPACTS_OF_PAIR = 256, 4  # in a step in all, in a part for a pair that meets
+MOST_IMPACTS = 256  # in a step in all
+MOST_IMPACTS_OF_PAIR = 4  # in a part, for a pair that meets; in one of the shortest one
 MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried on
 TOO_LONG = -1.0  # a part of the step that is to be taken in shorter ones
 MOST_UPDATES = 32  # of pairs in one step, and as many for bodies that cannot be frozen
@@ -106,7 +107,9 @@ def solve_continuous(
         return MISSED
     list_contacts_by_body(broad_phase, contacts, events, body_count)
     build_tournament(event_count, events.times, events.queue)
-    impacts_left = (MOST_IMPACTS >> control.counts[LEVEL]) + MOST_IMPACTS_OF_PAIR * found
+    level = control.counts[LEVEL]
+    of_pair = MOST_IMPACTS_OF_PAIR if level < MOST_LEVEL else 1
+    impacts_left = (MOST_IMPACTS >> level) + of_pair * found
     last = -MOST_FREEZES * body_count
     while impacts_left > last:
         event = events.queue[TOURNAMENT, WINNER]
