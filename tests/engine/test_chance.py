@@ -159,7 +159,7 @@ def test_slow_bodies_keep_their_angular_momentum_as_seen_where_they_meet(
             continue
         after = crowd.angular_momentum(place)
         apart = np.abs(crowd.place - place).sum(axis=1) / crowd.sim.time_step
-        # overlaps of 1e-3 sizes push, and relaxing takes that back within the step: both are rounded
+        # overlaps of 1e-3 sizes push, and relaxing takes that back: both are rounded
         apart += 1e-3 * chance.scale / crowd.sim.time_step
         size = max(np.abs(before).sum(), np.abs(after).sum()) + crowd.mass @ apart * crowd.width
         across = (crowd.mass * apart) @ way

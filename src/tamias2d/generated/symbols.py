@@ -1257,6 +1257,14 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=819,
     ),
+    "closing_bound": Symbol(
+        "closing_bound",
+        "m",
+        "how far any points of two bodies come together in a step, at most",
+        tex="c_{\\max}",
+        file="srs/symbols.md",
+        line=824,
+    ),
     "distance_bound": Symbol(
         "distance_bound",
         "m",
@@ -1264,7 +1272,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=824,
+        line=828,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1272,7 +1280,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=829,
+        line=833,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1281,7 +1289,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=833,
+        line=837,
     ),
     "advance": Symbol(
         "advance",
@@ -1290,7 +1298,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=838,
+        line=842,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1298,7 +1306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=843,
+        line=847,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1306,7 +1314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=847,
+        line=851,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1314,7 +1322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=851,
+        line=855,
     ),
     "slip": Symbol(
         "slip",
@@ -1322,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=856,
+        line=860,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1330,7 +1338,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=862,
+        line=866,
     ),
     "circling": Symbol(
         "circling",
@@ -1339,7 +1347,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=866,
+        line=870,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1347,7 +1355,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=873,
+        line=877,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1356,7 +1364,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=877,
+        line=881,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1365,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=882,
+        line=886,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1374,7 +1382,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=887,
+        line=891,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1382,7 +1390,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=892,
+        line=896,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1391,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=896,
+        line=900,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1399,7 +1407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=901,
+        line=905,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1407,7 +1415,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=905,
+        line=909,
     ),
     "arc": Symbol(
         "arc",
@@ -1416,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=911,
+        line=915,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1425,7 +1433,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=916,
+        line=920,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1433,7 +1441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=926,
+        line=930,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1441,7 +1449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=930,
+        line=934,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1450,7 +1458,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=934,
+        line=938,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1459,7 +1467,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=939,
+        line=943,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1468,7 +1476,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=944,
+        line=948,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1477,7 +1485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=949,
+        line=953,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1486,7 +1494,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=954,
+        line=958,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1494,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=959,
+        line=963,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1503,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=968,
+        line=972,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1511,7 +1519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=973,
+        line=977,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1520,7 +1528,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=977,
+        line=981,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1528,7 +1536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=982,
+        line=986,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1536,7 +1544,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=986,
+        line=990,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1545,7 +1553,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=990,
+        line=994,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1554,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=995,
+        line=999,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1563,7 +1571,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1000,
+        line=1004,
     ),
     "work": Symbol(
         "work",
@@ -1571,7 +1579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1005,
+        line=1009,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1580,7 +1588,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1009,
+        line=1013,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1588,7 +1596,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1014,
+        line=1018,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1597,7 +1605,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1018,
+        line=1022,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1605,7 +1613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1023,
+        line=1027,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1614,7 +1622,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1028,
+        line=1032,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1623,7 +1631,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1033,
+        line=1037,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1632,7 +1640,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1038,
+        line=1042,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1641,7 +1649,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1045,
+        line=1049,
     ),
     "energy": Symbol(
         "energy",
@@ -1649,7 +1657,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1050,
+        line=1054,
     ),
     "radius": Symbol(
         "radius",
@@ -1658,7 +1666,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1059,
+        line=1063,
     ),
     "length": Symbol(
         "length",
@@ -1667,7 +1675,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1064,
+        line=1068,
     ),
     "width": Symbol(
         "width",
@@ -1676,7 +1684,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1071,
+        line=1075,
     ),
     "height": Symbol(
         "height",
@@ -1685,7 +1693,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1076,
+        line=1080,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1694,7 +1702,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1081,
+        line=1085,
     ),
     "center": Symbol(
         "center",
@@ -1703,7 +1711,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1086,
+        line=1090,
     ),
     "offset": Symbol(
         "offset",
@@ -1711,7 +1719,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1091,
+        line=1095,
     ),
     "area": Symbol(
         "area",
@@ -1720,7 +1728,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1095,
+        line=1099,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1729,6 +1737,6 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1100,
+        line=1104,
     ),
 }

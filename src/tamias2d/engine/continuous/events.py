@@ -34,6 +34,8 @@ from tamias2d.engine.tables import (
     PATH_LENGTH,
     POINT,
     POINT_COUNT,
+    PX,
+    PY,
     REDIRECTED,
     SENSOR,
     SHAPE_RADIUS,
@@ -47,8 +49,15 @@ from tamias2d.engine.tables import (
     Events,
     Integers,
     Shapes,
+    X,
+    Y,
 )
-from tamias2d.generated.continuous_collision import fraction_closest, motion_bound
+from tamias2d.generated.continuous_collision import (
+    closing_bound,
+    fraction_closest,
+    motion_bound,
+)
+from tamias2d.generated.soft_contact import row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
@@ -134,11 +143,37 @@ def may_pass(
     if contacts.flags[p, POINT_COUNT] == 0:
         return bool(abs(by_x) + abs(by_y) + turn > share * deep)
     manifold, limit = contacts.manifolds[p], max(deep, SWUNG * reach)
-    into = max(0.0, -manifold[NX] * by_x - manifold[NY] * by_y)
-    overlap = -manifold[GAP]
-    if contacts.flags[p, POINT_COUNT] == 2:
-        overlap = max(overlap, -manifold[GAP + POINT])
-    return bool(into + turn > max(limit - max(overlap, 0.0), RESTING * limit))
+    into = max(0.0, -manifold[NX] * by_x - manifold[NY] * by_y) + turn
+    overlap = 0.0
+    for n in range(contacts.flags[p, POINT_COUNT]):
+        overlap = max(overlap, -manifold[GAP + POINT * n])
+    room = max(limit - overlap, RESTING * limit)
+    return bool(into > room and closing_at_points(p, i, j, reach, bodies, contacts) > room)
+
+
+def closing_at_points(
+    p: int, i: int, j: int, reach: float, bodies: Bodies, contacts: Contacts
+) -> float:
+    """Return how far two bodies that touch come together at most, m."""
+    manifold, a, b = contacts.manifolds[p], bodies.motion[i], bodies.motion[j]
+    normal = (manifold[NX], manifold[NY])
+    span_x, span_y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
+    least = 0.0
+    for n in range(contacts.flags[p, POINT_COUNT]):
+        x, y = manifold[PX + POINT * n], manifold[PY + POINT * n]
+        change = row_velocity(
+            (a[DX], a[DY]), a[DANGLE], turning_arm((x, y), normal),
+            (b[DX], b[DY]), b[DANGLE], turning_arm((x - span_x, y - span_y), normal), normal,
+        )  # fmt: skip
+        least = min(least, change)
+    return closing_bound(
+        least,
+        a[DANGLE],
+        bodies.properties[i, CORE_RADIUS],
+        b[DANGLE],
+        bodies.properties[j, CORE_RADIUS],
+        2.0 * reach,
+    )
 
 
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:

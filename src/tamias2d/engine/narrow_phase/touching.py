@@ -53,7 +53,7 @@ from tamias2d.state import Array
 CLOSE = 0.02  # the gap below which there is a contact already
 AHEAD = 0.1  # the most by which the motion of a step raises that
 GRAZE = 2.0**-12  # the overlap of bodies that have just met
-DEEP = 0.15  # the overlap beyond which continuous collision sees to it that it grows no more
+DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it grows no more
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 
 

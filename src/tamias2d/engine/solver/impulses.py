@@ -2,8 +2,12 @@
 
 from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import (
+    IMPACT_NORMAL,
     IS_TOUCHING,
+    LEVEL,
     NORMAL_IMPULSE,
+    NX,
+    NY,
     P_NORMAL_IMPULSE,
     P_TANGENT_IMPULSE,
     P_TOTAL_IMPULSE,
@@ -54,5 +58,8 @@ def store_impulses(
             manifold[WORLD_POINT + to + 1] = pose[Y] + manifold[PY + to]
             if total > 0.0:
                 contacts.flags[p, TOUCHES] |= IS_TOUCHING
+                if control.counts[LEVEL] > 0:  # the next part may part them
+                    manifold[IMPACT_NORMAL] = manifold[NX]
+                    manifold[IMPACT_NORMAL + 1] = manifold[NY]
             manifold[NORMAL_IMPULSE + to] = row[at + P_NORMAL_IMPULSE]
             manifold[TANGENT_IMPULSE + to] = row[at + P_TANGENT_IMPULSE]
