@@ -173,6 +173,7 @@ def closing_at_points(
         b[DANGLE],
         bodies.properties[j, CORE_RADIUS],
         2.0 * reach,
+        abs(b[DX] - a[DX]) + abs(b[DY] - a[DY]),
     )
 
 
