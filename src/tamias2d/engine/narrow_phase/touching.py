@@ -108,6 +108,7 @@ def find_touching(
             total += 1
             if meets:
                 contacts.flags[p, LOCATED] = MOST_LOCATED
+            if meets or margin > (CLOSE + AHEAD) * smaller:  # it may change a velocity by much
                 marked += 1
         else:
             mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
