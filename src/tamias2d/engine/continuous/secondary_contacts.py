@@ -8,7 +8,7 @@ body approaches another one faster than gravity lets it.
 
 from tamias2d.engine.continuous.events import bounces, senses, smaller_radius
 from tamias2d.engine.narrow_phase.collide import collide
-from tamias2d.engine.narrow_phase.touching import BULLET, CLOSE
+from tamias2d.engine.narrow_phase.touching import BULLET, CLOSE, opening_speed
 from tamias2d.engine.tables import (
     AWAKE,
     CONTACTS,
@@ -17,19 +17,14 @@ from tamias2d.engine.tables import (
     GRAVITY_X,
     GRAVITY_Y,
     LOCATED,
-    NX,
-    NY,
     PART_TIME,
     POINT,
     POINT_COUNT,
-    PX,
-    PY,
     SECONDARY,
     SHAPE_RADIUS,
     SLEEPING,
     SLOT_A,
     SLOT_B,
-    SPIN,
     TOUCHING,
     VX,
     VY,
@@ -41,8 +36,6 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
-from tamias2d.generated.soft_contact import row_velocity, turning_arm
-from tamias2d.state import Array
 
 
 def add_secondary_contacts(world: World, contacts: Contacts) -> None:
@@ -87,17 +80,6 @@ def least_speed(p: int, i: int, j: int, bodies: Bodies, contacts: Contacts) -> f
     for n in range(contacts.flags[p, POINT_COUNT]):
         least = min(least, opening_speed(n, i, j, bodies, contacts.manifolds[p]))
     return least
-
-
-def opening_speed(n: int, i: int, j: int, bodies: Bodies, manifold: Array) -> float:
-    """Return how fast the gap of a point opens, m/s."""
-    x, y = manifold[PX + n * POINT], manifold[PY + n * POINT]
-    span_x, span_y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
-    normal, a, b = (manifold[NX], manifold[NY]), bodies.motion[i], bodies.motion[j]
-    return row_velocity(
-        (a[VX], a[VY]), a[SPIN], turning_arm((x, y), normal),
-        (b[VX], b[VY]), b[SPIN], turning_arm((x - span_x, y - span_y), normal), normal,
-    )  # fmt: skip
 
 
 def is_driven(p: int, contacts: Contacts, touching: Touching, islands: Islands) -> bool:
