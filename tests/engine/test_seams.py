@@ -9,11 +9,12 @@ import tamias2d as t2
 SMOOTH: Any = {"friction": 0.0, "restitution": 0.0}
 
 
-def ground(pieces: list[tuple[float, float]], *, width: float = 0.5) -> t2.Scene:
-    """Boxes of that width whose tops are at these places, m."""
+def ground(pieces: list[tuple[float, float]]) -> t2.Scene:
+    """Boxes of half a metre whose tops are at these places, m, and which go down to -1 m."""
     scene = t2.Scene(gravity=(0.0, -9.81))
     for x, top in pieces:
-        scene.add_static(t2.Box(width=width, height=1.0), position=(x, top - 0.5), **SMOOTH)
+        shape = t2.Box(width=0.5, height=1.0 + top)
+        scene.add_static(shape, position=(x, (top - 1.0) / 2), **SMOOTH)
     return scene
 
 
@@ -36,7 +37,7 @@ def test_what_slides_over_level_pieces_stays_level(speed: float, shape: str) -> 
         sim.step()
         # contacts let a body sink by some 1e-4 of its size, of which it may rise again
         assert sim.position[row, 1] == pytest.approx(0.2, abs=2e-4)
-        assert sim.velocity[row, 0] == pytest.approx(speed, rel=1e-4)
+        assert sim.velocity[row, 0] == pytest.approx(speed, abs=3e-4)
 
 
 @pytest.mark.parametrize("speed", [1.0, 5.0])
@@ -45,15 +46,18 @@ def test_a_ledge_a_wall_and_the_far_side_of_a_gap_stop_a_body(speed: float) -> N
     wall = [(0.5 * k, 0.0 if k < 6 else 2.0) for k in range(10)]
     for pieces in (ledge, wall):
         sim, row = slide(ground(pieces), t2.Box(width=0.4, height=0.4), speed, 0.2)
-        sim.step(round(60 * 1.6 / speed))
-        assert sim.position[row, 0] < 2.75 - 0.2 + 0.01 or sim.position[row, 1] > 0.24
+        for _ in range(round(60 * 1.6 / speed)):
+            sim.step()
+            assert (sim.contacts.separation > -0.01).all()
+        # it stands before what stops it, or tips over the ledge
+        assert sim.position[row, 0] < 2.57
     pit = [(0.5 * k, 0.0) for k in range(6)] + [(4.5 + 0.5 * k, 0.0) for k in range(4)]
     sim, row = slide(ground(pit), t2.Box(width=0.4, height=0.4), speed, 0.2)
     deepest = 0.0
     for _ in range(round(60 * 3.4 / speed)):
         sim.step()
         x, y = sim.position[row]
-        if y < -0.05:  # it fell into the gap, whose far side begins at 4.25 m
+        if -0.8 < y < -0.05:  # it falls through the gap, whose far side begins at 4.25 m
             deepest = max(deepest, x + 0.2)
     assert deepest <= 4.25 + 0.02
 
