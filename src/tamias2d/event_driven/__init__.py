@@ -3,3 +3,7 @@
 Serves: runs, and ensembles of worlds. Hides: the queue of events, the cells, and what an instant is
 that is decided here; what is not is left to `tamias2d.contact`.
 """
+
+from tamias2d.event_driven.follower import LIBRARY, Discs
+
+__all__ = ["LIBRARY", "Discs"]

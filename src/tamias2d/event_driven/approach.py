@@ -145,12 +145,20 @@ def root(value: float, rate: float, least: float) -> float:
     return float(advance_closing(value, rate, inside))
 
 
+def position_at(k: int, time: float, paths: Array) -> Pair:
+    """Return where a body is at a time, s."""
+    path = paths[k]
+    place, going, by = (path[X], path[Y]), (path[VX], path[VY]), (path[AX], path[AY])
+    x, y = translation.position(place, going, by, time - path[START])
+    return x, y
+
+
 def state_at(k: int, time: float, paths: Array) -> Moving:
     """Return x, y, orientation, velocity and angular velocity of a body at a time, s."""
     path = paths[k]
     elapsed = time - path[START]
-    place, going, by = (path[X], path[Y]), (path[VX], path[VY]), (path[AX], path[AY])
-    x, y = translation.position(place, going, by, elapsed)
+    x, y = position_at(k, time, paths)
+    going, by = (path[VX], path[VY]), (path[AX], path[AY])
     u, v = translation.velocity(going, by, elapsed)
     turn = rotation.orientation(path[TURN], path[SPIN], path[TURNING], elapsed)
     spin = rotation.angular_velocity(path[SPIN], path[TURNING], elapsed)

@@ -9,8 +9,10 @@ from math import inf
 from tamias2d.contact.rest_time import better_estimate
 from tamias2d.event_driven.approach import (
     EPSILON,
+    MARGIN,
     axis_of,
     meets,
+    position_at,
     resolution,
     size_of,
     state_at,
@@ -119,17 +121,25 @@ def touches_third(i: int, j: int, time: float, world: World) -> bool:
     for k in (i, j):
         if world.kinds[k] != DISC:
             continue
-        a, size = state_at(k, time, world.paths), size_of(k, world)
         for place in range(gather(k, world)):
             other = world.near[place]
-            if other in (i, j) or not meets(k, other, world):
+            if other in (i, j) or not meets(k, other, world) or is_far(k, other, time, world):
                 continue
-            b = state_at(other, time, world.paths)
-            tolerance = resolution(a, b, size, size_of(other, world), time)
+            a, b = state_at(k, time, world.paths), state_at(other, time, world.paths)
+            tolerance = resolution(a, b, size_of(k, world), size_of(other, world), time)
             _, _, gap, _ = axis_of(a, b, k, other, world)
             if gap <= 2.0 * tolerance:
                 return True
     return False
+
+
+def is_far(i: int, j: int, time: float, world: World) -> bool:
+    """Return whether two discs are well apart at a time, s."""
+    if world.kinds[i] == PLANE or world.kinds[j] == PLANE:
+        return False
+    (px, py), (qx, qy) = position_at(i, time, world.paths), position_at(j, time, world.paths)
+    apart = (world.bodies[i, RADIUS] + world.bodies[j, RADIUS]) * (1.0 + MARGIN)
+    return bool((qx - px) * (qx - px) + (qy - py) * (qy - py) > apart * apart)
 
 
 def arms(
