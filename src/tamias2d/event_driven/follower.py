@@ -178,7 +178,8 @@ class Discs:
         wanted = list(bodies)
         for body in wanted:
             other, last, best, doubt = world.bounces[body].tolist()
-            if other and self._agree(body, int(other) - 1):
+            pushed = world.kinds[body] == tables.DISC
+            if pushed and other and self._agree(body, int(other) - 1):
                 pair = min(body, int(other) - 1), max(body, int(other) - 1)
                 found[pair] = Estimate(last, best, doubt)
         stalled = {body: int(world.notes[body, tables.STALLED]) for body in wanted}
@@ -190,8 +191,9 @@ class Discs:
         return not pushed or int(self.world.bounces[other, tables.WITH]) == body + 1
 
     def remember(self, bodies: Iterable[int], memory: Memory) -> None:
-        """Replace what is known of some bodies."""
-        rows = {k: (pair, known) for pair, known in memory.bounces.items() for k in pair}
+        """Replace what is known of some bodies: of each, the bounces that end first."""
+        ends_last = sorted(memory.bounces.items(), key=lambda known: -known[1].last)
+        rows = {k: (pair, known) for pair, known in ends_last for k in pair}
         for body in bodies:
             note = self.world.notes[body]
             note[tables.STALLED] = memory.stalled.get(body, 0)
