@@ -4,8 +4,10 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.event_driven import tables
+from tamias2d.event_driven.instant import MOST_IMPULSES
 from tamias2d.event_driven.tables import World
 from tamias2d.path import Piece
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
@@ -15,43 +17,57 @@ _FEW = 8  # bodies, all of which are near to each other
 _LARGER = 2.0  # times the largest of the many: what is in no cell
 _ROOM = 16_384  # impacts that are recorded at once
 _SLACK = 0.1  # of a cell
-_CROWD = 2.0  # bodies in a cell, about
+_CROWD = 0.5  # bodies in a cell, about
 _SPREAD = 5  # percent of the bodies that may be beyond the cells at either end
 _CLEAR = 1.0 + 1e-6  # discs that touch are nearer to each other than that
 
 
 def world_of(scene: Scene, paths: Sequence[Piece], times: Array, *, keeps_paths: bool) -> World:
     """Return the tables of a scene whose bodies are on some paths, with samples at times, s."""
-    count = len(scene)
-    bodies, kinds = body_table(scene), kinds_of(scene)
     pairs, laws = pair_laws(scene)
-    room = 16 * (count + 4)
-    world = World(
+    world = blank_world(
+        kinds_of(scene), pairs, times, impacts=_ROOM, departures=2 * _ROOM if keeps_paths else 0
+    )
+    world.bodies[:], world.laws[:] = body_table(scene), laws
+    for k, path in enumerate(paths):
+        set_path(world, k, path)
+        world.bodies[k, tables.AX : tables.TURNING + 1] = path.acceleration(path.start)
+    return world
+
+
+def blank_world(
+    kinds: NDArray[np.int32],
+    pairs: NDArray[np.int64],
+    times: Array,
+    *,
+    impacts: int,
+    departures: int = 0,
+) -> World:
+    """Return the tables of n bodies of some kinds, near to each other, with room for records."""
+    count, room = len(kinds), 16 * (len(kinds) + 4)
+    shaped = (kinds > 0) & (kinds < tables.MOVING_PARTICLE)
+    return World(
         numbers=np.zeros(tables.NUMBERS),
         counts=np.zeros(tables.COUNTS, dtype=np.int64),
         kinds=kinds,
-        bodies=bodies,
+        bodies=np.zeros((count, tables.COLUMNS)),
         pairs=pairs,
-        laws=laws,
+        laws=np.zeros((len(pairs), 2)),
         paths=np.zeros((count, tables.PATH_COLUMNS)),
         notes=np.zeros((count, tables.NOTE_COLUMNS), dtype=np.int32),
         bounces=np.zeros((count, 4)),
         leaving=np.full(count, math.inf),
         cells=np.zeros((1, 1), dtype=np.int32),
-        everywhere=np.zeros(0, dtype=np.int32),
+        everywhere=np.flatnonzero(shaped).astype(np.int32),
         changed=np.arange(count, dtype=np.int32),
         near=np.zeros(count, dtype=np.int32),
         queue=np.zeros(room),
         events=np.zeros((room, tables.EVENT_COLUMNS), dtype=np.int32),
         times=times,
         samples=np.zeros((len(times) * count, 6)),
-        impacts=np.zeros((_ROOM, tables.IMPACT_COLUMNS)),
-        departures=np.zeros((2 * _ROOM if keeps_paths else 0, tables.DEPARTURE_COLUMNS)),
+        impacts=np.zeros((impacts + MOST_IMPULSES, tables.IMPACT_COLUMNS)),
+        departures=np.zeros((departures, tables.DEPARTURE_COLUMNS)),
     )
-    for k, path in enumerate(paths):
-        set_path(world, k, path)
-        world.bodies[k, tables.AX : tables.TURNING + 1] = path.acceleration(path.start)
-    return world
 
 
 def set_path(world: World, k: int, path: Piece) -> None:
@@ -84,7 +100,7 @@ def _turned(body: Body, normal: tuple[float, float]) -> tuple[float, float]:
     return c * x - s * y, s * x + c * y
 
 
-def kinds_of(scene: Scene) -> np.ndarray:
+def kinds_of(scene: Scene) -> NDArray[np.int32]:
     """Return the kind of each body."""
     return np.array([_kind(body) for body in scene.bodies], dtype=np.int32)
 
@@ -97,7 +113,7 @@ def _kind(body: Body) -> int:
     return tables.DISC if body.dynamic else tables.FIXED_DISC
 
 
-def pair_laws(scene: Scene) -> tuple[np.ndarray, Array]:
+def pair_laws(scene: Scene) -> tuple[NDArray[np.int64], Array]:
     """Return the pairs with a restitution or friction of their own, and these."""
     restitutions, frictions = scene.restitution_of_pairs, scene.friction_of_pairs
     pairs = sorted(restitutions.keys() | frictions.keys())
@@ -136,7 +152,7 @@ def with_cells(world: World, now: float) -> World:
     return world._replace(everywhere=everywhere, cells=cells)
 
 
-def _small(world: World, discs: np.ndarray) -> np.ndarray:
+def _small(world: World, discs: NDArray[np.int64]) -> NDArray[np.int64]:
     """Return the discs for which cells pay: not the largest few, if these are much larger."""
     if len(discs) <= _FEW:
         return discs[:0]

@@ -66,14 +66,16 @@ class Discs:
 
         The bits do not depend on it, nor does anything else.
         """
-        if self._kernel is None and (self._many or (hypot_agrees() and self._is_worth(time, until))):
+        if self._kernel is None and (
+            self._many or (hypot_agrees() and self._is_worth(time, until))
+        ):
             self._kernel = LIBRARY.compiled().follow
         return self._kernel is not None
 
     def _is_worth(self, time: float, until: float) -> bool:
         """Whether compiled code costs less than the rest of the run at the pace so far."""
         spent = perf_counter() - self._started
-        if spent < _LOOK or time <= 0:
+        if spent < _LOOK or time <= 0 or not hypot_agrees():
             return False
         if not self._price:
             self._price = _LOAD if is_kept(LIBRARY.source()) else _COMPILE
@@ -83,9 +85,7 @@ class Discs:
         """Take all bodies over at a time, s, on the last paths of their tracks."""
         paths = [track[-1] for track in tracks]
         if self._world is None:
-            self._world = world_of(
-                self._scene, paths, self._times, keeps_paths=self._keeps_paths
-            )
+            self._world = world_of(self._scene, paths, self._times, keeps_paths=self._keeps_paths)
         self._tracks, self._until = tracks, until
         for body, path in enumerate(paths):
             self._tell(body, time, tracks[body])
