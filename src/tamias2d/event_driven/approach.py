@@ -42,6 +42,7 @@ from tamias2d.generated.continuous_collision import (
     discriminant,
 )
 from tamias2d.kernels.arrays import Indices
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 EPSILON = 2.0**-52
@@ -52,6 +53,7 @@ MARGIN = 1e-6  # of the size: discs that pass at more than that do not touch, wh
 UNDECIDED = -1.0
 
 
+@inlined
 def meets(i: int, j: int, world: World) -> bool:
     """Return whether two bodies can meet at all: one is pushed, and neither rests on the other."""
     one, other = world.kinds[i], world.kinds[j]
@@ -60,6 +62,7 @@ def meets(i: int, j: int, world: World) -> bool:
     return bool(i != j and solid and (one == DISC or other == DISC) and not held)
 
 
+@inlined
 def time_of_meeting(i: int, j: int, limit: float, world: World) -> float:
     """Return when a pair meets, s: later than the limit or infinity if not until then.
 
@@ -72,6 +75,7 @@ def time_of_meeting(i: int, j: int, limit: float, world: World) -> float:
     return time_of_impact(i, j, start, limit, world)
 
 
+@inlined
 def passes(i: int, j: int, start: float, limit: float, world: World) -> bool:
     """Return whether two discs on which the same acts are well apart until a limit, s.
 
@@ -90,6 +94,7 @@ def passes(i: int, j: int, start: float, limit: float, world: World) -> bool:
     return bool(x_least * x_least + y_least * y_least > apart * apart)
 
 
+@inlined
 def time_of_impact(i: int, j: int, start: float, limit: float, world: World) -> float:
     """Return when two bodies touch and do not separate, s; likewise."""
     end = world.numbers[END]
@@ -123,6 +128,7 @@ def time_of_impact(i: int, j: int, start: float, limit: float, world: World) -> 
     return UNDECIDED
 
 
+@inlined
 def turned_round(
     ux: float, uy: float, seen_x: float, seen_y: float, i: int, j: int, kinds: Indices
 ) -> bool:
@@ -165,6 +171,7 @@ def state_at(k: int, time: float, paths: Array) -> Moving:
     return x, y, turn, u, v, spin
 
 
+@inlined
 def size_of(k: int, world: World) -> float:
     """Return how far off its centre the numbers of a body lie, m."""
     plane = world.kinds[k] == PLANE
@@ -178,6 +185,7 @@ def resolution(a: Moving, b: Moving, size_a: float, size_b: float, time: float) 
     return EPSILON * (16 * length + 4 * speed * time)
 
 
+@inlined
 def axis_of(a: Moving, b: Moving, i: int, j: int, world: World) -> tuple[float, float, float, int]:
     """Return the axis from P to Q, the gap along it, m, and whether P is the second body."""
     body_a, body_b = world.bodies[i], world.bodies[j]
@@ -203,6 +211,7 @@ def axis_of_plane(plane: Array, dx: float, dy: float, radius: float) -> tuple[fl
     return ux, uy, ux * dx + uy * dy + nearest - plane[OFFSET] - radius
 
 
+@inlined
 def gap_of(
     a: Moving, b: Moving, ux: float, uy: float, swapped: int, i: int, j: int, world: World
 ) -> Pair:

@@ -29,6 +29,7 @@ from tamias2d.event_driven.tables import (
     X,
     Y,
 )
+from tamias2d.kernels.assembled import inlined
 
 
 def gather(k: int, world: World) -> int:
@@ -57,6 +58,7 @@ def gather(k: int, world: World) -> int:
     return count
 
 
+@inlined
 def reaches(k: int, plane: int, world: World) -> bool:
     """Return whether a body may reach a half-plane from its cell."""
     across, up = world.cells.shape
@@ -73,6 +75,7 @@ def reaches(k: int, plane: int, world: World) -> bool:
     return bool(away <= reach)
 
 
+@inlined
 def enter(k: int, time: float, world: World) -> None:
     """Put a body into the cell in which it is, and find when it leaves it."""
     state = state_at(k, time, world.paths)
@@ -87,6 +90,7 @@ def enter(k: int, time: float, world: World) -> None:
     world.cells[column, row] = k + 1
 
 
+@inlined
 def leave(k: int, world: World) -> None:
     """Take a body out of its cell."""
     note = world.notes[k]
@@ -103,6 +107,7 @@ def cell_of(distance: float, count: int, size: float) -> int:
     return floor(min(max(distance / size, 0.0), count - 1.0))
 
 
+@inlined
 def time_of_leaving(k: int, time: float, world: World) -> float:
     """Return when a body leaves its cell, s, if nothing happens to it; infinity if never."""
     if world.notes[k, ACROSS] < 0:

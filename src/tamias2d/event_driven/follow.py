@@ -36,6 +36,7 @@ from tamias2d.event_driven.tables import (
     World,
     Worlds,
 )
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 MOST_EVENTS = 100_000  # of one call, so that Ctrl-C is heard
@@ -68,6 +69,7 @@ def follow(world: World) -> int:
     return FULL
 
 
+@inlined
 def happen(world: World) -> int:
     """Let the first event happen, unless it is void."""
     time, void = world.queue[0], is_void(0, world)
@@ -95,6 +97,7 @@ def most_events(world: World) -> int:
     return 2 * (len(world.kinds) + 1)
 
 
+@inlined
 def is_full(world: World) -> bool:
     """Return whether the records have no room for what one instant may add."""
     impacts = world.counts[IMPACTS] + MOST_IMPULSES > len(world.impacts)

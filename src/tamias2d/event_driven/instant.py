@@ -64,6 +64,7 @@ from tamias2d.event_driven.tables import (
 )
 from tamias2d.generated import friction, impact, rest
 from tamias2d.kernels.arrays import FloatRows
+from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 MOST_IMPULSES = 32  # of one pair at one instant
@@ -71,6 +72,7 @@ MOST_REPEATS = 32  # new paths of a body that do not advance in time
 MOST_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
 
 
+@inlined
 def meet(i: int, j: int, time: float, world: World) -> bool:
     """Set the paths of two bodies after they have met; return whether that is all that happens."""
     restitution = restitution_of(i, j, world)
@@ -104,6 +106,7 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
     return not staying or settle(i, j, normal, world)
 
 
+@inlined
 def is_bound(k: int, time: float, world: World) -> bool:
     """Return whether a body rests, or has come to no later time again and again."""
     note = world.notes[k]
@@ -116,16 +119,18 @@ def reach(k: int, world: World) -> float:
     return inf if world.kinds[k] == PLANE else world.bodies[k, RADIUS]
 
 
+@inlined
 def touches_third(i: int, j: int, time: float, world: World) -> bool:
     """Return whether one of two bodies that meet touches a third one."""
     for k in (i, j):
         if world.kinds[k] != DISC:
             continue
+        a = state_at(k, time, world.paths)
         for place in range(gather(k, world)):
             other = world.near[place]
-            if other in (i, j) or not meets(k, other, world) or is_far(k, other, time, world):
+            if other in (i, j) or not meets(k, other, world) or is_far(a, k, other, time, world):
                 continue
-            a, b = state_at(k, time, world.paths), state_at(other, time, world.paths)
+            b = state_at(other, time, world.paths)
             tolerance = resolution(a, b, size_of(k, world), size_of(other, world), time)
             _, _, gap, _ = axis_of(a, b, k, other, world)
             if gap <= 2.0 * tolerance:
@@ -133,13 +138,14 @@ def touches_third(i: int, j: int, time: float, world: World) -> bool:
     return False
 
 
-def is_far(i: int, j: int, time: float, world: World) -> bool:
-    """Return whether two discs are well apart at a time, s."""
-    if world.kinds[i] == PLANE or world.kinds[j] == PLANE:
+@inlined
+def is_far(a: Moving, i: int, j: int, time: float, world: World) -> bool:
+    """Return whether a disc in a state is well apart from another one at a time, s."""
+    if world.kinds[j] == PLANE:
         return False
-    (px, py), (qx, qy) = position_at(i, time, world.paths), position_at(j, time, world.paths)
+    x, y = position_at(j, time, world.paths)
     apart = (world.bodies[i, RADIUS] + world.bodies[j, RADIUS]) * (1.0 + MARGIN)
-    return bool((qx - px) * (qx - px) + (qy - py) * (qy - py) > apart * apart)
+    return bool((x - a[0]) * (x - a[0]) + (y - a[1]) * (y - a[1]) > apart * apart)
 
 
 def arms(
@@ -163,6 +169,7 @@ def speed_of(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair) -> float:
     )
 
 
+@inlined
 def rebound(
     a: Moving,
     b: Moving,
@@ -203,6 +210,7 @@ def normal_velocity(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair
     )
 
 
+@inlined
 def after_impulse(
     a: Moving,
     b: Moving,
@@ -232,6 +240,7 @@ def after_impulse(
     return a, b, impulse
 
 
+@inlined
 def after_friction(
     a: Moving,
     b: Moving,
@@ -271,6 +280,7 @@ def after_friction(
     return a, b, along
 
 
+@inlined
 def note_impact(
     i: int,
     j: int,
@@ -291,6 +301,7 @@ def note_impact(
     row[IMPULSE], row[NORMAL_VELOCITY] = impulse, rate
 
 
+@inlined
 def opening_acceleration(
     a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair, i: int, j: int, world: World
 ) -> float:
@@ -321,6 +332,7 @@ def pull_on(k: int, world: World) -> tuple[float, float, float]:
     return body[AX], body[AY], body[TURNING]
 
 
+@inlined
 def forecast(
     i: int,
     j: int,

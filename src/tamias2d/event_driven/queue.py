@@ -14,6 +14,7 @@ from tamias2d.event_driven.tables import (
     VERSION,
     World,
 )
+from tamias2d.kernels.assembled import inlined
 
 
 def has_room(count: int, world: World) -> bool:
@@ -23,6 +24,7 @@ def has_room(count: int, world: World) -> bool:
     return bool(world.counts[EVENTS] + count <= len(world.queue))
 
 
+@inlined
 def push(time: float, i: int, j: int, world: World) -> None:
     """Add an event of two bodies, or of one twice."""
     place = world.counts[EVENTS]
@@ -34,6 +36,7 @@ def push(time: float, i: int, j: int, world: World) -> None:
     rise(place, world)
 
 
+@inlined
 def pop(world: World) -> None:
     """Remove the first event."""
     world.counts[EVENTS] -= 1
@@ -43,6 +46,7 @@ def pop(world: World) -> None:
         sink(0, world)
 
 
+@inlined
 def is_void(place: int, world: World) -> bool:
     """Return whether a body of an event has another path by now."""
     event = world.events[place]
@@ -87,6 +91,7 @@ def sink(place: int, world: World) -> None:
         place = below
 
 
+@inlined
 def before(one: int, other: int, world: World) -> bool:
     """Return whether an event comes before another one."""
     if world.queue[one] != world.queue[other]:
@@ -97,6 +102,7 @@ def before(one: int, other: int, world: World) -> bool:
     return bool(first[SECOND] < second[SECOND])
 
 
+@inlined
 def swap(one: int, other: int, world: World) -> None:
     """Exchange two events."""
     world.queue[one], world.queue[other] = world.queue[other], world.queue[one]
