@@ -2,14 +2,13 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 
 from tamias2d.contact.follower import Memory, Tracks
 from tamias2d.contact.rest_time import Estimate
 from tamias2d.event_driven import tables
-from tamias2d.event_driven.arrangement import set_path, with_cells, world_of
+from tamias2d.event_driven.arrangement import places_at, set_path, with_cells, world_of
 from tamias2d.event_driven.follow import follow, follow_worlds
 from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.event_driven.tables import World
@@ -28,6 +27,17 @@ _LOAD, _COMPILE = 0.4, 12.0  # s, of what was compiled before, and of what was n
 _LOOK = 0.1  # s, after which it is asked which of the two it is
 
 
+def compiled_code() -> Callable[[World], int]:
+    """Return `follow`, compiled."""
+    entry = LIBRARY.compiled().follow
+
+    def code(world: World) -> int:
+        status: int = entry(addresses(world))
+        return status
+
+    return code
+
+
 class Discs:
     """The bodies of one scene, as compiled code knows them."""
 
@@ -42,13 +52,14 @@ class Discs:
         self._many = many
         self._started = perf_counter()
         self._price = 0.0
-        self._kernel: Callable[[Any], int] | None = None
+        self.code: Callable[[World], int] | None = None
+        """What goes on from event to event, once that pays."""
         self._world: World | None = None
         self._tracks: Tracks = ()
         self._until = 0.0
         self._leads = False  # the paths are in the tables, not in the tracks
         self._given: dict[int, tuple[int, Piece]] = {}
-        self._places: tuple[float, Array] | None = None
+        self._places: Array | None = None
 
     @property
     def now(self) -> float:
@@ -66,11 +77,9 @@ class Discs:
 
         The bits do not depend on it, nor does anything else.
         """
-        if self._kernel is None and (
-            self._many or (hypot_agrees() and self._is_worth(time, until))
-        ):
-            self._kernel = LIBRARY.compiled().follow
-        return self._kernel is not None
+        if self.code is None and (self._many or self._is_worth(time, until)):
+            self.code = compiled_code()
+        return self.code is not None
 
     def _is_worth(self, time: float, until: float) -> bool:
         """Whether compiled code costs less than the rest of the run at the pace so far."""
@@ -100,10 +109,10 @@ class Discs:
 
     def go(self, limit: float) -> tuple[int, ...] | None:
         """Go on to a time, s, or until something is not decided."""
-        assert self._kernel is not None
+        assert self.code is not None
         self._places = None
         self.world.numbers[tables.LIMIT] = limit
-        status = self._kernel(addresses(self.world))
+        status = self.code(self.world)
         if status == tables.CROWDED:
             self._world = _with_room(self.world)
         if status == tables.INSTANT:
@@ -159,9 +168,7 @@ class Discs:
         """Return all bodies, in order, that may touch a body now."""
         world = self.world
         if self._places is None:
-            elapsed = (self.now - world.paths[:, tables.START])[:, None]
-            by = world.paths[:, 6:8] * elapsed / 2
-            self._places = world.paths[:, :2] + (world.paths[:, 3:5] + by) * elapsed
+            self._places = places_at(world, np.arange(len(world.kinds)), self.now)
         solid = (world.kinds > 0) & (world.kinds < tables.MOVING_PARTICLE)
         pushed = world.kinds == tables.DISC
         way = np.abs(self._places - self._places[body]).max(axis=1)
@@ -174,8 +181,8 @@ class Discs:
 
     def recall(self, bodies: Iterable[int]) -> Memory:
         """Return what is known of some bodies."""
-        world, found = self.world, {}
-        wanted = list(bodies)
+        world, wanted = self.world, list(bodies)
+        found: dict[tuple[int, int], Estimate] = {}
         for body in wanted:
             other, last, best, doubt = world.bounces[body].tolist()
             pushed = world.kinds[body] == tables.DISC
