@@ -157,7 +157,7 @@ class Located:
         finally:
             self.time, impacts = follower.now, follower.impacts()
             fitting = self._work.fitting(impacts[:, 0])
-            self._impacts.append(impacts[:fitting])
+            self._impacts.append(impacts[: fitting + 1])
             if fitting < len(impacts):
                 self.time = float(impacts[fitting, 0])
                 self._work.impacts(1, self.time)
