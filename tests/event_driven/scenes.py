@@ -7,30 +7,6 @@ import numpy as np
 import tamias2d as t2
 
 
-def gas(count: int, *, share: float = 0.1, seed: int = 0, restitution: float = 1.0) -> t2.Scene:
-    """Discs of one size in a square box, which they fill to a share, at velocities by chance."""
-    chance, radius = np.random.default_rng(seed), 0.01
-    width = math.sqrt(count * math.pi * radius**2 / share)
-    scene = t2.Scene(gravity=(0.0, 0.0))
-    for normal, offset in (
-        ((1.0, 0.0), 0.0), ((-1.0, 0.0), -width), ((0.0, 1.0), 0.0), ((0.0, -1.0), -width)
-    ):  # fmt: skip
-        scene.add_static(t2.HalfPlane(normal=normal, offset=offset), restitution=restitution)
-    across = math.ceil(math.sqrt(count))
-    step = width / across
-    slack = 0.9 * (step / 2 - radius)
-    for place in np.sort(chance.permutation(across**2)[:count]).tolist():
-        middle = np.array([place // across + 0.5, place % across + 0.5]) * step
-        scene.add_body(
-            t2.Disc(radius=radius),
-            mass=1.0,
-            position=tuple(middle + chance.uniform(-slack, slack, 2)),
-            velocity=tuple(chance.normal(0.0, 1.0, 2)),
-            restitution=restitution,
-        )
-    return scene
-
-
 def crowd(seed: int) -> t2.Scene:
     """Discs that fly, fall, spin and rub between walls and fixed discs."""
     chance = np.random.default_rng(seed)

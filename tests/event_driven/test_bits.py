@@ -7,7 +7,8 @@ import tamias2d as t2
 from tamias2d.event_driven import Discs
 from tamias2d.solve import sampler
 from tests.event_driven.conftest import Solving
-from tests.event_driven.scenes import crowd, gas
+from tests.event_driven.scenes import crowd
+from tools.measurements.impacts import gas
 
 
 @pytest.mark.parametrize("way", ["compiled", "plain", "alternating"])

@@ -7,7 +7,7 @@ import pytest
 
 import tamias2d as t2
 from tests.event_driven.conftest import Solving
-from tests.event_driven.scenes import gas
+from tools.measurements.impacts import gas
 
 
 def reversed_at(run: t2.Run, scene: t2.Scene) -> t2.Scene:
@@ -105,7 +105,7 @@ def test_the_pressure_is_that_of_hard_discs() -> None:
     found = 1 + virial / (2 * run.energy[0])
     density = share * (1 + 2 * 0.01 / math.sqrt(count * math.pi * 0.01**2 / share))
     henderson = (1 + density**2 / 8) / (1 - density) ** 2
-    print(found, henderson, found/henderson-1)
+    print(found, henderson, found / henderson - 1)
     assert found == pytest.approx(henderson, rel=0.02)
 
 

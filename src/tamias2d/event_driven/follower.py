@@ -67,6 +67,11 @@ class Discs:
         return float(self.world.numbers[tables.NOW])
 
     @property
+    def looked_at(self) -> int:
+        """For how many pairs an impact has been searched."""
+        return int(self.world.counts[tables.LOOKED_AT])
+
+    @property
     def world(self) -> World:
         """The tables, once the bodies were taken over."""
         assert self._world is not None
