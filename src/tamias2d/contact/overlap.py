@@ -13,6 +13,8 @@ from tamias2d.scene import Scene
 from tamias2d.scene.filters import may_touch
 from tamias2d.state import Array, History, State
 
+_CLEAR = 1 + 1e-6  # times its reach: a body that is as far from a half-plane does not touch it
+
 
 def refuse_overlap(
     cores: Sequence[Core],
@@ -70,11 +72,18 @@ def _overlaps(cores: Sequence[Core], states: Sequence[State]) -> Iterator[tuple[
 def _near(bodies: Sequence[Placed]) -> Iterator[tuple[int, int]]:
     """Go through the pairs whose bounding boxes overlap, by their places, the lower one first.
 
-    A box is compared with those that begin before it ends along x: n log n where few do.
+    A box is compared with those that begin before it ends along x: n log n where few do. An endless
+    body is compared with all.
     """
     x, y = np.array([body.state.position for body in bodies]).reshape(-1, 2).T
     reach = np.array([body.core.bounding_radius for body in bodies])
+    endless = np.flatnonzero(np.isinf(reach)).tolist()
+    for k in endless:
+        (ux, uy), (px, py) = bodies[k].turned(bodies[k].core.sides[0].normal), bodies[k].state[0]
+        apart = ux * (x - px) + uy * (y - py) - bodies[k].core.sides[0].offset > _CLEAR * reach
+        yield from ((min(k, m), max(k, m)) for m in np.flatnonzero(~apart).tolist())
     order = np.argsort(x - reach, kind="stable")
+    order = order[len(endless) :]  # these begin nowhere
     x, y, reach = x[order], y[order], reach[order]
     ends = np.searchsorted(x - reach, x + reach, side="right")
     for k, end in enumerate(ends.tolist()):

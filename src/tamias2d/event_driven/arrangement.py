@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tamias2d.event_driven import tables
 from tamias2d.event_driven.instant import MOST_IMPULSES
 from tamias2d.event_driven.tables import World
-from tamias2d.generated import translation
+from tamias2d.generated import rotation, translation
 from tamias2d.path import Piece
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
 from tamias2d.state import Array
@@ -137,7 +137,7 @@ def with_cells(world: World, now: float) -> World:
         return world._replace(everywhere=everywhere, cells=np.zeros((1, 1), dtype=np.int32))
     world.notes[small, tables.ACROSS] = 0
     world.leaving[small] = tables.NOWHERE
-    places = places_at(world, small, now)
+    places = states_at(world, small, now)[:, :2]
     low, high = np.percentile(places, (_SPREAD, 100 - _SPREAD), axis=0)
     extent = (high - low) * 100 / (100 - 2 * _SPREAD)
     diameter = 2 * float(world.bodies[small, tables.RADIUS].max()) * _CLEAR
@@ -162,15 +162,16 @@ def _small(world: World, discs: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.sort(order[radii <= _LARGER * radii[most]])
 
 
-def places_at(world: World, bodies: NDArray[np.int64], time: float) -> Array:
-    """Return where some bodies (m,) are at a time, s: (m, 2), m."""
-    path = world.paths[bodies].T
-    place, going, by = (
-        (path[x], path[y])
-        for x, y in (
-            (tables.X, tables.Y),
-            (tables.VX, tables.VY),
-            (tables.AX, tables.AY),
-        )
+def states_at(world: World, bodies: NDArray[np.int64], time: float) -> Array:
+    """Return the states (m, 6) of some bodies (m,) on their paths at a time, s."""
+    x, y, turn, u, v, spin, ax, ay, turning, start = world.paths[bodies].T
+    elapsed = time - start
+    return np.stack(
+        (
+            *translation.position((x, y), (u, v), (ax, ay), elapsed),
+            rotation.orientation(turn, spin, turning, elapsed),
+            *translation.velocity((u, v), (ax, ay), elapsed),
+            rotation.angular_velocity(spin, turning, elapsed),
+        ),
+        axis=-1,
     )
-    return np.stack(translation.position(place, going, by, time - path[tables.START]), axis=-1)

@@ -4,11 +4,12 @@ from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.contact.follower import Memory, Tracks
 from tamias2d.contact.rest_time import Estimate
 from tamias2d.event_driven import tables
-from tamias2d.event_driven.arrangement import places_at, set_path, with_cells, world_of
+from tamias2d.event_driven.arrangement import set_path, states_at, with_cells, world_of
 from tamias2d.event_driven.follow import follow, follow_worlds
 from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.event_driven.tables import World
@@ -173,7 +174,7 @@ class Discs:
         """Return all bodies, in order, that may touch a body now."""
         world = self.world
         if self._places is None:
-            self._places = places_at(world, np.arange(len(world.kinds)), self.now)
+            self._places = states_at(world, np.arange(len(world.kinds)), self.now)[:, :2]
         solid = (world.kinds > 0) & (world.kinds < tables.MOVING_PARTICLE)
         pushed = world.kinds == tables.DISC
         way = np.abs(self._places - self._places[body]).max(axis=1)
@@ -226,11 +227,23 @@ class Discs:
         """Return the states at the first so many of the times of samples, s."""
         if self._world is None or self._keeps_paths:
             return sample(tracks, times)
-        for body, track in enumerate(tracks):
-            self._tell(body, np.inf, [self.path(body)] if self._leads else track)
+        known = np.array(
+            [self._leads or self.path(k) is track[-1] for k, track in enumerate(tracks)]
+        )
+        for body in np.flatnonzero(~known).tolist():
+            self._tell(body, np.inf, tracks[body])
+        self._tell_last(np.flatnonzero(known), len(times))
         rows = self._world.samples.reshape(-1, len(tracks), 6)[: len(times)]
         position, velocity = rows[..., :2].copy(), rows[..., 3:5].copy()
         return History(position, rows[..., 2].copy(), velocity, rows[..., 5].copy())
+
+    def _tell_last(self, bodies: NDArray[np.int64], count: int) -> None:
+        """Write down the states of bodies on their paths of now at so many samples, all at once."""
+        told = self.world.notes[bodies, tables.TOLD]
+        samples = self.world.samples.reshape(-1, len(self.world.kinds), 6)
+        for k in range(int(told.min(initial=count)), count):
+            rest = bodies[told <= k]
+            samples[k, rest] = states_at(self.world, rest, float(self._times[k]))
 
     def _tell(self, body: int, until: float, paths: Sequence[Piece]) -> None:
         """Write down the states of a body at all samples before a time, s, from its last paths."""
