@@ -37,6 +37,7 @@ from tamias2d.event_driven.tables import (
     INVERSE_MASS,
     LAST,
     NORMAL_VELOCITY,
+    NOW,
     PATH_COLUMNS,
     PLANE,
     POINT_X,
@@ -90,9 +91,7 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
     arm_a, arm_b = arms(a, b, ux, uy, swapped, i, j, world)
     noise = speed_of(a, b, arm_a, arm_b) * (64 * EPSILON)
     before = world.counts[IMPACTS]
-    after_a, after_b, rate = rebound(
-        a, b, arm_a, arm_b, normal, noise, restitution, i, j, time, world
-    )
+    after_a, after_b, rate = rebound(a, b, arm_a, arm_b, normal, noise, restitution, i, j, world)
     staying = abs(rate) <= noise
     opening = opening_acceleration(after_a, after_b, arm_a, arm_b, normal, i, j, world)
     if not staying and opening < 0.0:
@@ -180,24 +179,23 @@ def rebound(
     restitution: float,
     i: int,
     j: int,
-    time: float,
     world: World,
 ) -> tuple[Moving, Moving, float]:
     """Return both states after the impulses of an impact, and the normal velocity, m/s."""
-    coefficient = friction_of(i, j, world)
+    rough = friction_of(i, j, world) > 0.0
     rate = normal_velocity(a, b, arm_a, arm_b, normal)
     for _ in range(MOST_IMPULSES):
         if rate >= -noise:
             break
-        if coefficient > 0.0:
+        if rough:
             after_a, after_b, impulse = after_friction(
-                a, b, arm_a, arm_b, normal, rate, restitution, coefficient, i, j, world
+                a, b, arm_a, arm_b, normal, rate, restitution, i, j, world
             )
         else:
             after_a, after_b, impulse = after_impulse(
                 a, b, arm_a, arm_b, normal, rate, restitution, i, j, world
             )
-        note_impact(i, j, time, b, arm_b, normal, impulse, rate, world)
+        note_impact(i, j, b, arm_b, normal, impulse, rate, world)
         a, b = after_a, after_b
         rate = normal_velocity(a, b, arm_a, arm_b, normal)
     return a, b, rate
@@ -249,7 +247,6 @@ def after_friction(
     normal: Pair,
     rate: float,
     restitution: float,
-    coefficient: float,
     i: int,
     j: int,
     world: World,
@@ -268,7 +265,7 @@ def after_friction(
     closest = friction.tangential_velocity_closest(slip, cross, rate, inverse)
     sticking = friction.sticking_impulse(closest, sliding)
     change = friction.normal_change(cross, sticking, inverse)
-    share = friction.share(coefficient, impulse, sticking, change)
+    share = friction.share(friction_of(i, j, world), impulse, sticking, change)
     along = friction.normal_impulse(impulse, share, change)
     vector = friction.impulse_vector(along, friction.tangential_impulse(share, sticking), normal)
     if world.kinds[i] == DISC:
@@ -284,7 +281,6 @@ def after_friction(
 def note_impact(
     i: int,
     j: int,
-    time: float,
     b: Moving,
     arm_b: Pair,
     normal: Pair,
@@ -295,7 +291,7 @@ def note_impact(
     """Record an impulse."""
     row = world.impacts[world.counts[IMPACTS]]
     world.counts[IMPACTS] += 1
-    row[TIME], row[A], row[B] = time, i, j
+    row[TIME], row[A], row[B] = world.numbers[NOW], i, j
     row[POINT_X], row[POINT_Y] = b[0] + arm_b[0], b[1] + arm_b[1]
     row[ALONG_X], row[ALONG_Y] = normal
     row[IMPULSE], row[NORMAL_VELOCITY] = impulse, rate
