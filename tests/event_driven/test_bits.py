@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.event_driven import Discs
+from tamias2d.event_driven import Discs, follower, tables
 from tamias2d.solve import sampler
 from tests.event_driven.conftest import Solving
 from tests.event_driven.scenes import crowd
@@ -26,6 +26,23 @@ def test_a_gas_has_these_bits_in_every_way(solving: Solving) -> None:
     runs = [solving(gas(20, seed=3), way, 0.3)[0] for way in ("general", "plain", "compiled")]
     assert len(runs[0].impacts) > 60
     assert len({run.digest() for run in runs}) == 1
+
+
+def test_a_search_that_is_not_decided_is_left_to_the_general_way(
+    solving: Solving, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    code, calls = follower.compiled_code(), iter((tables.DONE, tables.DONE))
+
+    def undecided(world: tables.World) -> int:
+        world.numbers[tables.LIMIT] = min(world.numbers[tables.NOW] + 0.05, 0.3)
+        code(world)
+        return next(calls, tables.SEARCH)
+
+    monkeypatch.setattr(follower, "compiled_code", lambda: undecided)
+    found, _ = solving(gas(20, seed=3), "compiled", 0.3)
+    assert next(calls, None) is None
+    wanted, _ = solving(gas(20, seed=3), "general", 0.3)
+    assert found.digest() == wanted.digest()
 
 
 def test_paths_at_any_time_are_those_of_the_general_way(

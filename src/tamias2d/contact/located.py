@@ -142,7 +142,7 @@ class Located:
                     self._next_event(end)
             elif bodies:
                 self._resolve_instant(self.time, list(bodies), end)
-            elif self._begun:
+            elif self._begun or self.time > 0:
                 self._follower = None  # it cannot tell when a pair meets
                 break
             else:  # some touch at the start
