@@ -1,13 +1,23 @@
 """Every measurement runs to its end, small; no time and no figure is looked at."""
 
 import json
+from functools import partial
 from typing import Any
 
 import pytest
 
 from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.scene import catalogue
-from tools.measurements import certificates, crowds, drift, held_out, kinds, peers, specialisation
+from tools.measurements import (
+    certificates,
+    crowds,
+    drift,
+    held_out,
+    impacts,
+    kinds,
+    peers,
+    specialisation,
+)
 
 
 def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
@@ -45,6 +55,14 @@ def test_drift(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(drift, "ORBITERS", (RungeKutta4(),))
     _, rows = lines_of(drift)
     assert len(rows) == 3
+
+
+def test_impacts(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(impacts, "_PILOT", 0.005)
+    small = {"counts": [30, 110], "impacts": 100, "steps": 3}
+    monkeypatch.setattr(impacts, "measure", partial(impacts.measure, **small))
+    found, _ = lines_of(impacts)
+    assert [row["discs"] for row in found["rows"]] == [30, 110]
 
 
 def test_kinds(monkeypatch: pytest.MonkeyPatch) -> None:
