@@ -269,13 +269,16 @@ class Scene(SceneData):
         third_anchor: VectorLike = (0.0, 0.0),
         name: str | None = None,
         collide: bool = False,
+        break_force: float | None = None,
+        break_torque: float | None = None,
     ) -> int:
         """Tie two bodies, or a body and the plane, and return the joint's index (TM7).
 
         A and B are bodies, given by index or name, or points (x, y) of the plane in m; a third one,
         C, is what a gear or a pulley is seen from. It holds a body at an anchor (x, y), in m from
         the centre of mass and in the body's own axes. Bodies that are tied do not touch, unless
-        they `collide`.
+        they `collide`. The joint breaks where its reaction reaches `break_force`, N, or
+        `break_torque`, N m (GD23).
 
         Raises:
             InputError: a value breaks a rule (R4), the joint moves nothing, its equation has no
@@ -290,7 +293,9 @@ class Scene(SceneData):
             (0.0, 0.0) if third is None else self.index(third),
         )
         anchors = (anchor, other_anchor, third_anchor)
-        joint = checked_joint(kind, name, ends, anchors, collide, self._bodies)
+        joint = checked_joint(
+            kind, name, ends, anchors, collide, self._bodies, (break_force, break_torque)
+        )
         self._joints.append(joint)
         return len(self._joints) - 1
 

@@ -9,7 +9,7 @@ from tamias2d.errors import SimulationError
 from tamias2d.kernels import flight, march_by_kernels
 from tamias2d.motion import Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
-from tamias2d.motion.mechanism import fitted_history
+from tamias2d.motion.mechanisms import fitted_history
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
 from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
@@ -30,8 +30,10 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
     located = Located(plan.scene, motion, motion.work)
     try:
         if not located.can_meet:
-            history = fitted_history(plan.scene, plan.times, _without_contact(plan, method, motion))
-            return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
+            found = _without_contact(plan, method, motion)
+            events = motion.joint_events()
+            history = fitted_history(plan.scene, plan.times, found, events)
+            return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
         follow(located, plan.duration, progress=progress)
     except SimulationError as refusal:
         refusal.run = _finite(plan, motion, located)
@@ -66,12 +68,14 @@ def _reached(plan: Plan, motion: Motion, located: Located) -> Run:
     if not all(located.tracks):  # it did not get as far as a first path
         history, times = _sampled(plan, motion)
         plan = plan._replace(times=times)
-        return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
+        events = motion.joint_events()
+        return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
     times = plan.times[plan.times <= located.time]
     plan = plan._replace(times=times if len(times) else np.zeros(1))
-    history = fitted_history(plan.scene, plan.times, sample(located.tracks, plan.times))
+    events = motion.joint_events()
+    history = fitted_history(plan.scene, plan.times, sample(located.tracks, plan.times), events)
     impacts = _impacts(located.contact_impulses)
-    return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally)
+    return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally, events)
 
 
 def _sampled(plan: Plan, motion: Motion) -> tuple[History, Array]:

@@ -1,0 +1,188 @@
+"""The search for the next instant at which joints do something else (GD21, GD22, GD23)."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tamias2d.motion.joint_events import Mode, Of
+from tamias2d.motion.limited_mechanism import Cause, LimitedMechanism, Side
+from tamias2d.motion.polynomial import DenseStep
+from tamias2d.state import Array
+
+_LOOKS = 16  # in each step; between two of them a push may not sink below zero and rise again
+_FORCE = 1e-10  # of the largest; a smaller one is as good as none
+Free = Callable[[float, Array, Array], Array]
+"""Accelerations (n, 3) by the loads alone."""
+
+
+@dataclass(frozen=True)
+class _Watch:
+    """A number that is positive until something happens."""
+
+    value: Callable[["_Look"], float]
+    cause: Callable[[float], Cause]
+    slight: float | None
+    """So much counts as none; None for a share of the largest."""
+    rate: Callable[["_Look"], float] | None = None
+
+
+class _Look:
+    """A mechanism at one time of a step, as far as it is asked for."""
+
+    def __init__(self, search: "JointSearch", time: float) -> None:
+        self.time = time
+        position, velocity = search.step.at(time)
+        own, mechanism = search.own, search.mechanism
+        state = position[own], velocity[own]
+        if search.forces:
+            state = mechanism.at(search.step.start).fitted(time, *state)
+        self.values = mechanism.measures.values(time, state[0])
+        self.rates = mechanism.measures.rates(time, *state)
+        if search.forces:
+            free = search.free(time, position, velocity)[own]
+            self.shares = mechanism.shares(time, *state, free, search.mode)
+            self.burdens = mechanism.burdens(time, *state, free, search.mode)
+
+
+class JointSearch:
+    """The first event of one mechanism within a step."""
+
+    def __init__(
+        self, mechanism: LimitedMechanism, own: Sequence[int], free: Free, step: DenseStep
+    ) -> None:
+        """Take a mechanism, the places of its bodies in the step, and the loads."""
+        self.mechanism, self.own, self.free, self.step = mechanism, list(own), free, step
+        self.mode: Mode = mechanism.mode(step.start)
+        motors = any(
+            not sense and mechanism.freedoms[of].motor.maximum is not None  # type: ignore[union-attr]
+            for of, sense in self.mode.driven
+        )
+        breaking = any(joint.breaks for joint in mechanism.joints)
+        self.forces = bool(self.mode.held) or motors or breaking
+        """Whether reactions are to be looked at."""
+        self._watches = list(self._all())
+
+    def first(self) -> tuple[float, _Watch] | None:
+        """Return when something happens first, s, and what."""
+        if not self._watches:
+            return None
+        times = np.linspace(self.step.start, self.step.end, _LOOKS + 1).tolist()
+        looks = [_Look(self, time) for time in times]
+        found: list[tuple[float, int]] = []
+        for k, watch in enumerate(self._watches):
+            time = self._crossing(watch, looks)
+            if time is not None:
+                found.append((time, k))
+        if not found:
+            return None
+        time, k = min(found)
+        return time, self._watches[k]
+
+    def zero(self, watch: _Watch) -> float:
+        """Return where what is watched is zero near the end of the step, s: found along a line."""
+        end = self.step.end
+        before = end - 1e-3 * (end - self.step.start)
+        if not before < end:
+            return end
+        last = self.value(watch, end)
+        slope = (last - self.value(watch, before)) / (end - before)
+        return end if slope >= 0 or not np.isfinite(slope) else end - last / slope
+
+    def value(self, watch: _Watch, time: float) -> float:
+        """Return what is watched at a time of the step, s."""
+        return watch.value(_Look(self, time))
+
+    def _crossing(self, watch: _Watch, looks: Sequence[_Look]) -> float | None:
+        values = [watch.value(look) for look in looks]
+        most = max((abs(v) for v in values if np.isfinite(v)), default=0.0)
+        slight = _FORCE * most if watch.slight is None else watch.slight
+        fresh = values[0] <= slight
+        for k in range(1, len(looks)):
+            below = -slight if fresh else 0.0
+            first, last = looks[k - 1].time, looks[k].time
+            if watch.rate and values[k] >= below and not fresh:
+                last = self._lowest(watch, looks[k - 1], looks[k])
+            if self.value(watch, last) < below if last != looks[k].time else values[k] < below:
+                return self._root(watch, first, last, below)
+            fresh = fresh and values[k] <= slight
+        return None
+
+    def _lowest(self, watch: _Watch, first: _Look, last: _Look) -> float:
+        """Return where a gap is smallest between two looks."""
+        from scipy.optimize import brentq
+
+        rate = watch.rate
+        assert rate is not None
+        if not rate(first) < 0 < rate(last):
+            return last.time
+        found: float = brentq(lambda t: rate(_Look(self, t)), first.time, last.time)
+        return found
+
+    def _root(self, watch: _Watch, first: float, last: float, below: float) -> float:
+        from scipy.optimize import brentq
+
+        if self.value(watch, first) <= below:
+            return first
+        eps = float(np.finfo(float).eps)
+        found: float = brentq(
+            lambda t: self.value(watch, t) - below, first, last, xtol=1e-300, rtol=4 * eps
+        )
+        return found
+
+    def _all(self):  # type: ignore[no-untyped-def]
+        mode, mechanism = self.mode, self.mechanism
+        place = self.step.first[0][self.own]
+        for of, side in mechanism.sides(mode):
+            yield self._of_limit(of, side, mechanism.slight(of, place))
+        for of, each in mechanism.freedoms.items():
+            if each.pitch is not None and of[0] not in mode.broken:
+                yield self._of_tooth(of, each.pitch)
+        for of, sense in mode.driven:
+            motor = mechanism.freedoms[of].motor
+            if motor is None or motor.maximum is None or of[0] in mode.broken:
+                continue
+            if sense:
+                yield self._of_slipping(of, sense, motor.speed)
+            else:
+                yield from (self._of_keeping(of, one, motor.maximum) for one in (-1, 1))
+        for number, joint in zip(mechanism.numbers, mechanism.joints, strict=True):
+            if joint.breaks and number not in mode.broken:
+                yield _Watch(
+                    lambda look, n=number: look.burdens[n],
+                    lambda t, n=number: Cause(t, breaks=frozenset({n})),
+                    1e-12,
+                )
+
+    def _of_limit(self, of: Of, side: int, slight: float) -> _Watch:
+        at: Side = (of, side)
+        row, end = self.mechanism.row[of], self.mechanism.end(of, side, self.mode)
+        if at in self.mode.held:
+            return _Watch(
+                lambda look: look.shares[at], lambda t: Cause(t, left=frozenset({at})), None
+            )
+        return _Watch(
+            lambda look: -side * (float(look.values[row]) - end),
+            lambda t: Cause(t, reached=frozenset({at})),
+            slight,
+            lambda look: -side * float(look.rates[row]),
+        )
+
+    def _of_tooth(self, of: Of, pitch: float) -> _Watch:
+        row, tooth = self.mechanism.row[of], self.mechanism.end(of, -1, self.mode)
+        return _Watch(
+            lambda look: tooth + pitch - float(look.values[row]),
+            lambda t: Cause(t, clicks={of: tooth + pitch}),
+            1e-12,
+        )
+
+    def _of_slipping(self, of: Of, sense: int, speed: float) -> _Watch:
+        row = self.mechanism.row[of]
+        return _Watch(lambda look: sense * (speed - float(look.rates[row])), Cause, None)
+
+    def _of_keeping(self, of: Of, sense: int, most: float) -> _Watch:
+        return _Watch(
+            lambda look: 1 - sense * look.shares["motor", of] / most,
+            lambda t: Cause(t, slips={of: sense}),
+            1e-12,
+        )
