@@ -99,8 +99,8 @@ _HOMES = {
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "StepWarning TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag JointError "
-    "JointEvents Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError "
-    "Stepped VelocityVerlet Yoshida4",
+    "JointEvents Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler StabilityError "
+    "StepSizeError Stepped VelocityVerlet Yoshida4",
     "run": "Run",
     "run_data": "Impacts",
     "scene": "Body Box Capsule Compound Disc Distance Equation Gear Groove HalfPlane JointSpring "

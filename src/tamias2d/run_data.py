@@ -88,7 +88,9 @@ class RunData:
     def digest(self) -> str:
         """Return the SHA-256 of all numbers of the run: equal runs have equal digests."""
         total = hashlib.sha256()
-        parts = (self, self.impacts, *([self.joint_events] if len(self.joint_events) else []))
+        parts: list[RunData | Impacts | JointEvents] = [self, self.impacts]
+        if len(self.joint_events):  # runs without any keep the digest that they had
+            parts.append(self.joint_events)
         for part in parts:
             for each in fields(part):
                 value = getattr(part, each.name)

@@ -1,4 +1,4 @@
-"""The least combination of rows of which some may only push, or only so hard (Gauss, GD21, GD22)."""
+"""The least combination of rows of which some only push, or only so hard (GD21, GD22)."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,3 +32,23 @@ def bounded_shares(
         )
     best = lsq_linear(scaled.T, aim, bounds, method="bvls", tol=1e-14, max_iter=100 * len(rows))
     return best.x * scale, best.active_mask.astype(np.intp)
+
+
+def bounded_sum(rows: Array, inverse: Array, wanted: Array, lower: Array) -> tuple[Array, Array]:
+    """Return the changes (n, 3) that rows (m, 3 n) make, and their shares (m,), at least `lower`.
+
+    `inverse` (n, 3) are inverse masses and inertias. With the bounds that are met the changes are
+    computed to rounding.
+    """
+    weights = np.sqrt(inverse).ravel()
+    weighed = rows * weights
+    shares, at = bounded_shares(weighed, wanted, lower, np.full(len(rows), np.inf))
+    free = at == 0
+    shares = np.where(free, 0.0, shares)
+    total = shares @ weighed
+    if free.any():
+        left = wanted - weighed @ total
+        exact = np.linalg.lstsq(weighed[free], left[free], rcond=1e-12)[0]
+        shares[free] = np.linalg.lstsq(weighed[free].T, exact, rcond=1e-12)[0]
+        total = total + exact
+    return (weights * total).reshape(inverse.shape), shares

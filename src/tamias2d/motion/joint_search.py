@@ -1,12 +1,13 @@
 """The search for the next instant at which joints do something else (GD21, GD22, GD23)."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from tamias2d.motion.joint_decision import Cause, Now, Side
 from tamias2d.motion.joint_events import Mode, Of
-from tamias2d.motion.limited_mechanism import Cause, LimitedMechanism, Side
+from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
 
@@ -36,13 +37,13 @@ class _Look:
         own, mechanism = search.own, search.mechanism
         state = position[own], velocity[own]
         if search.forces:
-            state = mechanism.at(search.step.start).fitted(time, *state)
+            state = mechanism.within(search.mode).fitted(time, *state)
         self.values = mechanism.measures.values(time, state[0])
         self.rates = mechanism.measures.rates(time, *state)
         if search.forces:
-            free = search.free(time, position, velocity)[own]
-            self.shares = mechanism.shares(time, *state, free, search.mode)
-            self.burdens = mechanism.burdens(time, *state, free, search.mode)
+            now = Now(time, *state, search.free(time, position, velocity)[own])
+            self.shares = mechanism.shares(now, search.mode)
+            self.spare = mechanism.spare(now, search.mode)
 
 
 class JointSearch:
@@ -55,11 +56,9 @@ class JointSearch:
         self.mechanism, self.own, self.free, self.step = mechanism, list(own), free, step
         self.mode: Mode = mechanism.mode(step.start)
         motors = any(
-            not sense and mechanism.freedoms[of].motor.maximum is not None  # type: ignore[union-attr]
-            for of, sense in self.mode.driven
+            not sense and np.isfinite(mechanism.most(of)) for of, sense in self.mode.driven
         )
-        breaking = any(joint.breaks for joint in mechanism.joints)
-        self.forces = bool(self.mode.held) or motors or breaking
+        self.forces = bool(self.mode.held) or motors or bool(mechanism.breaking(self.mode))
         """Whether reactions are to be looked at."""
         self._watches = list(self._all())
 
@@ -130,7 +129,7 @@ class JointSearch:
         )
         return found
 
-    def _all(self):  # type: ignore[no-untyped-def]
+    def _all(self) -> Iterator[_Watch]:
         mode, mechanism = self.mode, self.mechanism
         place = self.step.first[0][self.own]
         for of, side in mechanism.sides(mode):
@@ -139,27 +138,30 @@ class JointSearch:
             if each.pitch is not None and of[0] not in mode.broken:
                 yield self._of_tooth(of, each.pitch)
         for of, sense in mode.driven:
-            motor = mechanism.freedoms[of].motor
-            if motor is None or motor.maximum is None or of[0] in mode.broken:
+            most = mechanism.most(of)
+            if not np.isfinite(most) or of[0] in mode.broken:
                 continue
             if sense:
-                yield self._of_slipping(of, sense, motor.speed)
+                yield self._of_slipping(of, sense)
             else:
-                yield from (self._of_keeping(of, one, motor.maximum) for one in (-1, 1))
-        for number, joint in zip(mechanism.numbers, mechanism.joints, strict=True):
-            if joint.breaks and number not in mode.broken:
-                yield _Watch(
-                    lambda look, n=number: look.burdens[n],
-                    lambda t, n=number: Cause(t, breaks=frozenset({n})),
-                    1e-12,
-                )
+                yield from (self._of_keeping(of, one, most) for one in (-1, 1))
+        yield from map(self._of_breaking, mechanism.breaking(mode))
+
+    def _of_breaking(self, number: int) -> _Watch:
+        return _Watch(
+            lambda look: look.spare[number],
+            lambda t: Cause(t, breaks=frozenset({number})),
+            1e-12,
+        )
 
     def _of_limit(self, of: Of, side: int, slight: float) -> _Watch:
         at: Side = (of, side)
         row, end = self.mechanism.row[of], self.mechanism.end(of, side, self.mode)
         if at in self.mode.held:
             return _Watch(
-                lambda look: look.shares[at], lambda t: Cause(t, left=frozenset({at})), None
+                lambda look: look.shares["limit", at],
+                lambda t: Cause(t, left=frozenset({at})),
+                None,
             )
         return _Watch(
             lambda look: -side * (float(look.values[row]) - end),
@@ -176,8 +178,8 @@ class JointSearch:
             1e-12,
         )
 
-    def _of_slipping(self, of: Of, sense: int, speed: float) -> _Watch:
-        row = self.mechanism.row[of]
+    def _of_slipping(self, of: Of, sense: int) -> _Watch:
+        row, speed = self.mechanism.row[of], self.mechanism.motor_speed(of)
         return _Watch(lambda look: sense * (speed - float(look.rates[row])), Cause, None)
 
     def _of_keeping(self, of: Of, sense: int, most: float) -> _Watch:

@@ -15,7 +15,7 @@ from tamias2d.motion.constraint_rows import ConstraintRows
 from tamias2d.motion.least import LeastSolution
 from tamias2d.scene import Scene
 from tamias2d.scene.joints import Joint
-from tamias2d.state import Array, History, Vector
+from tamias2d.state import Array, Vector
 
 _MOST = 20  # returns; each squares what is left, so that more than a few do not get there
 _NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding

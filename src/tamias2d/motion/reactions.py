@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tamias2d.motion.joint_decision import Now
 from tamias2d.motion.joint_events import JointEvents
 from tamias2d.motion.joint_loads import Exerted, add_exerted
 from tamias2d.motion.limited_mechanism import LimitedMechanism
@@ -69,12 +70,11 @@ def reactions_of(
             bodies = list(mechanism.bodies)
             state = (time, q[bodies], rate[bodies])
             if isinstance(mechanism, LimitedMechanism):
-                mode = mechanism.mode(time)
-                _write(found, k, mechanism.exerted(*state, pull[own], mode))
-                _drive(found, k, mechanism, *state, pull[own])
+                now, mode = Now(*state, pull[own]), mechanism.mode(time)
+                _write(found, k, mechanism.exerted(now, mode))
+                _drive(found, k, mechanism, now)
                 kept, numbers = mechanism.parts(mode)
-                pulled = mechanism.pulled(*state, pull[own], mode)
-                multipliers = kept.multipliers(*state, pulled)
+                multipliers = mechanism.multipliers(now, mode)
             else:
                 kept, numbers = mechanism, [place[joint.name] for joint in mechanism.joints]
                 multipliers = mechanism.multipliers(*state, pull[own])
@@ -101,19 +101,10 @@ def _write(found: Reactions, sample: int, exerted: Exerted) -> None:
         found.torque[sample, joint] = torques
 
 
-def _drive(
-    found: Reactions,
-    sample: int,
-    mechanism: LimitedMechanism,
-    time: float,
-    position: Array,
-    velocity: Array,
-    free: Array,
-) -> None:
+def _drive(found: Reactions, sample: int, mechanism: LimitedMechanism, now: Now) -> None:
     """Write down speed and power of motors at one sample."""
-    mode = mechanism.mode(time)
-    rates = mechanism.measures.rates(time, position, velocity)
-    shares = mechanism.shares(time, position, velocity, free, mode)
+    rates = mechanism.measures.rates(*now[:3])
+    shares = mechanism.shares(now, mechanism.mode(now.time))
     for of, row in mechanism.row.items():
         if ("motor", of) in shares:
             found.speed[sample, of[0]] = rates[row]

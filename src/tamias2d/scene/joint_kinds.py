@@ -162,7 +162,7 @@ class Groove(_Kind):
 @suggests
 @dataclass(frozen=True, kw_only=True)
 class Wheel(_Kind):
-    """The axle B of a wheel on a line of A: a `spring` and `limits` along it, a `motor` about it."""
+    """The axle B of a wheel on a line of A: a `spring`, `limits` along it, a `motor` about it."""
 
     axis: VectorLike
     spring: JointSpring
