@@ -4,7 +4,7 @@ Each is measured by a constraint of srs/models/joints.md (GD21, GD22, DD61, DD62
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, TypeVar
 
@@ -15,15 +15,30 @@ _T = TypeVar("_T")
 Measure: TypeAlias = Literal["angle", "travel", "distance"]
 VALUE_OF = {"angle": "joint_angle", "travel": "joint_travel", "distance": "joint_length"}
 """The parameter at which each measure, as a constraint, is kept."""
-PLACE_OF = {"angle": "joint_angle", "travel": "joint_travel", "distance": "joint_travel"}
-SPEED_OF = {"angle": "motor_spin", "travel": "motor_speed", "distance": "motor_speed"}
-MOST_OF = {
-    "angle": "joint_torque_most",
-    "travel": "joint_force_most",
-    "distance": "joint_force_most",
-}
-STIFFNESS_OF = {"angle": "rotary_stiffness", "travel": "stiffness", "distance": "stiffness"}
-DAMPING_OF = {"angle": "rotary_damping", "travel": "damping", "distance": "damping"}
+
+
+def limit_symbols(measure: Measure) -> dict[str, str]:
+    """Return the symbol of each value of the limits of a measure."""
+    place = "joint_angle" if measure == "angle" else "joint_travel"
+    return {"lower": place, "upper": place, "restitution": "restitution"}
+
+
+def motor_symbols(measure: Measure) -> dict[str, str]:
+    """Return the symbol of each value of a motor."""
+    if measure == "angle":
+        return {"speed": "motor_spin", "maximum": "joint_torque_most"}
+    return {"speed": "motor_speed", "maximum": "joint_force_most"}
+
+
+def spring_symbols(measure: Measure) -> dict[str, str]:
+    """Return the symbol of each value of a spring."""
+    if measure == "angle":
+        return {
+            "stiffness": "rotary_stiffness",
+            "damping": "rotary_damping",
+            "rest": "joint_angle",
+        }
+    return {"stiffness": "stiffness", "damping": "damping", "rest": "joint_travel"}
 
 
 @suggests
@@ -140,17 +155,11 @@ def _shown(value: float | None) -> str:
 def _limits(value: object, measure: Measure, of: str) -> Limits | None:
     if value is None:
         return None
-    what, remedy = f"limits of {of}", "Give Limits(lower=, upper=, restitution=)."
-    limits = _checked(value, Limits, what, remedy, "limits")
-    ends = [
-        None
-        if (end := getattr(limits, key)) is None
-        else number(end, PLACE_OF[measure], what, "Say where it is.", at=("limits", key))
-        for key in ("lower", "upper")
-    ]
-    if ends == [None, None]:
+    what = f"limits of {of}"
+    limits = _checked(value, Limits, limit_symbols(measure), what, "limits")
+    lower, upper = limits.lower, limits.upper
+    if lower is None and upper is None:
         raise RuleError(f"{what}: found none (GD21). Give lower, upper or both.", "limits")
-    lower, upper = ends
     if lower is not None and upper is not None and lower >= upper:
         raise RuleError(
             f"{what}: lower {lower:g} is not below upper {upper:g} (GD21). Exchange them; a joint "
@@ -163,60 +172,30 @@ def _limits(value: object, measure: Measure, of: str) -> Limits | None:
             "points at one place are held by a Revolute().",
             *("limits", "upper"),
         )
-    remedy = "Give the share of the speed that is left, from 0 to 1."
-    rest = number(limits.restitution, "restitution", what, remedy, at=("limits", "restitution"))
-    return Limits(lower=lower, upper=upper, restitution=rest)
+    return limits
 
 
 def _motor(value: object, measure: Measure, of: str) -> Motor | None:
     if value is None:
         return None
-    what, remedy = f"motor of {of}", "Give Motor(speed=, maximum=)."
-    motor = _checked(value, Motor, what, remedy, "motor")
-    unit, most = ("rad/s", "N m") if measure == "angle" else ("m/s", "N")
-    speed = number(
-        motor.speed, SPEED_OF[measure], what, f"Give it in {unit}.", at=("motor", "speed")
-    )
-    maximum = (
-        None
-        if motor.maximum is None
-        else number(
-            motor.maximum,
-            MOST_OF[measure],
-            what,
-            f"Give it in {most}, or leave it out for what it takes.",
-            at=("motor", "maximum"),
-        )
-    )
-    return Motor(speed=speed, maximum=maximum)
+    return _checked(value, Motor, motor_symbols(measure), f"motor of {of}", "motor")
 
 
 def _spring(value: object, measure: Measure, of: str) -> JointSpring | None:
     if value is None:
         return None
-    what, remedy = f"spring of {of}", "Give JointSpring(stiffness=, damping=, rest=)."
-    spring = _checked(value, JointSpring, what, remedy, "spring")
-    per = "N m/rad" if measure == "angle" else "N/m"
-    stiffness = number(
-        spring.stiffness,
-        STIFFNESS_OF[measure],
-        what,
-        f"Give it in {per}.",
-        at=("spring", "stiffness"),
-    )
-    remedy = "Give 0 for none."
-    damping = number(spring.damping, DAMPING_OF[measure], what, remedy, at=("spring", "damping"))
-    rest = (
-        None
-        if spring.rest is None
-        else number(
-            spring.rest, PLACE_OF[measure], what, "Give where it is at rest.", at=("spring", "rest")
-        )
-    )
-    return JointSpring(stiffness=stiffness, damping=damping, rest=rest)
+    return _checked(value, JointSpring, spring_symbols(measure), f"spring of {of}", "spring")
 
 
-def _checked(value: object, kind: type[_T], what: str, remedy: str, key: str) -> _T:
+def _checked(value: object, kind: type[_T], symbols: Mapping[str, str], what: str, key: str) -> _T:
+    """Return a value of a kind with numbers within the ranges of their symbols."""
+    remedy = f"Give {kind.__name__}({', '.join(f'{name}=' for name in symbols)})."
     if not isinstance(value, kind):
         raise RuleError(f"{what}: found {shown(value)}: must be one (GD21). {remedy}", key)
-    return value
+    given = {name: getattr(value, name) for name in symbols}
+    numbers = {
+        name: number(at, symbols[name], what, remedy, at=(key, name))
+        for name, at in given.items()
+        if at is not None
+    }
+    return kind(**{**given, **numbers})

@@ -63,6 +63,16 @@ class Joint:
         return TIME in self.functions.constraint.arguments
 
     @property
+    def kind(self) -> str:
+        """The word for its kind in a scene file."""
+        measures = [freedom.measure for freedom in self.freedoms]
+        if self.model == "groove" and "angle" in measures:
+            return "wheel"
+        if self.model == "angle":
+            return "ratchet" if self.freedoms[0].pitch is not None else "rotary"
+        return self.model
+
+    @property
     def governed(self) -> bool:
         """Whether it does more than keep its constraint: what it exerts changes at instants."""
         return bool(self.freedoms) or self.breaks
