@@ -10,13 +10,14 @@ from types import MappingProxyType
 
 import numpy as np
 
-from tamias2d.errors import SimulationError
+from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion.constraint_rows import ConstraintRows
 from tamias2d.motion.least import LeastSolution
 from tamias2d.scene import Scene
 from tamias2d.scene.joints import Joint
 from tamias2d.state import Array, Vector
 
+_LARGEST = 2**22  # numbers in all rows: one solution of so many takes seconds
 _MOST = 20  # returns; each squares what is left, so that more than a few do not get there
 _NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding
 _ROUNDING = 1e-8  # of how far off the origin: a smaller mechanism is as good as a point there
@@ -50,6 +51,12 @@ class Mechanism:
         self.joints = tuple(joints)
         self.bodies = tuple(bodies)
         self.rows = ConstraintRows(scene, joints, {body: k for k, body in enumerate(bodies)})
+        if self.rows.count * 3 * len(bodies) > _LARGEST:
+            raise SceneError(
+                f"joint '{joints[0].name}' and {len(joints) - 1} more: together they are "
+                f"{self.rows.count} equations for {len(bodies)} bodies, and the exact way solves "
+                "them all at once, up to 4 million numbers (R13). Take fewer bodies."
+            )
         weights = [
             (body.inverse_mass, body.inverse_mass, body.inverse_inertia)
             for body in (scene.bodies[k] for k in bodies)

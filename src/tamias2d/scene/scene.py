@@ -296,7 +296,7 @@ class Scene(SceneData):
         joint = checked_joint(
             kind, name, ends, anchors, collide, self._bodies, (break_force, break_torque)
         )
-        self._joints.append(joint)
+        self._append_joint(joint)
         return len(self._joints) - 1
 
     def repeat_joint(self, joint: Joint) -> None:
@@ -305,7 +305,7 @@ class Scene(SceneData):
         Raises:
             InputError: it does not hold at the start (TM7); the message says so.
         """
-        self._joints.append(checked_again(joint, self._bodies))
+        self._append_joint(checked_again(joint, self._bodies))
 
     def add_attraction(self, *, gravitational_constant: float) -> None:
         """Let all bodies that move attract each other, each pair by its masses (IM5).
@@ -368,7 +368,7 @@ class Scene(SceneData):
         return vector(value, "point", f"joint '{name}'", remedy, at=(key,))
 
     def _free_joint_name(self, name: object) -> str:
-        taken = {joint.name for joint in self._joints}
+        taken = self._joint_names
         if name is None:
             name = next(free for k in count(len(taken)) if (free := f"joint{k}") not in taken)
         name = checked_text(name, "name")
@@ -379,6 +379,10 @@ class Scene(SceneData):
                 "name",
             )
         return name
+
+    def _append_joint(self, joint: Joint) -> None:
+        self._joints.append(joint)
+        self._joint_names.add(joint.name)
 
     def _append(self, body: Body) -> int:
         self._index[body.name] = len(self._bodies)

@@ -39,7 +39,7 @@ def bridge(name: str) -> Scene:
         )
         _hinge(scene, before, plank_name, (0.5, 0.0), (-0.5, 0.0))
         before = plank_name
-    _hinge(scene, points[-1], before, (0.0, 0.0), (0.5, 0.0))
+    _hinge(scene, points[-1], f"plank{planks - 1}", (0.0, 0.0), (0.5, 0.0))
     return scene
 
 
@@ -144,11 +144,12 @@ def ragdolls(name: str) -> Scene:
 
 
 def joint_grid(name: str) -> Scene:
-    """Return a hundred rows of a hundred discs, each hinged to its neighbours, hung by seven."""
-    return _grid(name, 100, 7)
+    """Return thirty rows of thirty discs, each hinged to its neighbours, hung by seven."""
+    return grid_of_joints(name, size=30, held=7)
 
 
-def _grid(name: str, size: int, held: int) -> Scene:
+def grid_of_joints(name: str, *, size: int, held: int) -> Scene:
+    """Return a net of discs, the middle ones of whose first row are held; 100 are a benchmark."""
     scene = Scene(
         gravity=GRAVITY,
         name=name,
