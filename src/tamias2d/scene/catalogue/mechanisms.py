@@ -80,7 +80,7 @@ def walker(name: str) -> Scene:
     tip = (0.15, 0.0)
     crank = Box(width=0.15, height=0.02)
     scene.add_body(crank, mass=0.2, position=(0.075, 0.0), group=_APART, name="crank")
-    motor = Motor(speed=-math.tau / 2, maximum=3.0)
+    motor = Motor(speed=-math.tau / 2, maximum=20.0)
     scene.add_joint(
         Revolute(motor=motor), (0.0, 0.0), "crank", other_anchor=(-0.075, 0.0), name="motor"
     )
@@ -213,12 +213,12 @@ def _meeting(one: Vector, reach: float, other: Vector, far: float, side: float) 
 def _leg(scene: Scene, word: str, side: float, tip: Vector) -> None:
     """Add one of Jansen's legs, at the left (-1) or at the right (1) of the crank."""
     pivot = (side * 0.38, -0.078)
-    turn = -side  # on which side of the way from one point to another the next one is
-    knee = _meeting(pivot, 0.415, tip, 0.50, -turn)
-    hip = _meeting(pivot, 0.401, knee, 0.558, -turn)
-    low = _meeting(pivot, 0.393, tip, 0.619, turn)
-    ankle = _meeting(hip, 0.394, low, 0.367, -turn)
-    foot = _meeting(ankle, 0.657, low, 0.49, -turn)
+    up = -side  # at the left of the crank what is above is at the left of a way to it
+    knee = _meeting(pivot, 0.415, tip, 0.50, up)
+    hip = _meeting(pivot, 0.401, knee, 0.558, up)
+    low = _meeting(pivot, 0.393, tip, 0.619, -up)
+    ankle = _meeting(hip, 0.394, low, 0.367, -up)
+    foot = _meeting(ankle, 0.657, low, 0.49, -up)
     for part, corners in (("thigh", (pivot, knee, hip)), ("shin", (low, ankle, foot))):
         plate = Polygon(vertices=list(corners))
         scene.add_body(
