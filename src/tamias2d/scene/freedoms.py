@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, TypeVar
 
+from tamias2d.scene.forms import within
 from tamias2d.scene.rules import RuleError, number, shown
 from tamias2d.suggestions import suggests
 
@@ -193,9 +194,10 @@ def _checked(value: object, kind: type[_T], symbols: Mapping[str, str], what: st
     if not isinstance(value, kind):
         raise RuleError(f"{what}: found {shown(value)}: must be one (GD21). {remedy}", key)
     given = {name: getattr(value, name) for name in symbols}
-    numbers = {
-        name: number(at, symbols[name], what, remedy, at=(key, name))
-        for name, at in given.items()
-        if at is not None
-    }
+    with within(key):
+        numbers = {
+            name: number(at, symbols[name], what, remedy, at=(name,))
+            for name, at in given.items()
+            if at is not None
+        }
     return kind(**{**given, **numbers})
