@@ -29,8 +29,8 @@ COLOURS: dict[str, Colour] = {
 }
 """Of each kind of line; mid-tones, as bodies have."""
 REACTION: Colour = (235, 120, 190)
-_TURNS, _ZIGZAG = 8, 0.012  # of a spring; its half-width, of the view's reach
-_PIN, _TICK, _ARC = 0.008, 0.02, 0.05  # of the view's reach
+_TURNS, _ZIGZAG = 8, 0.025  # of a spring; its half-width, of the view's reach
+_PIN, _TICK, _ARC = 0.012, 0.03, 0.1  # of the view's reach
 _SIDES = 12
 
 
