@@ -208,7 +208,12 @@ joints:
             "lower 1 is not below upper 0",
         ),
         ("    anchor", "    motor: {speed: 1 m}\n    anchor", "7:20", "must be in s^-1"),
-        ("    anchor", "    spring: {rest: 0 rad}\n    anchor", "7:5", "key 'stiffness' is missing"),
+        (
+            "    anchor",
+            "    spring: {rest: 0 rad}\n    anchor",
+            "7:5",
+            "key 'stiffness' is missing",
+        ),
         ("    anchor", "    break_torque: 0 N*m\n    anchor", "7:19", "must be > 0"),
         ("    anchor", "    limits: {lowest: 0 rad}\n    anchor", "7:14", "lower"),
     ],
