@@ -96,6 +96,41 @@ def test_a_hinge_comes_to_its_stop_and_leans_on_it() -> None:
     assert run.reactions.separation.max() < 1e-14
 
 
+def test_a_limit_pushes_and_never_pulls() -> None:
+    """A rod that starts at its upper stop falls as one without: I a = m g/2 at first."""
+    ends = []
+    for limits in (None, t2.Limits(upper=0, restitution=0)):
+        scene = Scene(gravity=(0, -G))
+        scene.add_body(None, mass=1, inertia=1 / 12, position=(0.5, 0), name="rod")
+        scene.add_joint(t2.Revolute(limits=limits), (0, 0), "rod", other_anchor=(-0.5, 0))
+        ends.append(t2.simulate(scene, duration=0.5, times=[0.5]))
+    assert ends[1].orientation == pytest.approx(ends[0].orientation, rel=1e-12)
+    assert not len(ends[1].joint_events)
+
+
+def test_a_limit_that_is_met_for_a_moment_is_not_missed() -> None:
+    """Thrown up at v, the top is v^2/(2 g); 0.1 mm below it a limit is met 9 ms long, if at all."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, inertia=1, position=(0, 0), velocity=(0, G), name="ball")
+    top = G / 2 - 1e-4
+    kind = t2.Groove(axis=(0, 1), limits=t2.Limits(upper=top, restitution=1))
+    scene.add_joint(kind, (0, 0), "ball")
+    run = t2.simulate(scene, duration=1.9, times=[1.9])
+    assert run.joint_events.time == pytest.approx([1 - math.sqrt(2e-4 / G)], rel=1e-11)
+
+
+def test_an_event_is_at_the_end_of_a_step_where_a_method_knows_most() -> None:
+    """With coarse steps the limit is met where the ends of steps say, to rounding."""
+    scene = Scene(gravity=(0, 0))
+    scene.add_body(None, mass=1, position=(0.5, 0), velocity=(1, 3), name="ball")
+    scene.add_spring("ball", (0, 0), stiffness=7, rest_length=0.4)
+    scene.add_joint(t2.Distance(limits=t2.Limits(upper=1, restitution=1)), "ball", (0, 0))
+    method = t2.DormandPrince5(rtol=1e-4)
+    first = t2.simulate(scene, duration=1.0, method=method, times=[1.0]).joint_events.time[0]
+    run = t2.simulate(scene, duration=1.0, method=method, times=[first])
+    assert np.hypot(*run.position[0, 0]) == pytest.approx(1, abs=1e-12)
+
+
 def test_impulses_of_two_stops_at_one_instant_are_found_together() -> None:
     """Two discs on one slide, thrown at the end of a rope each: momentum and restitution."""
     scene = Scene(gravity=(0, 0))

@@ -5,6 +5,9 @@ from numpy.typing import NDArray
 
 from tamias2d.state import Array
 
+_LEAST = 1e-6
+"""The weight of the shares themselves: of all that add up to the same, the least are found."""
+
 
 def bounded_shares(
     rows: Array, wanted: Array, lower: Array, upper: Array
@@ -30,25 +33,23 @@ def bounded_shares(
             np.where(lower == 0, 0.0, lower * sizes),
             np.where(upper == 0, 0.0, upper * sizes),
         )
-    best = lsq_linear(scaled.T, aim, bounds, method="bvls", tol=1e-14, max_iter=100 * len(rows))
+    tall = np.vstack([scaled.T, _LEAST * np.eye(len(rows))])
+    far = np.concatenate([aim, np.zeros(len(rows))])
+    best = lsq_linear(tall, far, bounds, method="bvls", tol=1e-14, max_iter=100 * len(rows))
     return best.x * scale, best.active_mask.astype(np.intp)
 
 
 def bounded_sum(rows: Array, inverse: Array, wanted: Array, lower: Array) -> tuple[Array, Array]:
     """Return the changes (n, 3) that rows (m, 3 n) make, and their shares (m,), at least `lower`.
 
-    `inverse` (n, 3) are inverse masses and inertias. With the bounds that are met the changes are
-    computed to rounding.
+    `inverse` (n, 3) are inverse masses and inertias; `lower` is 0 or without end. With those that
+    are not 0 the changes are computed to rounding.
     """
     weights = np.sqrt(inverse).ravel()
     weighed = rows * weights
     shares, at = bounded_shares(weighed, wanted, lower, np.full(len(rows), np.inf))
-    free = at == 0
-    shares = np.where(free, 0.0, shares)
-    total = shares @ weighed
-    if free.any():
-        left = wanted - weighed @ total
-        exact = np.linalg.lstsq(weighed[free], left[free], rcond=1e-12)[0]
-        shares[free] = np.linalg.lstsq(weighed[free].T, exact, rcond=1e-12)[0]
-        total = total + exact
+    pushing = at == 0
+    total = np.linalg.lstsq(weighed[pushing], wanted[pushing], rcond=1e-12)[0]
+    shares = np.zeros(len(rows))
+    shares[pushing] = np.linalg.lstsq(weighed[pushing].T, total, rcond=1e-12)[0]
     return (weights * total).reshape(inverse.shape), shares

@@ -142,6 +142,7 @@ class Decision:
             pull[row] *= mechanism.slight(of, self._now.position) / SLIGHT
         mechanism.fastest = np.maximum(mechanism.fastest, size)
         noise: Array = _NOISE * size + _ROUNDING * (mechanism.fastest + np.sqrt(pull)) + 1e-300
+        mechanism.noise = noise
         return noise
 
     def _noise_of(self, of: Of) -> float:

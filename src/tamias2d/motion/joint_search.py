@@ -180,7 +180,11 @@ class JointSearch:
 
     def _of_slipping(self, of: Of, sense: int) -> _Watch:
         row, speed = self.mechanism.row[of], self.mechanism.motor_speed(of)
-        return _Watch(lambda look: sense * (speed - float(look.rates[row])), Cause, None)
+        return _Watch(
+            lambda look: sense * (speed - float(look.rates[row])),
+            Cause,
+            float(self.mechanism.noise[row]),
+        )
 
     def _of_keeping(self, of: Of, sense: int, most: float) -> _Watch:
         return _Watch(

@@ -57,6 +57,8 @@ class LimitedMechanism:
         """The row of each freedom among the measures."""
         self.fastest = np.zeros(len(self.freedoms))
         """The largest speeds that have made up the rate of each, m/s or rad/s."""
+        self.noise = np.zeros(len(self.freedoms))
+        """How large a rate counted as none where it last began."""
         self.inverse = np.array(
             [
                 (body.inverse_mass, body.inverse_mass, body.inverse_inertia)
