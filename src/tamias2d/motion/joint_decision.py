@@ -42,6 +42,7 @@ class Cause:
     time: float
     reached: frozenset[Side] = frozenset()
     left: frozenset[Side] = frozenset()
+    arrives: frozenset[Of] = frozenset()
     slips: Mapping[Of, int] = field(default_factory=dict)
     clicks: Mapping[Of, float] = field(default_factory=dict)
     breaks: frozenset[int] = frozenset()
@@ -207,7 +208,11 @@ class Decision:
                 continue
             if of in self._cause.slips:
                 driven[of] = self._cause.slips[of]
-            elif each.motor.maximum is None or abs(self._lag(of)) <= self._noise_of(of):
+            elif (
+                each.motor.maximum is None
+                or of in self._cause.arrives
+                or abs(self._lag(of)) <= self._noise_of(of)
+            ):
                 kept.append(of)
             else:
                 driven[of] = 1 if self._lag(of) > 0 else -1

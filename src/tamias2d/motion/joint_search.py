@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from tamias2d.motion.joint_decision import Cause, Now, Side
 from tamias2d.motion.joint_events import Mode, Of
-from tamias2d.motion.limited_mechanism import LimitedMechanism
+from tamias2d.motion.limited_mechanism import LimitedMechanism, Pusher
 from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
 
@@ -33,17 +34,36 @@ class _Look:
 
     def __init__(self, search: "JointSearch", time: float) -> None:
         self.time = time
-        position, velocity = search.step.at(time)
-        own, mechanism = search.own, search.mechanism
-        state = position[own], velocity[own]
-        if search.forces:
-            state = mechanism.within(search.mode).fitted(time, *state)
-        self.values = mechanism.measures.values(time, state[0])
-        self.rates = mechanism.measures.rates(time, *state)
-        if search.forces:
-            now = Now(time, *state, search.free(time, position, velocity)[own])
-            self.shares = mechanism.shares(now, search.mode)
-            self.spare = mechanism.spare(now, search.mode)
+        self._search = search
+        self._all = search.step.at(time)
+        self._state = self._all[0][search.own], self._all[1][search.own]
+
+    @cached_property
+    def values(self) -> Array:
+        """Where the freedoms are, rad or m."""
+        return self._search.mechanism.measures.values(self.time, self._state[0])
+
+    @cached_property
+    def rates(self) -> Array:
+        """Their rates, rad/s or m/s."""
+        return self._search.mechanism.measures.rates(self.time, *self._state)
+
+    @cached_property
+    def shares(self) -> dict[Pusher, float]:
+        """What limits and motors exert, N m or N."""
+        return self._search.mechanism.shares(self._now, self._search.mode)
+
+    @cached_property
+    def spare(self) -> dict[int, float]:
+        """What each joint that may break could still bear, as a share."""
+        return self._search.mechanism.spare(self._now, self._search.mode)
+
+    @cached_property
+    def _now(self) -> Now:
+        search = self._search
+        free = search.free(self.time, *self._all)[search.own]
+        held = search.mechanism.within(search.mode).fitted(self.time, *self._state)
+        return Now(self.time, *held, free)
 
 
 class JointSearch:
@@ -55,11 +75,6 @@ class JointSearch:
         """Take a mechanism, the places of its bodies in the step, and the loads."""
         self.mechanism, self.own, self.free, self.step = mechanism, list(own), free, step
         self.mode: Mode = mechanism.mode(step.start)
-        motors = any(
-            not sense and np.isfinite(mechanism.most(of)) for of, sense in self.mode.driven
-        )
-        self.forces = bool(self.mode.held) or motors or bool(mechanism.breaking(self.mode))
-        """Whether reactions are to be looked at."""
         self._watches = list(self._all())
 
     def first(self) -> tuple[float, _Watch] | None:
@@ -101,19 +116,22 @@ class JointSearch:
             below = -slight if fresh else 0.0
             first, last = looks[k - 1].time, looks[k].time
             if watch.rate and values[k] >= below and not fresh:
-                last = self._lowest(watch, looks[k - 1], looks[k])
+                last = self._lowest(watch, watch.rate, looks[k - 1], looks[k])
             if self.value(watch, last) < below if last != looks[k].time else values[k] < below:
                 return self._root(watch, first, last, below)
             fresh = fresh and values[k] <= slight
         return None
 
-    def _lowest(self, watch: _Watch, first: _Look, last: _Look) -> float:
-        """Return where a gap is smallest between two looks."""
+    def _lowest(
+        self, watch: _Watch, rate: Callable[[_Look], float], first: _Look, last: _Look
+    ) -> float:
+        """Return where a gap is smallest between two looks, if it could close between them."""
         from scipy.optimize import brentq
 
-        rate = watch.rate
-        assert rate is not None
-        if not rate(first) < 0 < rate(last):
+        falls, rises, span = rate(first), rate(last), last.time - first.time
+        if not falls < 0 < rises:
+            return last.time
+        if watch.value(first) + falls * span > 0 and watch.value(last) - rises * span > 0:
             return last.time
         found: float = brentq(lambda t: rate(_Look(self, t)), first.time, last.time)
         return found
@@ -182,7 +200,7 @@ class JointSearch:
         row, speed = self.mechanism.row[of], self.mechanism.motor_speed(of)
         return _Watch(
             lambda look: sense * (speed - float(look.rates[row])),
-            Cause,
+            lambda t: Cause(t, arrives=frozenset({of})),
             float(self.mechanism.noise[row]),
         )
 
