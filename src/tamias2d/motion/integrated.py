@@ -9,7 +9,9 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
+from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_events import JointEvents, joint_events
+from tamias2d.motion.joint_instant import Now
 from tamias2d.motion.joint_search import JointSearch
 from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
@@ -278,7 +280,7 @@ class IntegratedMotion:
         pull = self._loads.free_field(field.bodies)(start, position, velocity)
         velocity = velocity.copy()
         for own, mechanism in limited:
-            velocity[own] = mechanism.begin(start, position[own], velocity[own], pull[own])
+            velocity[own] = begin(mechanism, Now(start, position[own], velocity[own], pull[own]))
         field.forget()
         return velocity
 

@@ -4,54 +4,45 @@ Serves: mechanisms whose joints have limits or motors, or break. Hides: that all
 asked at once, by Gauss's principle.
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from tamias2d.generated import impact, rest
 from tamias2d.motion.bounded_least import bounded_shares, bounded_sum
 from tamias2d.motion.joint_events import STRIKES, JointEvent, Mode, Of
+from tamias2d.motion.joint_instant import SLIGHT, Cause, Now, Side
+from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.mechanism import JointError
 from tamias2d.state import Array
 
-if TYPE_CHECKING:
-    from tamias2d.motion.limited_mechanism import LimitedMechanism
-
-Side = tuple[Of, int]
-"""A limit of a freedom: -1 for the lower one, 1 for the upper."""
-SLIGHT = 1e-12  # of the mechanism's length, or rad: so near a limit is touched
 _NOISE = 1e-10  # of the speeds that make up a rate
 _ROUNDING = 1e-14  # of the speeds that there have been
 
 
-class Now(NamedTuple):
-    """A mechanism at one time: coordinates, rates and accelerations by the loads alone, (n, 3)."""
+def begin(mechanism: LimitedMechanism, now: Now) -> Array:
+    """Decide what the joints do from now on; return the velocities (n, 3) after it.
 
-    time: float
-    position: Array
-    velocity: Array
-    free: Array
+    What was decided for later is forgotten: a path may be found anew after an impact.
 
-
-@dataclass(frozen=True)
-class Cause:
-    """Why a path ends at a time, s, and what that says of the next."""
-
-    time: float
-    reached: frozenset[Side] = frozenset()
-    left: frozenset[Side] = frozenset()
-    arrives: frozenset[Of] = frozenset()
-    slips: Mapping[Of, int] = field(default_factory=dict)
-    clicks: Mapping[Of, float] = field(default_factory=dict)
-    breaks: frozenset[int] = frozenset()
+    Raises:
+        JointError: everything breaks.
+    """
+    cause = mechanism.rewind(now.time)
+    decision = Decision(mechanism, now, mechanism.mode(now.time), cause or Cause(now.time))
+    if mechanism.begun and cause is None and not decision.disturbed():
+        return now.velocity
+    velocity, strikes = decision.impacts()
+    mode = decision.mode()
+    mechanism.enter(now.time, mode, strikes)
+    return mechanism.within(mode).paced(now.time, now.position, velocity)
 
 
 class Decision:
     """What follows at one instant."""
 
-    def __init__(self, mechanism: "LimitedMechanism", now: Now, mode: Mode, cause: Cause) -> None:
+    def __init__(self, mechanism: LimitedMechanism, now: Now, mode: Mode, cause: Cause) -> None:
         """Take a mechanism, its state, its mode before and why it is asked."""
         self._mechanism = mechanism
         self._now = now

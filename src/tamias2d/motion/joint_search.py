@@ -6,8 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from tamias2d.motion.joint_decision import Cause, Now, Side
 from tamias2d.motion.joint_events import Mode, Of
+from tamias2d.motion.joint_instant import Cause, Now, Side
 from tamias2d.motion.limited_mechanism import LimitedMechanism, Pusher
 from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array

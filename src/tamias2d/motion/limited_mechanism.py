@@ -13,8 +13,16 @@ import numpy as np
 from tamias2d.generated import definitions
 from tamias2d.motion.bounded_least import bounded_sum
 from tamias2d.motion.constraint_rows import ConstraintRows
-from tamias2d.motion.joint_decision import SLIGHT, Cause, Decision, Now, Side
-from tamias2d.motion.joint_events import STRIKES, Mode, Of, Timeline, changes, mode_at
+from tamias2d.motion.joint_events import (
+    STRIKES,
+    JointEvent,
+    Mode,
+    Of,
+    Timeline,
+    changes,
+    mode_at,
+)
+from tamias2d.motion.joint_instant import SLIGHT, Cause, Now, Side
 from tamias2d.motion.joint_loads import Exerted, add_exerted
 from tamias2d.motion.mechanism import Mechanism
 from tamias2d.scene import Freedom, Scene
@@ -198,34 +206,29 @@ class LimitedMechanism:
         """Note why a path ends: it is looked at where the next begins."""
         self._cause = cause
 
-    def begin(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
-        """Decide what the joints do from a time in s on; return the velocities (n, 3) after it.
+    @property
+    def begun(self) -> bool:
+        """Whether it is known what its joints do."""
+        return bool(self._modes)
 
-        What was decided for later is forgotten: a path may be found anew after an impact.
-
-        Raises:
-            JointError: everything breaks.
-        """
+    def rewind(self, time: float) -> Cause | None:
+        """Forget what happens after a time in s; return what is expected to happen then."""
         while self._modes and self._modes[-1][0] > time:
             self._modes.pop()
         self._timeline.drop(self._own, time)
-        known = self._cause if self._cause and self._cause.time == time else None
-        decision = Decision(
-            self, Now(time, position, velocity, free), self.mode(time), known or Cause(time)
-        )
-        if self._modes and known is None and not decision.disturbed():
-            return velocity
-        strikes = []
+        return self._cause if self._cause and self._cause.time == time else None
+
+    def enter(self, time: float, mode: Mode, strikes: Sequence[JointEvent]) -> None:
+        """Do what a mode says from a time in s on, after limits were struck."""
+        events = list(strikes)
         if self._modes and self._modes[-1][0] == time:  # it has begun here before
-            strikes = [e for e in self._timeline.events if e.time == time and e.joint in self._own]
-            strikes = [e for e in strikes if e.what in (STRIKES, STRIKES + 1)]
+            struck = (STRIKES, STRIKES + 1)
+            known = (e for e in self._timeline.events if e.time == time and e.joint in self._own)
+            events = [*(e for e in known if e.what in struck), *events]
             self._modes.pop()
         before = self._modes[-1][1] if self._modes else Mode()
-        velocity, more = decision.impacts()
-        mode = decision.mode()
         self._modes.append((time, mode))
-        self._timeline.replace(self._own, time, [*strikes, *more, *changes(time, before, mode)])
-        return self.within(mode).paced(time, position, velocity)
+        self._timeline.replace(self._own, time, [*events, *changes(time, before, mode)])
 
     # --- what it exerts --------------------------------------------------------------------------
 

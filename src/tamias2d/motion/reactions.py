@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tamias2d.motion.joint_decision import Now
 from tamias2d.motion.joint_events import JointEvents
+from tamias2d.motion.joint_instant import Now
 from tamias2d.motion.joint_loads import Exerted, add_exerted
 from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Loads
