@@ -155,34 +155,42 @@ class Decision:
         return bool(beyond >= -mechanism.slight(of, self._now.position))
 
     def _rebound(self, touched: Sequence[Side], low: frozenset[Side]) -> tuple[Array, list[float]]:
-        """Return the velocities after impacts on limits, and their impulses (GD21)."""
+        """Return the velocities after impacts on limits, and their impulses (GD21).
+
+        Those whose bounce would be too `low` keep no rate, wherever it comes from.
+        """
         mechanism, now = self._mechanism, self._now
         rows, ends = mechanism.stiff(now.time, now.position, self._base, touched)
-        wanted = np.zeros(len(rows))
+        wanted, lower = np.zeros(len(rows)), np.full(len(rows), -np.inf)
         for k, (side, rate) in enumerate(zip(ends, rows @ now.velocity.ravel(), strict=True)):
             limits = side and mechanism.freedoms[side[0]].limits
-            if limits:
-                left = 0.0 if side in low else limits.restitution
-                wanted[k] = impact.impulse(left, float(rate), 1.0) if rate < 0 else -rate
-        lower = np.array([0.0 if side else -np.inf for side in ends])
+            if side in low:
+                wanted[k] = -rate
+            elif limits:
+                lower[k] = 0.0
+                wanted[k] = impact.impulse(limits.restitution, float(rate), 1.0)
+                wanted[k] = wanted[k] if rate < 0 else -rate
         change, shares = bounded_sum(rows, mechanism.inverse, wanted, lower)
         pushes = [float(s) for s, side in zip(shares, ends, strict=True) if side is not None]
         return now.velocity + change, pushes
 
     def _low(self, touched: Sequence[Side], velocity: Array) -> frozenset[Side]:
-        """Return the limits whose next bounce is too low to be told from none."""
+        """Return the limits whose next bounce is too low to be told from none.
+
+        The others hold meanwhile, where they rest: so a body that rocks on two ends comes to rest.
+        """
         mechanism = self._mechanism
         now = self._now._replace(velocity=velocity)
-        mode = replace(self._base, held=frozenset())
-        by = mechanism.accelerated(now, mode)
+        rates = mechanism.measures.rates(*now[:3])
+        resting = [s for s in touched if abs(rates[mechanism.row[s[0]]]) <= self._noise_of(s[0])]
+        by = mechanism.accelerated(now, replace(self._base, held=frozenset(resting)))
         bend = np.einsum("ijk,jk->i", self._slopes, by)
         bend = bend + mechanism.measures.convective(*now[:3])
-        rates = mechanism.measures.rates(*now[:3])
         found: set[Side] = set()
         for of, side in touched:
             row = mechanism.row[of]
             rate, falls = -side * rates[row], -side * bend[row]
-            if rate > 0 > falls:
+            if rate > self._noise_of(of) and falls < 0:
                 height = float(rest.bounce_height(rate, falls))
                 if height <= mechanism.slight(of, now.position):
                     found.add((of, side))
