@@ -159,6 +159,8 @@ class JointSearch:
             most = mechanism.most(of)
             if not np.isfinite(most) or of[0] in mode.broken:
                 continue
+            if sense and mode.held & {(of, -1), (of, 1)}:
+                continue  # its limit keeps it where it is
             if sense:
                 yield self._of_slipping(of, sense)
             else:
