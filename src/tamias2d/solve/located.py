@@ -8,7 +8,7 @@ from tamias2d.event_driven import Discs
 from tamias2d.kernels import flight, march_by_kernels
 from tamias2d.motion import ClosedForm, Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
-from tamias2d.motion.mechanism import fitted_history
+from tamias2d.motion.mechanisms import fitted_history
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
 from tamias2d.scene import Scene
@@ -34,8 +34,10 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool, asked: bool)
     )
     try:
         if not located.can_meet:
-            history = fitted_history(plan.scene, plan.times, _without_contact(plan, method, motion))
-            return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
+            found = _without_contact(plan, method, motion)
+            events = motion.joint_events()
+            history = fitted_history(plan.scene, plan.times, found, events)
+            return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
         follow(located, plan.duration, progress=progress)
     except SimulationError as refusal:
         refusal.run = _finite(plan, motion, located, discs)
@@ -86,13 +88,16 @@ def _reached(plan: Plan, motion: Motion, located: Located, discs: Discs | None) 
     if not all(located.tracks):  # it did not get as far as a first path
         history, times = _sampled(plan, motion)
         plan = plan._replace(times=times)
-        return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
+        events = motion.joint_events()
+        return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
     times = plan.times[plan.times <= located.time]
     plan = plan._replace(times=times if len(times) else np.zeros(1))
+    events = motion.joint_events()
     states = sample if discs is None else discs.history
-    history = fitted_history(plan.scene, plan.times, states(located.tracks, plan.times))
+    found = states(located.tracks, plan.times)
+    history = fitted_history(plan.scene, plan.times, found, events)
     impacts = _impacts(located.impacts)
-    return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally)
+    return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally, events)
 
 
 def _sampled(plan: Plan, motion: Motion) -> tuple[History, Array]:
