@@ -51,7 +51,9 @@ class Refined:
     length: Array
     """(k,), m: how far the body goes by then that goes farthest, or the radius of the largest"""
     work: float
-    """As `work_of` counts it"""
+    """Of all of them, as `work_of` counts it"""
+    steps: int
+    """Of all of them"""
 
     @property
     def share(self) -> float:
@@ -91,6 +93,7 @@ def refined(
         _TRUSTED * np.maximum.accumulate(apart),
         _lengths(scene, found[-1]),
         sum(work_of(scene, duration, *setting) for setting in settings),
+        sum(math.ceil(duration / step) for step, _ in settings),
     )
 
 
