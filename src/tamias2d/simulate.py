@@ -96,8 +96,8 @@ def _refuse_both(tolerance: object, quality: object, method: Method | None) -> N
     """Raise `InputError` if more than one of three that exclude each other is asked for."""
     if tolerance is not None and quality is not None:
         raise InputError(
-            f"quality {quality!r}: found tolerance {tolerance!r} beside it: one run is the cheapest "
-            "for one of them (R5). Give one of the two."
+            f"quality {quality!r}: found tolerance {tolerance!r} beside it: the cheapest run for "
+            "one is not that for the other (R5). Give one of the two."
         )
     if method is not None:
         what = f"quality {quality!r}" if tolerance is None else f"tolerance {tolerance!r}"

@@ -30,6 +30,7 @@ _MEASURE = (
     "lifts bodies by their radius"
 )
 _LOOKS = 30  # at a pilot run
+_STALE = 16  # times shorter steps must halve what is wrong, or no steps will do
 _MARGIN = 1.5  # times what a pilot saw the whole run may show
 
 
@@ -67,10 +68,13 @@ def of_quality(
     if not isinstance(first.method, Stepped):
         return _certified(first, quality)
     work, best = WORK * work_limit, math.inf
+    reached: dict[float, float] = {}
     looks = np.linspace(0.0, duration, _LOOKS + 1)
     for step, substeps in ladder(scene, duration, 2 * first_step(duration), duration / 2**22):
         work -= work_of(scene, duration, step, substeps)
-        if work < 0:
+        reached.setdefault(step, best)
+        before = reached.get(step * _STALE, math.inf)
+        if work < 0 or (math.isfinite(before) and best > before / 2):
             break
         try:
             seen = quality_of(scene, stepped(scene, duration, looks, step, substeps)).size

@@ -61,7 +61,7 @@ def recommend(
     relative to how far the farthest one goes. Where contacts are stepped, the place is that to
     which ever shorter steps lead, as far as they agree about it. Pilot runs take at most
     `work_limit` steps and impacts each, and twice as many together; by steps through contacts,
-    4000 substeps of one body for each of them.
+    1000 substeps of one body for each of them.
 
     Raises:
         InputError: an argument breaks a rule.

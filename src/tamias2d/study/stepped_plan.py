@@ -22,7 +22,8 @@ from tamias2d.study.refusal import ToleranceError
 
 LOOSEST = 0.1
 _SHARE = 1 / 3  # of the tolerance may be in doubt
-WORK = 4000.0  # substeps of one body for each step of the work limit: a quarter of a millisecond
+WORK = 1000.0
+"""Substeps of one body for each step of the work limit: together they take some 0.1 ms."""
 _SUBSTEPS = (1, 2, 4, 8, 16)
 _COARSEST = 2.0 / FRAMES  # s
 _FEWEST = 16  # steps of a run

@@ -68,7 +68,7 @@ class Box2D:
 
     def _hear(self) -> None:
         """Note the pairs that began to touch in the last step."""
-        for begun in self._world.get_contact_events().begin_events:
+        for begun in self._world.get_contact_events().begin_events():
             both = (begun.shape_a.body.id, begun.shape_b.body.id)
             a, b = sorted(self._index[one] for one in both)
             self.met.setdefault((a, b), self._steps * self._time_step)
