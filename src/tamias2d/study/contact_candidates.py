@@ -25,7 +25,7 @@ _ROUNDED = 1e-9  # of a step
 
 class _Maker(Protocol):
     def __call__(
-        self, scene: Scene, time_step: float, passes: int, *, listens: bool = False
+        self, scene: Scene, time_step: float, passes: int, /, *, listens: bool = False
     ) -> Engine: ...
 
 
@@ -82,7 +82,8 @@ def follow(
     """
     step = candidate.time_step
     engine = candidate.make(scene, step, candidate.passes, listens=listens)
-    rows, steps, hung, fast = [], 0, 0, 0
+    rows: list[Array] = []
+    steps, hung, fast = 0, 0, 0
     before = after = engine.state()
     for time in times.tolist():
         last = candidate.steps(time)

@@ -9,6 +9,7 @@ import math
 from dataclasses import dataclass, fields
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.balance import balance, kinetic_energy
 from tamias2d.scene import Scene
@@ -148,7 +149,7 @@ def _mean(values: list[float]) -> tuple[float, float]:
     return float(np.mean(values)), width
 
 
-def _until(history: History, known: Array) -> History:
+def _until(history: History, known: NDArray[np.bool_]) -> History:
     return History(*(part[known] for part in history))
 
 

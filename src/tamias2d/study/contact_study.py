@@ -30,11 +30,12 @@ from tamias2d.study.work_precision import ProgressHook, Seconds
 _AGREED = 1e-3
 """Of the length: so well agree the runs that an answer comes from, up to the horizon."""
 _WORK = 2e7  # substeps of one body that the answer may take; all candidates together take more
-_DEAREST = 1e7  # the same for one candidate
-_PHASES = 1e8  # the same for all runs of an ensemble
+_DEAREST = 3e7  # the same for one candidate
+_PHASES = 3e8  # the same for all runs of an ensemble
+_FEWEST = 4  # runs of an ensemble, where as many are asked for
 _NUDGE = 1e-6  # of the largest radius: by how much starts of an ensemble differ
 _SAMPLES = 120
-_HEARD = 4000  # steps at most of a run that is asked for its contacts
+_HEARD = 2000  # steps at most of a run that is asked for its contacts
 _ROUNDS = 5
 _LONG = 0.5  # s: what the timing of a point may take, but for its first run
 _LOST = 1.0
@@ -174,7 +175,7 @@ def _affordable(
     scene: Scene, duration: float, tried: Sequence[ContactCandidate], asked: int
 ) -> int:
     each = sum(work_of(scene, duration, one.time_step, one.passes) for one in tried)
-    return max(1, min(asked, int(_PHASES / (each + _WORK / 4))))
+    return min(asked, max(_FEWEST, int(_PHASES / (each + _WORK / 4))))
 
 
 def _located(reason: str) -> ContactPoint:
@@ -261,14 +262,12 @@ def _point(bare: ContactPoint, candidate: ContactCandidate, known: _Known) -> Co
                 looks=k == 0,
             )
             histories.append(seen.history)
-            found.append(contact_errors(scene, seen, answer))
-    first = found[0]
-    looked = {"overlap": first.overlap, "event_time": first.event_time}
-    looked |= {"missed": first.missed, "extra": first.extra}
+            errors = contact_errors(scene, seen, answer)
+            found.append(errors if k == 0 else replace(errors, overlap=found[0].overlap))
     return replace(
         bare,
-        error=replace(_over(found, median), **looked),
-        worst=replace(_over(found, max), **looked),
+        error=_over(found, median),
+        worst=_over(found, max),
         statistics=statistics(known.scenes[0], histories),
     )
 
