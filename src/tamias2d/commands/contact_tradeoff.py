@@ -24,8 +24,8 @@ def print_contacts(found: ContactStudy, name: str, tolerance: float | None) -> N
         say(f"\n{method} failed: {why}")
     say(
         "\nfront: nothing is both cheaper and better: in places by seconds (s) and by passes "
-        "through the contacts (p), in overlap and energy by seconds (q). Seconds are medians of runs in "
-        "turns, without reading anything, and differ each time."
+        "through the contacts (p), in overlap and energy by seconds (q). Seconds are those of the "
+        "processor, medians of runs in turns without reading anything, and differ each time."
     )
 
 

@@ -6,13 +6,20 @@ from tamias2d.errors import SimulationError
 
 
 class ToleranceError(SimulationError):
-    """No method meets the tolerance; `reachable` is an error that can be met, if one is known."""
+    """No method meets the tolerance; `reachable` is an error that can be met, if one is known.
+
+    Where contacts are stepped, `until` is a duration, s, for which the tolerance can be met, if one
+    is known.
+    """
 
     code = "tolerance"
 
-    def __init__(self, message: str, reachable: float | None) -> None:
+    def __init__(
+        self, message: str, reachable: float | None, *, until: float | None = None
+    ) -> None:
         super().__init__(message)
         self.reachable = reachable
+        self.until = until
 
 
 def refusal(tolerance: float, reachable: float) -> ToleranceError:

@@ -165,17 +165,19 @@ def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str)
     best = min(found.share for found in seen) / _SHARE
     until = max(_agreed(found, _SHARE * tolerance) for found in seen)
     remedies = []
-    if until > duration / _SAMPLES:
-        remedies.append(f"End the run at {_SOONER * until:.2g} s")
+    offer = float(f"{_SOONER * until:.1e}") if until > duration / _SAMPLES else None
+    if offer is not None:
+        remedies.append(f"end the run at {offer:g} s")
     if best <= LOOSEST:
         remedies.append(f"give a tolerance of {1.1 * best:.1e} or more")
-    remedies.append("bound overlap and energy instead by quality=0.01")
+    remedies.append("bound overlap and energy instead, for example by a quality of 0.01")
     said = ", or ".join(remedies)
     return ToleranceError(
         f"tolerance {tolerance:g}: contacts are stepped, and runs of ever shorter steps agree so "
         f"well only up to {until:.3g} s of {duration:g} s (R5, R12; {reason}). "
         f"{said[0].upper()}{said[1:]}.",
         1.1 * best if best <= LOOSEST else None,
+        until=offer,
     )
 
 
