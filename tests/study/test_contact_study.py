@@ -46,11 +46,15 @@ def brick() -> Scene:
 @pytest.fixture(scope="module")
 def studied() -> ContactStudy:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(contact_candidates, "_RATES", (30, 480))
         patch.setattr(module, "_WORK", 1e6)
         patch.setattr(module, "_HEARD", 200)
         return contact_study(
-            brick(), duration=0.4, reason="two parts", phases_asked=2, timed=False
+            brick(),
+            duration=0.4,
+            reason="two parts",
+            phases_asked=2,
+            rates=(30, 480),
+            timed=False,
         )
 
 
@@ -119,10 +123,11 @@ def test_an_engine_that_is_not_there_is_a_point_with_a_reason(
         for name, make, *rest in contact_candidates._ENGINES
     )
     monkeypatch.setattr(contact_candidates, "_ENGINES", engines)
-    monkeypatch.setattr(contact_candidates, "_RATES", (30,))
     monkeypatch.setattr(module, "_WORK", 1e5)
     monkeypatch.setattr(module, "_HEARD", 100)
-    found = contact_study(brick(), duration=0.2, reason="", phases_asked=1, timed=False)
+    found = contact_study(
+        brick(), duration=0.2, reason="", phases_asked=1, rates=(30,), timed=False
+    )
     failed = {p.method for p in found.points if p.failure}
     assert failed == {"Located", "Pymunk"}
 
@@ -132,10 +137,9 @@ def test_a_stopped_study_keeps_what_it_has(monkeypatch: pytest.MonkeyPatch) -> N
         if done == 2:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr(contact_candidates, "_RATES", (30,))
     monkeypatch.setattr(module, "_WORK", 1e5)
     monkeypatch.setattr(module, "_HEARD", 100)
-    found = contact_study(brick(), duration=0.2, reason="", phases_asked=1, told=stop)
+    found = contact_study(brick(), duration=0.2, reason="", phases_asked=1, rates=(30,), told=stop)
     assert not found.complete
     assert len(found.points) == 3
 

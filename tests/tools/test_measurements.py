@@ -7,7 +7,15 @@ import pytest
 
 from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.scene import catalogue
-from tools.measurements import certificates, certified_steps, drift, held_out, kinds, peers, specialisation
+from tools.measurements import (
+    certificates,
+    certified_steps,
+    drift,
+    held_out,
+    kinds,
+    peers,
+    specialisation,
+)
 
 
 def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:

@@ -1,7 +1,7 @@
 """What a study of stepped contacts compares: engines, each with a ladder of steps and passes."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -17,7 +17,7 @@ from tamias2d.study.engines.overlap import worst
 from tamias2d.study.engines.own import Own
 from tamias2d.study.refined import work_of
 
-_RATES = (30, 60, 120, 240, 480, 960, 1920)
+RATES = (30, 60, 120, 240, 480, 960, 1920)
 """Steps in a second, where a run is long enough for a few of the longest"""
 _LOOKS = 30  # at overlaps of a run
 _ROUNDED = 1e-9  # of a step
@@ -61,12 +61,12 @@ _ENGINES: tuple[tuple[str, _Maker, tuple[int, ...], str, bool], ...] = (
 
 
 def contact_candidates(
-    scene: Scene, duration: float, *, coarsest: float, most: float
+    scene: Scene, duration: float, *, coarsest: float, most: float, rates: Sequence[int] = RATES
 ) -> Iterator[ContactCandidate]:
     """Yield what can be tried, with steps from the coarsest, s, as far as some work goes."""
     for method, make, passes, word, peer in _ENGINES:
-        for rate in _RATES:
-            step = coarsest * _RATES[0] / rate
+        for rate in rates:
+            step = coarsest * RATES[0] / rate
             for count in passes:
                 if work_of(scene, duration, step, count) <= most:
                     yield ContactCandidate(method, make, step, count, word, peer)

@@ -17,7 +17,7 @@ from tamias2d.errors import TamiasError
 from tamias2d.scene import Scene
 from tamias2d.state import History
 from tamias2d.study.companion import RefusedError
-from tamias2d.study.contact_candidates import ContactCandidate, contact_candidates, follow
+from tamias2d.study.contact_candidates import RATES, ContactCandidate, contact_candidates, follow
 from tamias2d.study.contact_errors import NAMES, Answer, ContactErrors, contact_errors, statistics
 from tamias2d.study.engines.own import Own
 from tamias2d.study.engines.refusal import PeerError
@@ -133,18 +133,20 @@ def contact_study(
     duration: float,
     reason: str,
     phases_asked: int,
+    rates: Sequence[int] = RATES,
     told: ProgressHook = lambda of, done, what: None,  # noqa: ARG005
     timed: bool = True,
 ) -> ContactStudy:
     """Compare engines and settings on a scene whose contacts are stepped, over a duration in s.
 
-    Ctrl-C ends it early; what is there by then is returned.
+    `rates` are those of steps in a second, where a run is long enough for them. Ctrl-C ends it
+    early; what is there by then is returned.
 
     Raises:
         ToleranceError: a run by short steps is refused, so that there is nothing to compare with.
     """
     coarsest = 2 * first_step(duration)
-    tried = list(contact_candidates(scene, duration, coarsest=coarsest, most=_DEAREST))
+    tried = list(contact_candidates(scene, duration, coarsest=coarsest, most=_DEAREST, rates=rates))
     known = _known(scene, duration, _affordable(scene, duration, tried, phases_asked))
     points = [_located(reason)]
     complete = True
