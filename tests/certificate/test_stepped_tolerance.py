@@ -72,18 +72,18 @@ def test_a_run_of_given_steps_is_certified_by_shorter_ones() -> None:
 
 def test_what_is_past_the_horizon_is_refused_with_what_can_be_met() -> None:
     scene = catalogue.load("dominoes")
-    with pytest.raises(t2.ToleranceError, match=r"end the run at .* quality") as refused:
-        t2.simulate(scene, duration=4.0, tolerance=1e-2)
+    with pytest.raises(t2.ToleranceError, match=r"End the run at .* quality") as refused:
+        t2.simulate(scene, duration=0.6, tolerance=1e-2)
     until = refused.value.until
     assert until is not None
-    assert 0.0 < until < 1.0
+    assert 0.0 < until < 0.6
     run = t2.simulate(scene, duration=until, tolerance=1e-2)
     assert run.certificate is not None
     assert run.certificate.meets(1e-2)
 
 
 def test_what_is_finer_than_steps_can_be_is_refused() -> None:
-    with pytest.raises(t2.ToleranceError, match="give a tolerance of") as refused:
+    with pytest.raises(t2.ToleranceError, match="Give a tolerance of") as refused:
         t2.simulate(slider(), duration=0.5, tolerance=1e-12, work_limit=100)
     reachable = refused.value.reachable
     assert reachable is not None

@@ -126,7 +126,7 @@ def test_an_engine_that_is_not_there_is_a_point_with_a_reason(
     monkeypatch.setattr(module, "_WORK", 1e5)
     monkeypatch.setattr(module, "_HEARD", 100)
     found = contact_study(
-        brick(), duration=0.2, reason="", phases_asked=1, rates=(30,), timed=False
+        brick(), duration=0.2, reason="two parts", phases_asked=1, rates=(30,), timed=False
     )
     failed = {p.method for p in found.points if p.failure}
     assert failed == {"Located", "Pymunk"}
@@ -139,7 +139,9 @@ def test_a_stopped_study_keeps_what_it_has(monkeypatch: pytest.MonkeyPatch) -> N
 
     monkeypatch.setattr(module, "_WORK", 1e5)
     monkeypatch.setattr(module, "_HEARD", 100)
-    found = contact_study(brick(), duration=0.2, reason="", phases_asked=1, rates=(30,), told=stop)
+    found = contact_study(
+        brick(), duration=0.2, reason="two parts", phases_asked=1, rates=(30,), told=stop
+    )
     assert not found.complete
     assert len(found.points) == 3
 

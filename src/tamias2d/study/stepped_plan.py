@@ -172,9 +172,12 @@ def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str)
         remedies.append(f"give a tolerance of {1.1 * best:.1e} or more")
     remedies.append("bound overlap and energy instead, for example by a quality of 0.01")
     said = ", or ".join(remedies)
+    agree = "do not agree so well"
+    if offer is not None:
+        agree = f"agree so well only up to {until:.3g} s of {duration:g} s"
     return ToleranceError(
-        f"tolerance {tolerance:g}: contacts are stepped, and runs of ever shorter steps agree so "
-        f"well only up to {until:.3g} s of {duration:g} s (R5, R12; {reason}). "
+        f"tolerance {tolerance:g}: contacts are stepped, and runs of ever shorter steps {agree} "
+        f"(R5, R12; {reason}). "
         f"{said[0].upper()}{said[1:]}.",
         1.1 * best if best <= LOOSEST else None,
         until=offer,
