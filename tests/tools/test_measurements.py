@@ -33,15 +33,16 @@ def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
     steps = [scene for scene in held_out.stepped_scenes() if scene.name == "platform 0"]
     monkeypatch.setattr(certificates, "TOLERANCES", (1e-2,))
     monkeypatch.setattr(certified_steps, "TOLERANCES", (1e-1, 1e-2))
-    stepped = {"located": names, "stepped": ["cradle-touching"]}
-    monkeypatch.setattr(catalogue, "names", stepped.__getitem__)
+    of = {None: names, "located": names, "stepped": ["cradle-touching"]}
+    monkeypatch.setattr(catalogue, "names", lambda contacts=None: of[contacts])
     monkeypatch.setattr(held_out, "scenes", lambda: iter(new))
     monkeypatch.setattr(held_out, "stepped_scenes", lambda: iter(steps))
     found, _ = lines_of(certificates)
     by_steps = {row["scene"] for row in found["stepped_rows"]}
     assert by_steps == {"cradle-touching", "platform 0"}
     for row in found["stepped_rows"]:
-        assert row["covered"] or row["refused"]
+        assert row["covered"] is not False
+    assert any(row["covered"] for row in found["stepped_rows"])
     assert "Stepped, held out" in certificates.notes(found)[-1]
     assert [row["scene"] for row in found["rows"]] == ["driven", "throw 0"]
     assert found["left_out"] == ["cradle-touching"]

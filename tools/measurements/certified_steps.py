@@ -87,9 +87,10 @@ def _pair(name: str, scene: Scene, tolerance: float, duration: float) -> Stepped
                 run, refused = _run(scene, tolerance, first.until), ""
             except ToleranceError as second:
                 refused = f"{second}"
-    if run is not None and not isinstance(run.method, Stepped):
+    by_steps = run is not None and isinstance(run.method, Stepped)
+    if until == duration and not by_steps:
         return None
-    error = None if run is None else _error(run)
+    error = _error(run) if run is not None and by_steps else None  # located up to the horizon
     bound = run.certificate.bound if run is not None and run.certificate is not None else None
     return SteppedPair(
         name,
@@ -99,7 +100,7 @@ def _pair(name: str, scene: Scene, tolerance: float, duration: float) -> Stepped
         bound,
         error,
         None if error is None or bound is None else error <= bound,
-        "" if run is None else f"{run.method} {run.time_step:.4g}",
+        "" if run is None else f"{run.method} {run.time_step or ''}",
         refused,
     )
 
