@@ -21,6 +21,7 @@ from tamias2d.study.refined import SUBSTEPS, Refined, refined
 from tamias2d.suggestions import suggests
 
 _EPSILON = 2.0**-52
+_GAP = 2.0**-41  # of the larger size: four times what an impact in a step leaves between bodies
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
 _SPREADS = 3.0  # times as far as runs perturbed by one rounding the exact answer may be
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (after Roache's index)
@@ -206,6 +207,12 @@ def rounding(run: Run) -> float:
     return _EPSILON * float(worst[moving].max(initial=0.0))
 
 
+def _gaps(run: Run) -> float:
+    """Return the gaps at which impacts within steps are found, added up, m."""
+    moving = [k for k, body in enumerate(run.scene.bodies) if body.dynamic]
+    return _GAP * float(radii(run.scene)[moving].max(initial=0.0)) * len(run.impacts)
+
+
 def _step_doubling(run: Run, _: Array | None) -> _Bound:
     """Bound the error from grids of twice and four times the step.
 
@@ -256,7 +263,7 @@ def _against_shorter(run: Run, shorter: Refined) -> _Bound:
     doubt = shorter.doubt[rows]
     finest = History(*(part[rows] for part in shorter.finest))
     away = distance(run.scene, run, finest)
-    rounded = rounding(run) * run.duration / shorter.time_step
+    rounded = rounding(run) * run.duration / shorter.time_step + _gaps(run)
     how = (
         f"steps of {shorter.time_step:.4g} s; runs by steps of up to twice that, and by other "
         f"substeps, show that this is within {float(doubt[-1]):.2g} m of the answer"
