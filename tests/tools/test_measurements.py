@@ -10,6 +10,7 @@ from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.scene import catalogue
 from tools.measurements import (
     certificates,
+    certified_steps,
     crowds,
     drift,
     held_out,
@@ -32,10 +33,20 @@ def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
 def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
     names = ["driven", "cradle-touching"]
     new = [scene for scene in held_out.scenes() if scene.name == "throw 0"]
+    steps = [scene for scene in held_out.stepped_scenes() if scene.name == "platform 0"]
     monkeypatch.setattr(certificates, "TOLERANCES", (1e-2,))
-    monkeypatch.setattr(catalogue, "names", lambda *_: names)
+    monkeypatch.setattr(certified_steps, "TOLERANCES", (1e-1, 1e-2))
+    of = {None: names, "located": names, "stepped": ["cradle-touching"]}
+    monkeypatch.setattr(catalogue, "names", lambda contacts=None: of[contacts])
     monkeypatch.setattr(held_out, "scenes", lambda: iter(new))
+    monkeypatch.setattr(held_out, "stepped_scenes", lambda: iter(steps))
     found, _ = lines_of(certificates)
+    by_steps = {row["scene"] for row in found["stepped_rows"]}
+    assert by_steps == {"cradle-touching", "platform 0"}
+    for row in found["stepped_rows"]:
+        assert row["covered"] is not False
+    assert any(row["covered"] for row in found["stepped_rows"])
+    assert "Stepped, held out" in certificates.notes(found)[-1]
     assert [row["scene"] for row in found["rows"]] == ["driven", "throw 0"]
     assert found["left_out"] == ["cradle-touching"]
     assert "cradle-touching" in certificates.notes(found)[0]
