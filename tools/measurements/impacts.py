@@ -21,8 +21,8 @@ from tamias2d.event_driven import Discs
 from tamias2d.motion import ClosedForm
 from tamias2d.scene import Disc, HalfPlane, Scene
 from tamias2d.solve import solve
+from tamias2d.study.engines.chipmunk import Chipmunk
 from tamias2d.work_limit import Work
-from tools.measurements.arena.chipmunk import Chipmunk
 
 COUNTS = (100, 1000, 10_000)
 IMPACTS = 200_000  # of a located run
