@@ -117,7 +117,7 @@ def test_networks_held_at_centres_conserve_what_they_must(network: Network) -> N
 @settings(max_examples=60, deadline=None)
 @given(NETWORKS)
 def test_networks_with_anchors_gain_no_energy(network: Network) -> None:
-    """Where arms turn too far for a step it is taken in parts; what is beyond these is warned of."""
+    """Where arms turn too far for a step it is taken in parts; what is beyond is warned of."""
     scene = scene_of(Network(**(vars(network) | {"anchored": True})))
     sim = Simulator(scene)
     first = totals(scene, sim)
