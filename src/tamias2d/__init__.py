@@ -86,7 +86,8 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.simulate import simulate as simulate
     from tamias2d.simulator import Hits as Hits, Simulator as Simulator
     from tamias2d.study.certify import certify as certify
-    from tamias2d.study.recommend import ToleranceError as ToleranceError, recommend as recommend
+    from tamias2d.study.recommend import recommend as recommend
+    from tamias2d.study.refusal import ToleranceError as ToleranceError
     from tamias2d.trace import trace as trace
     from tamias2d.verify import verify as verify
     from tamias2d.work_limit import WorkLimitError as WorkLimitError
@@ -109,7 +110,8 @@ _HOMES = {
     "simulate": "simulate",
     "simulator": "Hits Simulator",
     "study.certify": "certify",
-    "study.recommend": "ToleranceError recommend",
+    "study.recommend": "recommend",
+    "study.refusal": "ToleranceError",
     "trace": "trace",
     "verify": "verify",
     "work_limit": "WorkLimitError",
