@@ -110,15 +110,6 @@ def refuse_joints(joints: Sequence[Joint], what: str, remedy: str) -> None:
         )
 
 
-def refuse_governed(joints: Sequence[Joint], what: str, remedy: str) -> None:
-    """Raise `RuleError` where a joint has limits, a motor, a spring, or may break."""
-    refuse_joints(
-        [joint for joint in joints if joint.governed],
-        f"{what} knows no limits, motors or springs of joints, none that break, and",
-        remedy,
-    )
-
-
 def kept_apart(joints: Iterable[Joint]) -> frozenset[tuple[int, int]]:
     """Return the pairs of bodies (i, j), i < j, that joints keep from touching."""
     return frozenset(
