@@ -4,7 +4,8 @@ Hides: what numba does with a function that others call. By itself it links, opt
 into machine code each function with all that this calls, and does so anew at each level of calls.
 Here a function stays as it was translated, and its entry is linked with all of them, optimised and
 turned into machine code once. As nothing else can call them, what is called in one place is put
-there: that takes two thirds of the time to compile, and the code is faster. Uses what numba has inside.
+there: that takes two thirds of the time to compile, and the code is faster. This uses internals of
+numba, so its version is bounded.
 """
 
 from types import FunctionType
