@@ -50,7 +50,6 @@ from tamias2d.engine.tables import (
     CONTACTS,
     DONE,
     FLOWN,
-    GOES_FAR,
     IN_FLIGHT,
     INVALID,
     KINEMATIC,
@@ -154,8 +153,7 @@ def take_part(world: World) -> int:
         status = arrange(world, contacts)
         if status != DONE:
             return status
-        if counts[GOES_FAR] == 1:
-            note_start(bodies)
+        note_start(world)
         solve_contacts(world, contacts)
         counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:

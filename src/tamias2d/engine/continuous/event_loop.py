@@ -44,7 +44,6 @@ from tamias2d.engine.tables import (
     DY,
     DYNAMIC,
     FORCE_GAIN,
-    GOES_FAR,
     GRAVITY_X,
     GRAVITY_Y,
     HALF_PLANE,
@@ -59,6 +58,7 @@ from tamias2d.engine.tables import (
     SLOT_A,
     SLOT_B,
     SPENT,
+    START_NOTED,
     STATIC,
     SUPPORTED,
     TOURNAMENT,
@@ -209,7 +209,7 @@ def update_others(
 def may_retake(length: float, deep: float, control: Control) -> bool:
     """Return whether shorter parts make a way, m, short."""
     shortest = length / (1 << (MOST_LEVEL - control.counts[LEVEL]))
-    return bool((control.counts[GOES_FAR] == 1) & (length > deep) & (shortest <= deep))
+    return bool((control.counts[START_NOTED] == 1) & (length > deep) & (shortest <= deep))
 
 
 def pair_may_retake(
