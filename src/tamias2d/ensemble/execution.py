@@ -55,7 +55,7 @@ def executors_of(workers: int | None, client: Any, *, threads: bool = False) -> 
                 "workers",
             )
         return _Cluster(client)
-    count = _cores() if workers is None else checked_count(workers, "workers", 1)
+    count = cores() if workers is None else checked_count(workers, "workers", 1)
     if count == 1:
         return None
     return _Threads(count) if threads else _Processes(count)
@@ -108,7 +108,8 @@ def done(
                 future.cancel()
 
 
-def _cores() -> int:
+def cores() -> int:
+    """Return how many cores this process may use."""
     try:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # macOS, Windows

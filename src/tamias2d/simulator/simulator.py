@@ -15,7 +15,7 @@ from tamias2d.engine.batch import Batch
 from tamias2d.engine.contact_report import Contacts, Touching
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.saved_checks import UnfitError
-from tamias2d.engine.saved_state import restored_engine, saved_arrays
+from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError, StepWarning
 from tamias2d.scene import Scene, scene_text
@@ -128,6 +128,10 @@ class Simulator(Views):
         self._lock = Lock()
         self._engine = engine
         self._look()
+        self._forget()
+
+    def _forget(self) -> None:
+        """Forget what was asked for and told so far."""
         self._varying: VaryingLoads | None = None
         self._warned: dict[str, str] = {}
         self._pushed: Array | None = None  # loads for the next step only
@@ -515,6 +519,15 @@ class Simulator(Views):
         self._begin(engine)
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)
+
+    def _start(self) -> dict[str, NDArray[Any]]:
+        """Return the state before the first step, to which `_rewind` leads back."""
+        self._settle_between()
+        return saved_arrays(self._engine)
+
+    def _rewind(self, start: Mapping[str, NDArray[Any]]) -> None:
+        rewind(self._engine, start)
+        self._forget()
 
     @exclusive
     def digest(self) -> str:
