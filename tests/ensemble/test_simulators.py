@@ -43,9 +43,7 @@ def sprung(world: int, random: np.random.Generator) -> t2.Scene:
     scene.add_static(floor, restitution=0.5, name="floor")
     disc = t2.Disc(radius=0.1)
     place = (0.1 * world, random.uniform(0.4, 0.8))
-    scene.add_body(
-        disc, mass=1.0, position=place, restitution=0.5, quadratic_drag=0.3, name="bob"
-    )
+    scene.add_body(disc, mass=1.0, position=place, restitution=0.5, quadratic_drag=0.3, name="bob")
     scene.add_spring("bob", (0.0, 1.0), stiffness=200.0, rest_length=0.5)
     return scene
 

@@ -175,8 +175,7 @@ class Simulators(Views):
         number = checked_count(world, "world", 0)
         if number >= len(self):
             raise RuleError(
-                f"world {number}: there are {len(self)} (R15). Give one from 0 to "
-                f"{len(self) - 1}.",
+                f"world {number}: there are {len(self)} (R15). Give one from 0 to {len(self) - 1}.",
                 "world",
             )
         return deepcopy(self._sims[number])
@@ -268,7 +267,12 @@ def _shared(sims: tuple[Simulator, ...]) -> _Shared:
     size, world = engines[0].size, engines[0].world
     pose, velocity, load, settings = (
         aligned_zeros((len(sims), *array.shape))
-        for array in (world.state.pose, world.state.velocity, world.state.load, world.control.settings)
+        for array in (
+            world.state.pose,
+            world.state.velocity,
+            world.state.load,
+            world.control.settings,
+        )
     )
     for k, (sim, engine) in enumerate(zip(sims, engines, strict=True)):
         state = engine.world.state
@@ -293,7 +297,9 @@ def _shared(sims: tuple[Simulator, ...]) -> _Shared:
 
 
 def _gathered(found: list[Contacts]) -> WorldContacts:
-    columns = {name: np.concatenate([getattr(one, name) for one in found]) for name in vars(found[0])}
+    columns = {
+        name: np.concatenate([getattr(one, name) for one in found]) for name in vars(found[0])
+    }
     return WorldContacts(**columns, world=_worlds(found))
 
 
