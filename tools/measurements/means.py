@@ -1,4 +1,4 @@
-"""Means over worlds (`ensemble_mean`) repeated: how often they are within their bounds, at what cost.
+"""Means over worlds (`ensemble_mean`) repeated: how often within their bounds, at what cost.
 
 Five scenes with known means: of a formula, integrated by quadrature over what is drawn, or of
 scipy's solution at the nodes of a quadrature. Each repetition has its own seed. Cost is in steps,

@@ -10,8 +10,8 @@ from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
 from tamias2d.event_driven.instant import MOST_IMPULSES, meet, tell
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
 from tamias2d.event_driven.tables import (
-    ALL_OR_NOTHING,
     ACROSS,
+    ALL_OR_NOTHING,
     AT_START,
     AX,
     CHANGED,
