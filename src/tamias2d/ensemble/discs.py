@@ -88,7 +88,7 @@ def _world(scene: Scene, times: Array, duration: float) -> tables.World:
     kinds, keys = kinds_of(scene), np.array(pairs, dtype=np.int64)
     world = blank_world(kinds, keys, times, impacts=_MOST_IMPACTS)
     world.numbers[[tables.LIMIT, tables.END]] = duration
-    world.counts[[tables.SETTLES, tables.ALL_OR_NOTHING]] = 1
+    world.counts[tables.SETTLES] = 1
     return world
 
 

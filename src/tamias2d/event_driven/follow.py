@@ -11,7 +11,6 @@ from tamias2d.event_driven.instant import MOST_IMPULSES, meet, tell
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
 from tamias2d.event_driven.tables import (
     ACROSS,
-    ALL_OR_NOTHING,
     AT_START,
     AX,
     CHANGED,
@@ -109,33 +108,24 @@ def is_full(world: World) -> bool:
 def set_out(k: int, but: int, time: float, world: World) -> bool:
     """Schedule what happens to a body, but for one other; return whether that can be told.
 
-    It is put into its cell where it is in none yet. Bodies that stand still come first: the body
-    meets the first of them unless its path ends before, so that, where such an impact ends the
-    path or the run, nothing need be known beyond it.
+    It is put into its cell where it is in none yet.
     """
     if world.leaving[k] == NOWHERE:
         enter(k, time, world)
     world.leaving[k] = time_of_leaving(k, time, world)
     if world.leaving[k] < inf:
         push(world.leaving[k], k, k, world)
-    count, first = gather(k, world), inf
-    for moving in range(2):
-        for place in range(count):
-            other = world.near[place]
-            i, j = min(k, other), max(k, other)
-            if (world.kinds[other] == DISC) != (moving == 1) or other == but:
-                continue
-            if not meets(i, j, world):
-                continue
-            limit = min(world.leaving[i], world.leaving[j], world.numbers[END])
-            meeting = time_of_meeting(i, j, limit, world)
-            if meeting < 0.0:
-                return False
-            if meeting <= limit:
-                push(meeting, i, j, world)
-                first = min(first, meeting)
-        if moving == 0 and world.counts[ALL_OR_NOTHING] == 1:
-            world.leaving[k] = min(world.leaving[k], first)
+    for place in range(gather(k, world)):
+        other = world.near[place]
+        i, j = min(k, other), max(k, other)
+        if other == but or not meets(i, j, world):
+            continue
+        limit = min(world.leaving[i], world.leaving[j], world.numbers[END])
+        meeting = time_of_meeting(i, j, limit, world)
+        if meeting < 0.0:
+            return False
+        if meeting <= limit:
+            push(meeting, i, j, world)
     return True
 
 

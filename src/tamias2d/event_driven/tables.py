@@ -46,8 +46,7 @@ IMPACT_COLUMNS = 9
 NOW, LIMIT, END, CELL, SLACK, ORIGIN_X, ORIGIN_Y = range(7)
 NUMBERS = 7
 EVENTS, IMPACTS, DEPARTURES, CHANGED, MEETING, OTHER, SETTLES, AT_START, LOOKED_AT = range(9)
-ALL_OR_NOTHING = 9  # 1 if nothing is wanted of a run in which something is not decided
-COUNTS = 10
+COUNTS = 9
 
 NOWHERE = -1.0  # of a body that is in no cell yet, instead of when it leaves it
 
