@@ -140,7 +140,7 @@ def _spring() -> Known:
         duration=time,
         method=VelocityVerlet(),
         time_step=0.2,
-        tolerance=0.0055,
+        tolerance=0.004,
         mean=1 + integrate.quad(place, 28, 32)[0] / 4,
     )
 

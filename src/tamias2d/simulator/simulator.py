@@ -172,7 +172,9 @@ class Simulator(Views):
         """Take some steps, or raise `RuleError`."""
         if (invalid := self._engine.step(count)) is not None:
             raise invalid_state(invalid, self._engine.kind, self._name_of)
-        if self._warned.get(_LOSSY) is None and (row := self._engine.lossy_springs) >= 0:
+        if self._scene is None or _LOSSY in self._warned:
+            return
+        if (row := self._engine.lossy_springs) >= 0:
             self._warned[_LOSSY] = (
                 f"springs of {self._name_of(row)}, before {self.time:.6g} s: in the shortest parts "
                 f"of a time step of {self._time_step:.6g} s, too, they turn too far to be solved, "
