@@ -225,14 +225,16 @@ def _orbit() -> Known:
     """A planet of random speed around a sun that stands still, from scipy's solution."""
     time = 2.0
 
-    def pull(_: float, state: Any) -> tuple[float, ...]:
+    def pull(_: float, state: Any) -> Any:
         x, y, u, v = state
         cube = math.hypot(x, y) ** 3
-        return u, v, -x / cube, -y / cube
+        return [u, v, -x / cube, -y / cube]
 
     def place(speed: float) -> float:
-        start, tight = (1.0, 0.0, 0.0, speed), {"rtol": 1e-12, "atol": 1e-12}
-        found = integrate.solve_ivp(pull, (0.0, time), start, method="DOP853", **tight)
+        start = [1.0, 0.0, 0.0, speed]
+        found = integrate.solve_ivp(
+            pull, (0.0, time), start, method="DOP853", rtol=1e-12, atol=1e-12
+        )
         return float(found.y[0, -1])
 
     nodes, weights = np.polynomial.legendre.leggauss(20)

@@ -100,8 +100,10 @@ def ensemble(
         quantities=quantities,
         work_limit=work_limit,
     )
+    found: Dataset
     with _told(progress) as told:
-        return _computed(described, request, out, chunk, workers, client, told)
+        found = _computed(described, request, out, chunk, workers, client, told)
+    return found
 
 
 def _computed(
