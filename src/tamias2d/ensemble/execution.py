@@ -80,7 +80,8 @@ def done(
         executor = executors.executor()
         try:
             while left or begun:
-                while left and len(begun) < executors.waiting:
+                most = 1 if deaths else executors.waiting  # alone, a task takes no other with it
+                while left and len(begun) < most:
                     make = left.popleft()
                     begun[executor.submit(make())] = make
                 for future in wait(begun, return_when=FIRST_COMPLETED).done:
