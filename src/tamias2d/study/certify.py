@@ -251,6 +251,7 @@ def _shorter(run: Run) -> Refined:
             duration=run.duration,
             times=run.times,
             time_step=step / 2,
+            grid=step,
             substeps=max(substeps, SUBSTEPS),
         )
     except RefusedError as fault:

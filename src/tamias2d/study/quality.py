@@ -11,6 +11,7 @@ import numpy as np
 
 from tamias2d.balance import balance, kinetic_energy
 from tamias2d.certificate import Certificate, hashes, not_claimed
+from tamias2d.contact import steps_because
 from tamias2d.errors import InputError
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
@@ -53,8 +54,7 @@ def quality_of(scene: Scene, history: History) -> Quality:
     """Return the quality of a history, at its samples."""
     energy, _, _ = balance(scene, history)
     kinetic = kinetic_energy(scene, history.velocity, history.angular_velocity)
-    overlap = max(worst(scene, state).share_of_size for state in _states(history))
-    return Quality(overlap, energy_error(scene, energy, kinetic))
+    return Quality(worst(scene, *_states(history)).share_of_size, energy_error(scene, energy, kinetic))
 
 
 def of_quality(
@@ -64,9 +64,12 @@ def of_quality(
 
     Raises as `simulate` does.
     """
-    first = solve(scene, duration=duration, times=times, progress=progress, work_limit=work_limit)
-    if not isinstance(first.method, Stepped):
-        return _certified(first, quality)
+    if steps_because(scene, duration) is None:
+        first = solve(
+            scene, duration=duration, times=times, progress=progress, work_limit=work_limit
+        )
+        if not isinstance(first.method, Stepped):
+            return _certified(first, quality)
     work, best = WORK * work_limit, math.inf
     reached: dict[float, float] = {}
     looks = np.linspace(0.0, duration, _LOOKS + 1)
