@@ -185,36 +185,38 @@ def _located(reason: str) -> ContactPoint:
 
 
 def _known(scene: Scene, duration: float, step: float, phases: int) -> _Known:
-    """Return what candidates are compared with, in each phase, at ends of steps, s."""
+    """Return what candidates are compared with, in each phase, at ends of steps, s.
+
+    That are the shortest steps, and the horizon is theirs: where longer ones agreed for longer and
+    these do not, the longer ones agreed by chance.
+    """
     times = ends_of_steps(duration, step)
-    best: Refined | None = None
+    finest: Refined | None = None
     try:
-        for found in refinements(
+        for finest in refinements(
             scene, duration=duration, times=times, time_step=step, work=_WORK
         ):
-            if best is None or _reach(found) >= _reach(best):
-                best = found
+            pass
     except RefusedError as fault:
         raise ToleranceError(
             f"tradeoff: a run by short steps was refused: {fault}", None
         ) from fault
-    assert best is not None
+    assert finest is not None
     scenes = (scene, *(nudged(scene, k, _NUDGE) for k in range(1, phases)))
-    horizon = float(times[_reach(best)[0]])
-    step = best.time_step
-    finest = [best.finest]
-    finest += [stepped(other, duration, times, step, 2 * SUBSTEPS) for other in scenes[1:]]
-    length = float(best.length[_reach(best)[0]])
+    last = _last_agreed(finest)
+    horizon, length = float(times[last]), float(finest.length[last])
+    step = finest.time_step
+    histories = [finest.finest]
+    histories += [stepped(other, duration, times, step, 2 * SUBSTEPS) for other in scenes[1:]]
     met = _first_contacts(scene, duration, max(step, duration / (2 * _HEARD)))
-    answers = (Answer(history, times, horizon, length, met) for history in finest)
-    return _Known(best, scenes, tuple(answers))
+    answers = (Answer(history, times, horizon, length, met) for history in histories)
+    return _Known(finest, scenes, tuple(answers))
 
 
-def _reach(found: Refined) -> tuple[int, float]:
-    """Return the last sample at which runs agree, and how well they do there: more is better."""
+def _last_agreed(found: Refined) -> int:
+    """Return the last sample at which runs agree."""
     lost = np.flatnonzero(~(found.doubt <= _AGREED * found.length))
-    last = max(int(lost[0]) - 1, 1) if len(lost) else len(found.times) - 1
-    return last, -float(found.doubt[last])
+    return max(int(lost[0]) - 1, 1) if len(lost) else len(found.times) - 1
 
 
 def _first_contacts(scene: Scene, duration: float, step: float) -> dict[tuple[int, int], float]:

@@ -184,7 +184,7 @@ def _lost(estimate: Estimate) -> Estimate:
 def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str) -> ToleranceError:
     """Return the error that says until when, and how well, runs agree."""
     best = min(found.share for found in seen) / _SHARE
-    until = max(_agreed(found, _SHARE * tolerance) for found in seen)
+    until = _agreed(seen[-1], _SHARE * tolerance)  # what only longer steps agreed on was chance
     remedies = []
     offer = float(f"{_SOONER * until:.1e}") if until > duration / _SAMPLES else None
     if offer is not None:
