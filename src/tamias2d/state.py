@@ -51,7 +51,12 @@ class History(NamedTuple):
 
 
 def place_between(
-    place: Array, next_place: Array, rate: Array, next_rate: Array, time_step: float | Array, share: Array
+    place: Array,
+    next_place: Array,
+    rate: Array,
+    next_rate: Array,
+    time_step: float | Array,
+    share: Array,
 ) -> Array:
     """Return where coordinates are at a share of the time, s, between two states of a step.
 

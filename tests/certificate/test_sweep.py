@@ -9,8 +9,8 @@ import tamias2d as t2
 from tamias2d.solve import sampler
 from tamias2d.study import penetration
 from tamias2d.study.penetration import penetrations
-from tamias2d.study.sweep import beside, meeting, standing_box, swept_boxes
 from tamias2d.study.separation import pieces
+from tamias2d.study.sweep import beside, meeting, standing_box, swept_boxes
 
 
 def boxes(seed: int) -> tuple[np.ndarray, np.ndarray]:

@@ -29,7 +29,6 @@ from tamias2d.study.plot import plot
 from tamias2d.study.refined import refined
 from tamias2d.study.report import contacts_as_json, schema
 
-
 TIMES = np.linspace(0.0, 0.4, 25)
 
 

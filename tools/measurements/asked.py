@@ -2,15 +2,18 @@
 
 Asked are the trade of accuracy and cost, a run within a tolerance, and one of a quality, each for
 as long as the scene says. What is refused must offer something, and the offer is tried, too. Each
-question has a process of its own and some time; what takes longer is named, and counts as a fault.
+question has a process of its own with a limit of processor time; what takes more is named, and
+counts as a fault.
 """
 
 import argparse
+import math
 import multiprocessing
+import resource
 import time
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -37,18 +40,18 @@ class Answer:
     """met; refused, where the offer is met; or one of `FAULTS`"""
     said: str
     seconds: float
-    """Of the wall clock, which other work makes longer"""
+    """Of the processor"""
 
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Take which scenes and questions, and for how long each may be thought about."""
     parser.add_argument("--scenes", nargs="+", default=None, help="of the catalogue; all of them")
     parser.add_argument("--questions", nargs="+", default=sorted(_QUESTIONS), help="all of them")
-    parser.add_argument("--limit", type=float, default=300.0, help="s for each question")
+    parser.add_argument("--limit", type=int, default=300, help="s of the processor for each")
 
 
 def measure(
-    scenes: list[str] | None = None, questions: list[str] | None = None, limit: float = 300.0
+    scenes: list[str] | None = None, questions: list[str] | None = None, limit: int = 300
 ) -> dict[str, Any]:
     """Return how many questions were answered in which way, and all answers."""
     found = [
@@ -82,29 +85,31 @@ def notes(found: dict[str, Any]) -> list[str]:
     ]
 
 
-def _in_time(name: str, question: str, limit: float) -> Answer:
+def _in_time(name: str, question: str, limit: int) -> Answer:
     ours, theirs = multiprocessing.Pipe(duplex=False)
-    child = multiprocessing.Process(target=_answer, args=(name, question, theirs))
-    began = time.monotonic()
+    child = multiprocessing.Process(target=_answer, args=(name, question, limit, theirs))
     child.start()
     theirs.close()
     try:
-        found = ours.recv() if ours.poll(limit) else Answer(name, question, "late", "", 0.0)
-    except EOFError:
-        found = Answer(name, question, "traceback", "the process died", 0.0)
+        found: Answer = ours.recv()
+    except EOFError:  # the system has ended the process
+        found = Answer(name, question, "late", f"more than {limit} s", float(limit))
     finally:
         child.kill()
         child.join()
-    return replace(found, seconds=time.monotonic() - began)
+    return found
 
 
-def _answer(name: str, question: str, to: Connection) -> None:
+def _answer(name: str, question: str, limit: int, to: Connection) -> None:
+    spent = math.ceil(time.process_time())
+    resource.setrlimit(resource.RLIMIT_CPU, (limit + spent, limit + spent))
+    began = time.process_time()
     try:
         scene = catalogue.load(name)
         outcome, said = _outcome(scene, _QUESTIONS[question])
-    except Exception as fault:  # noqa: BLE001 what users would meet as a traceback
+    except Exception as fault:
         outcome, said = "traceback", f"{type(fault).__name__}: {fault}"
-    to.send(Answer(name, question, outcome, said, 0.0))
+    to.send(Answer(name, question, outcome, said, time.process_time() - began))
 
 
 def _outcome(scene: Scene, ask: "_Question") -> tuple[str, str]:

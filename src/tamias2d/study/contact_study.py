@@ -191,17 +191,12 @@ def _known(scene: Scene, duration: float, step: float, phases: int) -> _Known:
     these do not, the longer ones agreed by chance.
     """
     times = ends_of_steps(duration, step)
-    finest: Refined | None = None
     try:
-        for finest in refinements(
-            scene, duration=duration, times=times, time_step=step, work=_WORK
-        ):
-            pass
+        *_, finest = refinements(scene, duration=duration, times=times, time_step=step, work=_WORK)
     except RefusedError as fault:
         raise ToleranceError(
             f"tradeoff: a run by short steps was refused: {fault}", None
         ) from fault
-    assert finest is not None
     scenes = (scene, *(nudged(scene, k, _NUDGE) for k in range(1, phases)))
     last = _last_agreed(finest)
     horizon, length = float(times[last]), float(finest.length[last])

@@ -54,7 +54,9 @@ def quality_of(scene: Scene, history: History) -> Quality:
     """Return the quality of a history, at its samples."""
     energy, _, _ = balance(scene, history)
     kinetic = kinetic_energy(scene, history.velocity, history.angular_velocity)
-    return Quality(worst(scene, *_states(history)).share_of_size, energy_error(scene, energy, kinetic))
+    return Quality(
+        worst(scene, *_states(history)).share_of_size, energy_error(scene, energy, kinetic)
+    )
 
 
 def of_quality(

@@ -72,16 +72,15 @@ def plan_steps(
         ToleranceError: runs do not agree so well, or not up to the end; it says until when.
     """
     asked = np.unique(np.asarray(times, dtype=float))
-    step = aligned_step(duration, asked)
-    seen = _refined(
-        scene, duration, tolerance, _looked(asked, duration, step), step, WORK * work_limit
-    )
+    first = aligned_step(duration, asked)
+    looked = _looked(asked, duration, first)
+    seen = _refined(scene, duration, tolerance, looked, first, WORK * work_limit)
     refined = seen[-1]
     if not refined.share <= _SHARE * tolerance:
         raise _beyond(tolerance, duration, seen, reason)
     failed: dict[int, Estimate] = {}  # the last of each number of substeps
     spent = sum(found.steps for found in seen)
-    for step, substeps in ladder(scene, duration, 2 * step, 2 * refined.time_step):
+    for step, substeps in ladder(scene, duration, 2 * first, 2 * refined.time_step):
         if substeps in failed and (least := failed[substeps].error / _FALLS) > tolerance:
             failed[substeps] = replace(failed[substeps], error=least)
             continue
@@ -140,9 +139,7 @@ def _refined(
     """Return refinements, the last of which is good enough, or no better than those before."""
     seen: list[Refined] = []
     try:
-        for found in refinements(
-            scene, duration=duration, times=times, time_step=step, work=work
-        ):
+        for found in refinements(scene, duration=duration, times=times, time_step=step, work=work):
             seen.append(found)
             if found.share <= _SHARE * tolerance or _stale(seen, _SHARE * tolerance):
                 break
