@@ -111,7 +111,8 @@ def ends_of_steps(duration: float, step: float) -> Array:
     """Return the times (k,), s, of some 60 to 120 ends of steps, or of all if these are fewer."""
     steps = math.ceil(duration / step * (1 - _ROUNDED))
     every = max(math.ceil(steps / _SAMPLES), 1)
-    return np.minimum(np.arange(0, steps + every, every) * step, duration)
+    found: Array = np.minimum(np.arange(0, steps + every, every) * step, duration)
+    return found
 
 
 def _looked(times: Array, duration: float, step: float) -> Array:
