@@ -138,6 +138,26 @@ def test_a_quality_that_no_step_holds_is_refused_with_what_is_reached() -> None:
     assert refused.value.reachable > 1e-9
 
 
+def test_a_quality_that_is_offered_is_held_at_all_samples() -> None:
+    """A bullet is deepest for an instant, which a few looks at a run miss."""
+    scene = catalogue.load("bullet-wall")
+    with pytest.raises(t2.ToleranceError, match="is reached") as refused:
+        t2.simulate(scene, duration=0.5, quality=1e-4, work_limit=1000)
+    offer = refused.value.reachable
+    assert offer is not None
+    run = t2.simulate(scene, duration=0.5, quality=offer, work_limit=1000)
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    assert run.certificate.bound <= offer
+
+
+def test_particles_have_a_quality() -> None:
+    """They have no shape, so that none is in another."""
+    run = t2.simulate(catalogue.load("projectiles"), duration=1.0, quality=1e-6)
+    assert run.certificate is not None
+    assert "overlaps are at most 0.0e+00" in run.certificate.how
+
+
 def test_a_located_run_has_a_quality_too() -> None:
     run = t2.simulate(catalogue.load("bouncing-elastic"), duration=1.0, quality=1e-6)
     assert not isinstance(run.method, Stepped)

@@ -33,6 +33,7 @@ _MEASURE = (
 _LOOKS = 30  # at a pilot run
 _STALE = 16  # times shorter steps must halve what is wrong, or no steps will do
 _MARGIN = 1.5  # times what a pilot saw the whole run may show
+_ROUNDED_UP = 1.06  # so that two digits are no less
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,8 @@ def of_quality(
         )
         if not isinstance(first.method, Stepped):
             return _certified(first, quality)
-    work, best = WORK * work_limit, math.inf
+    work, best, held = WORK * work_limit, math.inf, math.inf
+    nearest = (math.inf, 0.0, 0)
     reached: dict[float, float] = {}
     looks = np.linspace(0.0, duration, _LOOKS + 1)
     for step, substeps in ladder(scene, duration, 2 * first_step(duration), duration / 2**22):
@@ -81,27 +83,36 @@ def of_quality(
         before = reached.get(step * _STALE, math.inf)
         if work < 0 or (math.isfinite(before) and best > before / 2):
             break
-        try:
-            seen = quality_of(scene, stepped(scene, duration, looks, step, substeps)).size
-        except RefusedError:
-            continue
+        seen = _seen(scene, duration, looks, step, substeps)
         if seen > quality:
             best = min(best, _MARGIN * seen)
+            nearest = min(nearest, (seen, step, substeps))
             continue
-        run = solve(
-            scene,
-            duration=duration,
-            method=Stepped(substeps),
-            time_step=step,
-            times=times,
-            progress=progress,
-        )
-        found = quality_of(scene, _history(run)).size
+        found = max(seen, _seen(scene, duration, times, step, substeps))
         if found <= quality:
-            note = f"{run.method} with steps of {step:.4g} s: the cheapest of quality {quality:g}"
+            method = Stepped(substeps)
+            run = solve(
+                scene,
+                duration=duration,
+                method=method,
+                time_step=step,
+                times=times,
+                progress=progress,
+            )
+            note = f"{method} with steps of {step:.4g} s: the cheapest of quality {quality:g}"
             return _certified(replace(run, notes=(note, *run.notes[1:])), quality)
-        best = min(best, found)
-    raise _refusal(quality, best)
+        best, held = min(best, found), min(held, found)
+    if math.isinf(held) and math.isfinite(nearest[0]):
+        held = max(nearest[0], _seen(scene, duration, times, *nearest[1:]))
+    raise _refusal(quality, held)
+
+
+def _seen(scene: Scene, duration: float, times: Array, step: float, substeps: int) -> float:
+    """Return what is wrong with a run by steps at times (k,), s: infinite if it is refused."""
+    try:
+        return quality_of(scene, stepped(scene, duration, times, step, substeps)).size
+    except RefusedError:
+        return math.inf
 
 
 def checked_quality(value: object) -> float:
@@ -139,11 +150,13 @@ def _certified(run: Run, quality: float) -> Run:
 
 
 def _refusal(quality: float, best: float) -> ToleranceError:
-    can = "nothing was seen to be reached" if math.isinf(best) else f"{best:.1e} is reached"
+    """Return the error that offers what some steps hold at all samples."""
+    offer = float(f"{_ROUNDED_UP * best:.1e}") if best < 1.0 else 1.0
+    can = f"{offer:.1e} is reached" if offer < 1.0 else "nothing was seen to be reached"
     return ToleranceError(
         f"quality {quality:g}: no steps within the work limit hold it: {can} (R5, R12). Give that "
         "or more, a shorter duration, or a larger work_limit.",
-        None if math.isinf(best) else best,
+        offer if offer < 1.0 else None,
     )
 
 
