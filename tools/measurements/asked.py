@@ -27,7 +27,7 @@ from tamias2d.study.work_precision import study
 
 TOLERANCE, QUALITY = 1e-2, 1e-2
 _PHASES = 4
-FAULTS = ("broken offer", "no offer", "late", "traceback")
+FAULTS = ("broken offer", "late", "traceback")
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Answer:
     scene: str
     asked: str
     outcome: str
-    """met; refused, where the offer is met; or one of `FAULTS`"""
+    """met; refused, where the offer is met, or none is a number; or one of `FAULTS`"""
     said: str
     seconds: float
     """Of the processor"""
@@ -118,7 +118,7 @@ def _outcome(scene: Scene, ask: "_Question") -> tuple[str, str]:
         return "met", ask(scene, duration, None)
     except ToleranceError as refused:
         if refused.until is None and refused.reachable is None:
-            return "no offer", f"{refused}"
+            return "refused without a number", f"{refused}"
         until = refused.until or duration
         bound = None if refused.until else refused.reachable
         try:

@@ -22,7 +22,7 @@ from tamias2d.study.companion import RefusedError
 from tamias2d.study.engines.overlap import worst
 from tamias2d.study.invariants import energy_error
 from tamias2d.study.refined import stepped, work_of
-from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.refusal import ToleranceError, rounded_up
 from tamias2d.study.stepped_plan import WORK, first_step, ladder
 
 _MEASURE = (
@@ -33,7 +33,6 @@ _MEASURE = (
 _LOOKS = 30  # at a pilot run
 _STALE = 16  # times shorter steps must halve what is wrong, or no steps will do
 _MARGIN = 1.5  # times what a pilot saw the whole run may show
-_ROUNDED_UP = 1.06  # so that two digits are no less
 
 
 @dataclass(frozen=True)
@@ -151,7 +150,7 @@ def _certified(run: Run, quality: float) -> Run:
 
 def _refusal(quality: float, best: float) -> ToleranceError:
     """Return the error that offers what some steps hold at all samples."""
-    offer = float(f"{_ROUNDED_UP * best:.1e}") if best < 1.0 else 1.0
+    offer = rounded_up(best) if best < 1.0 else 1.0
     can = f"{offer:.1e} is reached" if offer < 1.0 else "nothing was seen to be reached"
     return ToleranceError(
         f"quality {quality:g}: no steps within the work limit hold it: {can} (R5, R12). Give that "

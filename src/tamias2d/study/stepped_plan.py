@@ -18,9 +18,8 @@ from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.refined import Refined, refinements, stepped, work_of
-from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.refusal import LOOSEST, ToleranceError
 
-LOOSEST = 0.1
 _SHARE = 1 / 3  # of the tolerance may be in doubt
 WORK = 1000.0
 """Substeps of one body for each step of the work limit: together they take some 0.1 ms."""
