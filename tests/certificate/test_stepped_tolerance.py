@@ -142,10 +142,10 @@ def test_a_quality_that_is_offered_is_held_at_all_samples() -> None:
     """A bullet is deepest for an instant, which a few looks at a run miss."""
     scene = catalogue.load("bullet-wall")
     with pytest.raises(t2.ToleranceError, match="is reached") as refused:
-        t2.simulate(scene, duration=0.5, quality=1e-4, work_limit=1000)
+        t2.simulate(scene, duration=0.1, quality=1e-4, work_limit=100)
     offer = refused.value.reachable
     assert offer is not None
-    run = t2.simulate(scene, duration=0.5, quality=offer, work_limit=1000)
+    run = t2.simulate(scene, duration=0.1, quality=offer, work_limit=100)
     assert run.certificate is not None
     assert run.certificate.bound is not None
     assert run.certificate.bound <= offer

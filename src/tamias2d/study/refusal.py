@@ -37,7 +37,7 @@ def refusal(tolerance: float, reachable: float) -> ToleranceError:
         return ToleranceError(
             f"tolerance {tolerance:g}: no method meets it: the error can be bounded by "
             f"{rounded_up(reachable):.1e} only, and at most {LOOSEST:g} can be asked for (R5). End "
-            "the run before, or bound overlap and energy instead, for example by a quality of 0.01.",
+            "the run before, or bound overlap and energy instead, such as by a quality of 0.01.",
             None,
         )
     return ToleranceError(
