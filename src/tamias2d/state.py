@@ -1,4 +1,4 @@
-"""Positions and velocities of bodies: at one instant, and over a run."""
+"""Positions and velocities of bodies: at one instant, between two, and over a run."""
 
 from typing import NamedTuple, Protocol, TypeAlias
 
@@ -48,3 +48,25 @@ class History(NamedTuple):
     """(k, n, 2), m/s"""
     angular_velocity: Array
     """(k, n), rad/s"""
+
+
+def place_between(
+    place: Array,
+    next_place: Array,
+    rate: Array,
+    next_rate: Array,
+    time_step: float | Array,
+    share: Array,
+) -> Array:
+    """Return where coordinates are at a share of the time, s, between two states of a step.
+
+    They bend as far as both rates agree with the way: without an impact the path of a constant
+    acceleration is exact; where the rate jumped near an end of the step it is a straight line,
+    because a parabola would lead through what was met.
+    """
+    way, change = next_place - place, next_rate - rate
+    jumped = np.abs(way - time_step * (rate + next_rate) / 2)
+    most = time_step * np.abs(change) / 2
+    bent = 1.0 - np.divide(jumped, most, out=np.ones_like(most), where=most > jumped)
+    bow: Array = bent * time_step * change * share * (1.0 - share) / 2
+    return place + share * way - bow

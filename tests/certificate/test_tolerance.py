@@ -14,6 +14,7 @@ from tamias2d.run import load
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import history_error
 from tamias2d.study.pilot import Pilot
+from tamias2d.study.refusal import refusal
 from tamias2d.work_limit import WORK_LIMIT
 
 
@@ -188,3 +189,12 @@ def test_companions_of_a_long_run_may_be_longer() -> None:
     assert limit_beside(run) == WORK_LIMIT
     long = replace(run, cost=replace(run.cost, steps=WORK_LIMIT))
     assert limit_beside(long) == 4 * WORK_LIMIT
+
+
+def test_what_is_offered_can_be_asked_for() -> None:
+    fault = refusal(1e-2, 0.0123)
+    assert fault.reachable == 0.0123
+    assert "1.3e-02" in str(fault)
+    far = refusal(1e-2, 0.83)
+    assert far.reachable is None
+    assert "at most 0.1 can be asked for" in str(far)

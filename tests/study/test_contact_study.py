@@ -26,7 +26,10 @@ from tamias2d.study.contact_errors import (
 from tamias2d.study.contact_study import ContactPoint, ContactStudy, contact_study
 from tamias2d.study.engines.refusal import PeerError
 from tamias2d.study.plot import plot
+from tamias2d.study.refined import refined
 from tamias2d.study.report import contacts_as_json, schema
+
+TIMES = np.linspace(0.0, 0.4, 25)
 
 
 def brick() -> Scene:
@@ -84,6 +87,20 @@ def test_a_slide_is_known_to_its_end(studied: ContactStudy) -> None:
     assert studied.floor < 1e-3
     assert studied.phases == 2
     assert set(studied.statistics) == {"height", "extent", "kinetic"}
+
+
+def test_the_answer_is_that_of_the_shortest_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Longer ones, which agree for longer, are contradicted by them."""
+    agree = refined(brick(), duration=0.4, times=TIMES, time_step=1 / 60, grid=1 / 60)
+    agree = replace(agree, doubt=np.full(len(TIMES), 1e-9))
+    part = replace(agree, time_step=agree.time_step / 2, doubt=np.linspace(0.0, 1.0, len(TIMES)))
+    monkeypatch.setattr(module, "refinements", lambda *_, **__: iter((agree, part)))
+    monkeypatch.setattr(module, "_HEARD", 100)
+    found = contact_study(
+        brick(), duration=0.4, reason="two parts", phases_asked=1, rates=(30,), timed=False
+    )
+    assert found.horizon == pytest.approx(TIMES[1])
+    assert found.truth == f"steps of {part.time_step:.2g} s"
 
 
 def test_a_report_keeps_its_schema(studied: ContactStudy) -> None:

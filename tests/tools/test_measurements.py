@@ -9,6 +9,7 @@ import pytest
 from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.scene import catalogue
 from tools.measurements import (
+    asked,
     certificates,
     certified_steps,
     crowds,
@@ -28,6 +29,32 @@ def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
     heads, rows = module.table(found)
     assert {len(row) for row in rows} == {len(heads)}
     return found, rows
+
+
+def test_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(catalogue, "names", lambda: ["projectiles", "tc1"])
+    monkeypatch.setattr(
+        asked, "measure", partial(asked.measure, questions=["quality", "tolerance"])
+    )
+    found, rows = lines_of(asked)
+    assert found["outcomes"] == {"quality: met": 2, "tolerance: met": 2}
+    assert len(rows) == 2
+    assert asked.notes(found) == []
+
+
+def test_asked_tells_what_takes_long_or_breaks(monkeypatch: pytest.MonkeyPatch) -> None:
+    def endless(*_: Any) -> str:
+        while True:
+            pass
+
+    def broken(*_: Any) -> str:
+        raise IndexError("beyond")
+
+    monkeypatch.setattr(asked, "_QUESTIONS", {"endless": endless, "broken": broken})
+    found = asked.measure(scenes=["tc1"], limit=1)
+    outcomes = {row["asked"]: row["outcome"] for row in found["rows"]}
+    assert outcomes == {"endless": "late", "broken": "traceback"}
+    assert "IndexError: beyond" in asked.notes(found)[0]
 
 
 def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:

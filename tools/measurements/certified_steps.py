@@ -22,7 +22,7 @@ from tamias2d.study.refusal import ToleranceError
 
 TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4)
 _SAMPLES = 60
-_FINER = ((16.18, 5), (23.14, 9))
+_FINER = ((17, 5), (23, 9))
 """Of the true answers: in how many parts they take a step of the run, and their substeps"""
 _MOST = 1e8  # substeps of one body that a true answer may take
 

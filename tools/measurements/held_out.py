@@ -7,7 +7,7 @@ import numpy as np
 
 from tamias2d.scene import Box, Compound, Disc, HalfPlane, Part, Scene
 
-SEED = 1618  # nothing was tuned on these; 2718 and 31415 showed what had to be mended
+SEED = 577215  # nothing was tuned on these; 1618, 2718 and 31415 showed what had to be mended
 _EACH = 6
 _G = (0.0, -9.81)
 

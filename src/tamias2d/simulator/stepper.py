@@ -10,7 +10,7 @@ from tamias2d.engine.contact_report import Contacts
 from tamias2d.generated import impact
 from tamias2d.scene import Scene
 from tamias2d.simulator.simulator import Simulator
-from tamias2d.state import Array, History
+from tamias2d.state import Array, History, place_between
 
 _ROUNDED = 1e-9  # of a step: as near to its end as that is at it
 
@@ -40,7 +40,8 @@ class Met(NamedTuple):
 class Stepper:
     """A scene on its way by steps: `go` to the end, then read what there was.
 
-    The state at the end of a step is the engine's; between two ends all of it changes linearly.
+    The state at the end of a step is the engine's; between two ends velocities change linearly, and
+    places as `place_between` says.
     """
 
     def __init__(self, scene: Scene, *, time_step: float, substeps: int, times: Array) -> None:
@@ -104,7 +105,7 @@ class Stepper:
             left = (end - float(self._times[self._told])) / step
             if left < -_ROUNDED:
                 return
-            self._rows[self._told] = _between(before, after, left)
+            self._rows[self._told] = _between(before, after, left, step)
             self._told += 1
 
     def _look(self, before: Array, time: float) -> None:
@@ -150,7 +151,7 @@ def states_at(
             before = _state(sim)
             sim.step()
             steps, after = last, _state(sim)
-        rows[k] = _between(before, after, (sim.time - time) / time_step)
+        rows[k] = _between(before, after, (sim.time - time) / time_step, time_step)
     sim.step(max(math.ceil(duration / time_step - _ROUNDED) - steps, 0))
     return _history(rows)
 
@@ -163,9 +164,13 @@ def _steps_until(time: float, time_step: float) -> int:
     return steps
 
 
-def _between(before: Array, after: Array, left: float) -> Array:
-    """Return the state at a time that is a share `left` of a step before its end."""
-    return after if left < _ROUNDED else before + (1.0 - left) * (after - before)
+def _between(before: Array, after: Array, left: float, time_step: float) -> Array:
+    """Return the state at a time that is a share `left` of a step, s, before its end."""
+    if left < _ROUNDED:
+        return after
+    share = np.array(1.0 - left)
+    places = place_between(before[:3], after[:3], before[3:], after[3:], time_step, share)
+    return np.concatenate((places, before[3:] + share * (after[3:] - before[3:])))
 
 
 def _state(sim: Simulator) -> Array:

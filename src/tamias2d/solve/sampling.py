@@ -14,15 +14,15 @@ from tamias2d.run import Run
 from tamias2d.solve.assembly import work_limit_of
 from tamias2d.solve.located import discs_of
 from tamias2d.solve.solution import solve
-from tamias2d.state import Array, History
+from tamias2d.state import Array, History, place_between
 from tamias2d.work_limit import Work, WorkLimitError
 
 
 def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
     """Return a function from sorted times (k,), s, and bodies to their states.
 
-    The run is simulated once more. Where it is stepped, the states change linearly between the
-    ends of steps.
+    The run is simulated once more. Where it is stepped, states between the ends of steps are those
+    of `place_between`.
     """
     scene, method, step = run.scene, run.method, run.time_step
     if not isinstance(method, PathMethod):
@@ -39,13 +39,18 @@ def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
 
 
 def _interpolated(run: Run, times: Array, bodies: Sequence[int]) -> History:
-    """Return states that change linearly between the samples of a run."""
+    """Return states between the samples of a run, which are the ends of its steps."""
     after = np.clip(np.searchsorted(run.times, times, side="right"), 1, len(run.times) - 1)
     before = after - 1
-    share = (times - run.times[before]) / (run.times[after] - run.times[before])
-    known = (run.position, run.orientation, run.velocity, run.angular_velocity)
-    rows = (
-        part[before] + share.reshape(-1, *[1] * (part.ndim - 1)) * (part[after] - part[before])
-        for part in (whole[:, list(bodies)] for whole in known)
-    )
-    return History(*rows)
+    step = run.times[after] - run.times[before]
+    share = (times - run.times[before]) / step
+    places, rates = [], []
+    for place, rate in (
+        (run.position, run.velocity),
+        (run.orientation, run.angular_velocity),
+    ):
+        near = [part[rows][:, list(bodies)] for part in (place, rate) for rows in (before, after)]
+        wide = [part.reshape(-1, *[1] * (place.ndim - 1)) for part in (step, share)]
+        places.append(place_between(*near, *wide))
+        rates.append(near[2] + wide[1] * (near[3] - near[2]))
+    return History(places[0], places[1], rates[0], rates[1])

@@ -73,7 +73,7 @@ def certify(run: Run) -> Run:
         raise InputError(f"run: found {shown(run)}: must be a Run (R5). Give one of `simulate`.")
     if isinstance(run.method, Stepped):
         return certify_steps(run)
-    if (fault := next(penetrations(run), None)) is not None:
+    if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=_of_penetration(run, fault))
     grown = growth(run)
     lost_at = horizon(run, grown)
@@ -85,6 +85,9 @@ def certify(run: Run) -> Run:
         certificate = _of_positions(run, _way(run.method)(run, grown))
     except _NoBoundError as reason:
         certificate = _of_energy(run, str(reason), lost_at)
+    else:  # the way of many bodies is searched only if something is said of it
+        if crowded(run) and (fault := next(penetrations(run), None)) is not None:
+            certificate = _of_penetration(run, fault)
     return replace(run, certificate=certificate)
 
 
@@ -93,7 +96,7 @@ def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
 
     Without such, four are made, by steps from a half to a quarter of its own.
     """
-    if (fault := next(penetrations(run), None)) is not None:
+    if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=_of_penetration(run, fault))
     lost_at = None
     try:
@@ -132,7 +135,7 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
         does_not_claim=(
             *not_claimed(None),
             *((_LEFT_OPEN,) if stepped else ()),
-            *((_UNSEEN,) if crowded(run) else ()),
+            *((_UNSEEN,) if stepped and crowded(run) else ()),
         ),
         observed_order=found.order,
         predictability_horizon=None,
@@ -171,7 +174,11 @@ def _of_energy(run: Run, reason: str, lost_at: float | None) -> Certificate:
         bound=bound,
         how=reason,
         claims=() if bound is None else (f"{_RISE if stepped else _KEPT} at all samples",),
-        does_not_claim=(*not_claimed(lost_at), "where single bodies are, since " + reason),
+        does_not_claim=(
+            *not_claimed(lost_at),
+            "where single bodies are, since " + reason,
+            *((_UNSEEN,) if crowded(run) else ()),
+        ),
         observed_order=None,
         predictability_horizon=lost_at,
         hashes=hashes(run.scene),
@@ -251,6 +258,7 @@ def _shorter(run: Run) -> Refined:
             duration=run.duration,
             times=run.times,
             time_step=step / 2,
+            grid=step,
             substeps=max(substeps, SUBSTEPS),
         )
     except RefusedError as fault:

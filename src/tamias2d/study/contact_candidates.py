@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from tamias2d.scene import Scene
-from tamias2d.state import Array, History
+from tamias2d.state import Array, History, place_between
 from tamias2d.study.contact_errors import Followed, hanging
 from tamias2d.study.engines.box2d import Box2D
 from tamias2d.study.engines.chipmunk import Chipmunk
@@ -75,7 +75,7 @@ def contact_candidates(
 def follow(
     candidate: ContactCandidate, scene: Scene, times: Array, *, listens: bool, looks: bool
 ) -> Followed:
-    """Run a candidate and look at it at sorted times (k,), s; between steps states are lines.
+    """Run a candidate and look at it at sorted times (k,), s; between steps, as runs are.
 
     It is asked for contacts only if it `listens`, and overlaps are computed only if one `looks`.
     Raises as the engines do.
@@ -95,15 +95,28 @@ def follow(
             found = hanging(scene, before, after, step)
             hung, fast = hung + found[0], fast + found[1]
         left = min(max((steps * step - time) / step, 0.0), 1.0)
-        rows.append(_unwrapped(after + left * (before - after), rows))
+        rows.append(_unwrapped(_between(before, after, left, step), rows))
     states = np.array(rows)
     seen = states[:: max(len(states) // _LOOKS, 1)] if looks else states[:0]
     return Followed(
         History(states[..., :2], states[..., 2], states[..., 3:5], states[..., 5]),
         hung / fast if fast else 0.0,
         engine.met if listens else None,
-        max((worst(scene, state).share_of_size for state in seen), default=0.0),
+        worst(scene, *seen).share_of_size,
     )
+
+
+def _between(before: Array, after: Array, left: float, time_step: float) -> Array:
+    """Return the state (n, 6) at a time that is a share `left` of a step, s, before its end."""
+    if not left:
+        return after
+    share = np.array(1.0 - left)
+    line = before + share * (after - before)
+    at, rate = slice(0, 3), slice(3, 6)
+    line[:, at] = place_between(
+        before[:, at], after[:, at], before[:, rate], after[:, rate], time_step, share
+    )
+    return line
 
 
 def _unwrapped(state: Array, rows: list[Array]) -> Array:

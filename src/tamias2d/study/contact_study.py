@@ -24,7 +24,7 @@ from tamias2d.study.engines.refusal import PeerError
 from tamias2d.study.front import front
 from tamias2d.study.refined import SUBSTEPS, Refined, nudged, refinements, stepped, work_of
 from tamias2d.study.refusal import ToleranceError
-from tamias2d.study.stepped_plan import first_step
+from tamias2d.study.stepped_plan import aligned_step, ends_of_steps
 from tamias2d.study.work_precision import ProgressHook, Seconds
 
 _AGREED = 1e-3
@@ -34,7 +34,6 @@ _DEAREST = 3e7  # the same for one candidate
 _PHASES = 3e8  # the same for all runs of an ensemble
 _FEWEST = 4  # runs of an ensemble, where as many are asked for
 _NUDGE = 1e-6  # of the largest radius: by how much starts of an ensemble differ
-_SAMPLES = 120
 _HEARD = 2000  # steps at most of a run that is asked for its contacts
 _ROUNDS = 5
 _LONG = 0.5  # s: what the timing of a point may take, but for its first run
@@ -145,9 +144,9 @@ def contact_study(
     Raises:
         ToleranceError: a run by short steps is refused, so that there is nothing to compare with.
     """
-    coarsest = 2 * first_step(duration)
-    tried = list(contact_candidates(scene, duration, coarsest=coarsest, most=_DEAREST, rates=rates))
-    known = _known(scene, duration, _affordable(scene, duration, tried, phases_asked))
+    step = aligned_step(duration, np.array([duration]))
+    tried = list(contact_candidates(scene, duration, coarsest=2 * step, most=_DEAREST, rates=rates))
+    known = _known(scene, duration, step, _affordable(scene, duration, tried, phases_asked))
     points = [_located(reason)]
     complete = True
     try:
@@ -185,37 +184,34 @@ def _located(reason: str) -> ContactPoint:
     return ContactPoint(method="Located", setting="", peer=False, steps=0, passes=0, failure=reason)
 
 
-def _known(scene: Scene, duration: float, phases: int) -> _Known:
-    """Return what candidates are compared with, in each phase."""
-    times = np.linspace(0.0, duration, _SAMPLES + 1)
-    best: Refined | None = None
+def _known(scene: Scene, duration: float, step: float, phases: int) -> _Known:
+    """Return what candidates are compared with, in each phase, at ends of steps, s.
+
+    That are the shortest steps, and the horizon is theirs: where longer ones agreed for longer and
+    these do not, the longer ones agreed by chance.
+    """
+    times = ends_of_steps(duration, step)
     try:
-        for found in refinements(
-            scene, duration=duration, times=times, time_step=first_step(duration), work=_WORK
-        ):
-            if best is None or _reach(found) >= _reach(best):
-                best = found
+        *_, finest = refinements(scene, duration=duration, times=times, time_step=step, work=_WORK)
     except RefusedError as fault:
         raise ToleranceError(
             f"tradeoff: a run by short steps was refused: {fault}", None
         ) from fault
-    assert best is not None
     scenes = (scene, *(nudged(scene, k, _NUDGE) for k in range(1, phases)))
-    horizon = float(times[_reach(best)[0]])
-    step = best.time_step
-    finest = [best.finest]
-    finest += [stepped(other, duration, times, step, 2 * SUBSTEPS) for other in scenes[1:]]
-    length = float(best.length[_reach(best)[0]])
+    last = _last_agreed(finest)
+    horizon, length = float(times[last]), float(finest.length[last])
+    step = finest.time_step
+    histories = [finest.finest]
+    histories += [stepped(other, duration, times, step, 2 * SUBSTEPS) for other in scenes[1:]]
     met = _first_contacts(scene, duration, max(step, duration / (2 * _HEARD)))
-    answers = (Answer(history, times, horizon, length, met) for history in finest)
-    return _Known(best, scenes, tuple(answers))
+    answers = (Answer(history, times, horizon, length, met) for history in histories)
+    return _Known(finest, scenes, tuple(answers))
 
 
-def _reach(found: Refined) -> tuple[int, float]:
-    """Return the last sample at which runs agree, and how well they do there: more is better."""
+def _last_agreed(found: Refined) -> int:
+    """Return the last sample at which runs agree."""
     lost = np.flatnonzero(~(found.doubt <= _AGREED * found.length))
-    last = max(int(lost[0]) - 1, 1) if len(lost) else len(found.times) - 1
-    return last, -float(found.doubt[last])
+    return max(int(lost[0]) - 1, 1) if len(lost) else len(found.times) - 1
 
 
 def _first_contacts(scene: Scene, duration: float, step: float) -> dict[tuple[int, int], float]:

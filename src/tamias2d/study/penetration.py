@@ -4,21 +4,23 @@ It shares nothing with the search for impacts. Over an interval of time one dire
 two pieces at both ends and in the middle, by more than what the motion between these can bend;
 otherwise the interval is halved. The directions that separate what does not pass follow from one
 another without a jump: the opposite one, as below a line instead of above, is reached only around
-its end.
+its end. Only those are looked at whose swept boxes meet (`sweep`).
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from itertools import combinations
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
+from tamias2d.scene import Body, HalfPlane
 from tamias2d.scene.filters import may_touch
 from tamias2d.solve import sampler
 from tamias2d.state import Array, History
 from tamias2d.study.separation import ConvexPart, Flags, View, divided, joined, pieces, view
+from tamias2d.study.sweep import beside, meeting, standing_box, swept_boxes
 
 _EPSILON = 2.0**-52
 _TOUCH = 1e-9  # of the smaller size: overlaps less deep are touches
@@ -27,8 +29,11 @@ _UNSEEN = 1e-6  # of the smaller size: by how much bodies may overlap between sa
 _INTERVALS = 240  # of the run, at least, from which halving starts
 _HALVINGS = 44
 _MOST = 2**16  # intervals of one pair that are still halved
-_BODIES = 100  # of more than these nothing is looked for: that takes all pairs
+_BODIES = 100  # more than these are a crowd
 _TURN = 0.5  # cosine: by how much a direction may turn in half an interval
+
+
+_Sampler = Callable[[Array, Sequence[int]], History]
 
 
 class Penetration(NamedTuple):
@@ -57,54 +62,114 @@ class _Leaf(NamedTuple):
 
 def penetrations(run: Run) -> Iterator[Penetration]:
     """Go through the pairs of pieces that overlap or pass through each other."""
-    pairs = [] if crowded(run) else list(_pairs(run))
-    if not pairs:
+    bodies = run.scene.bodies
+    solid = [k for k, body in enumerate(bodies) if body.shape is not None and not body.sensor]
+    of = {k: pieces(k, bodies[k]) for k in solid}
+    if not any(bodies[k].dynamic for k in solid):
         return
-    sample, nodes = sampler(run), _nodes(run)
-    history = sample(nodes, range(len(run.scene)))
+    sample, nodes = sampler(run), _Nodes(run)
     share = _PRESSED if isinstance(run.method, Stepped) else _TOUCH
-    for a, b in pairs:
-        near = _near(a, b, nodes, history)
-        if near.any():
-            touch, unseen = _tolerances(a, b, share, nodes, history)
-            found = _Search(a, b, sample, touch, unseen).first(nodes[:-1][near], nodes[1:][near])
-            if found:
-                yield found
+    for i, j, chosen in _near_bodies(run, of, sample, nodes):
+        times = nodes.within((i, j), chosen)
+        both = sample(times, (i, j))
+        for a, b in product(of[i], of[j]):
+            pair, history = (a, b), both
+            if b.offset is not None:
+                pair, history = (b, a), _exchanged(both)
+            near = _near(*pair, times, history) & nodes.chosen(times[:-1], chosen)
+            if near.any():
+                touch, unseen = _tolerances(*pair, share, times, history)
+                search = _Search(*pair, sample, touch, unseen)
+                if found := search.first(times[:-1][near], times[1:][near]):
+                    yield found
 
 
 def crowded(run: Run) -> bool:
-    """Whether a run has so many bodies that nothing is looked for."""
+    """Whether a run has so many bodies that it takes long to look."""
     solid = sum(body.shape is not None for body in run.scene.bodies)
     return solid > _BODIES
 
 
-def _pairs(run: Run) -> Iterator[tuple[ConvexPart, ConvexPart]]:
-    """Go through all pairs of pieces that must not overlap; a half-plane is first."""
+class _Nodes:
+    """The times from which the search starts: marks of all bodies, and impacts of each."""
+
+    def __init__(self, run: Run) -> None:
+        end = float(run.times[-1])
+        known = np.unique(np.concatenate((run.times, np.linspace(0.0, end, _INTERVALS + 1))))
+        self.marks = known[known <= end]
+        early = run.impacts.time <= end
+        self._impacts = run.impacts.time[early]
+        order = np.argsort(run.impacts.bodies[early].ravel(), kind="stable")
+        self._struck = run.impacts.bodies[early].ravel()[order]
+        self._of = order // 2
+
+    def of(self, *bodies: int) -> Array:
+        """Return all times of some bodies, s."""
+        ends = [np.searchsorted(self._struck, (body, body + 1)) for body in bodies]
+        struck = [self._impacts[self._of[first:last]] for first, last in ends]
+        return np.unique(np.concatenate((self.marks, *struck)))
+
+    def within(self, bodies: tuple[int, int], chosen: Flags) -> Array:
+        """Return those of some bodies in, and at the ends of, chosen intervals of marks, s."""
+        times = self.of(*bodies)
+        inside = self.chosen(times, chosen)
+        inside[1:] |= self.chosen(times[:-1], chosen)
+        found: Array = times[inside]
+        return found
+
+    def chosen(self, times: Array, chosen: Flags) -> Flags:
+        """Return (k,): whether intervals that begin at times, s, are in chosen ones of marks."""
+        place = np.searchsorted(self.marks, times, side="right") - 1
+        found: Flags = np.append(chosen, False)[place]
+        return found
+
+
+def _near_bodies(
+    run: Run, of: dict[int, list[ConvexPart]], sample: _Sampler, nodes: _Nodes
+) -> Iterator[tuple[int, int, Flags]]:
+    """Go through pairs of bodies that must not overlap, and in which intervals they come near."""
     bodies = run.scene.bodies
-    solid = [k for k, body in enumerate(bodies) if body.shape is not None and not body.sensor]
-    of = {k: pieces(k, bodies[k]) for k in solid}
-    for i, j in combinations(solid, 2):
+    boxed = [k for k in of if not isinstance(bodies[k].shape, HalfPlane)]
+    boxes = [_boxes(k, bodies[k], of[k], sample, nodes) for k in boxed]
+    low, high = (np.stack([box[side] for box in boxes]) for side in (0, 1))
+    near = {(boxed[a], boxed[b]): chosen for (a, b), chosen in meeting(low, high).items()}
+    for k in of:
+        shape = bodies[k].shape
+        if isinstance(shape, HalfPlane):
+            reached = beside(shape, low, high)
+            near |= {(k, boxed[n]): reached[n] for n in np.flatnonzero(reached.any(axis=1))}
+    for (i, j), chosen in sorted(near.items(), key=lambda item: item[0]):
         if (bodies[i].dynamic or bodies[j].dynamic) and may_touch(bodies[i], bodies[j]):
-            for a in of[i]:
-                yield from ((b, a) if b.offset is not None else (a, b) for b in of[j])
+            yield i, j, chosen
 
 
-def _nodes(run: Run) -> Array:
-    """Return the times from which the search starts: samples, impacts, and enough between them."""
-    end = float(run.times[-1])
-    known = (run.times, run.impacts.time, np.linspace(0.0, end, _INTERVALS + 1))
-    nodes = np.unique(np.concatenate(known))
-    return nodes[nodes <= end]
+def _boxes(
+    index: int, body: Body, parts: list[ConvexPart], sample: _Sampler, nodes: _Nodes
+) -> tuple[Array, Array]:
+    """Return the least and the largest (i, 2), m, that a body reaches in each interval of marks."""
+    if not (body.dynamic or body.kinematic):
+        low, high = standing_box(body, parts)
+        shape = (len(nodes.marks) - 1, 2)
+        return np.broadcast_to(low, shape), np.broadcast_to(high, shape)
+    times = nodes.of(index)
+    history = sample(times, (index,))
+    reach = max(part.reach + part.radius for part in parts)
+    return swept_boxes(nodes.marks, times, history.position[:, 0], history.velocity[:, 0], reach)
+
+
+def _exchanged(history: History) -> History:
+    """Return the history of two bodies, the second one first."""
+    return History(*(part[:, ::-1] for part in history))
 
 
 def _near(a: ConvexPart, b: ConvexPart, nodes: Array, history: History) -> Flags:
     """Return (k - 1,): in which intervals a pair may come near, by circles around both."""
-    between = history.position[:, b.body] - history.position[:, a.body]
+    between = history.position[:, 1] - history.position[:, 0]
     if a.offset is None:
         away = np.hypot(*between.T) - a.reach - a.radius - b.reach - b.radius
     else:
         away = between @ a.normals[0] - a.offset - b.reach - b.radius
-    speed = np.linalg.norm(history.velocity[:, [a.body, b.body]], axis=-1).sum(axis=1)
+    speed = np.linalg.norm(history.velocity, axis=-1).sum(axis=1)
     way = np.hypot(*np.diff(between, axis=0).T) + np.diff(nodes) * np.maximum(speed[1:], speed[:-1])
     near: Flags = np.minimum(away[1:], away[:-1]) <= 2 * way
     return near
@@ -115,10 +180,9 @@ def _tolerances(
 ) -> tuple[float, float]:
     """Return the overlap that counts as a touch, and the one that may go unseen, m."""
     size = min(a.size, b.size)
-    both = [a.body, b.body]
-    far = float(np.abs(history.position[:, both]).max())
+    far = float(np.abs(history.position).max())
     wide = b.reach + b.radius + (a.reach + a.radius if a.offset is None else abs(a.offset))
-    fast = float(np.abs(history.velocity[:, both]).max())
+    fast = float(np.abs(history.velocity).max())
     blur = _EPSILON * (64 * (far + wide) + 16 * fast * float(nodes[-1]))
     return share * size + blur, max(share, _UNSEEN) * size + blur
 
@@ -130,7 +194,7 @@ class _Search:
         self,
         a: ConvexPart,
         b: ConvexPart,
-        sample: Callable[[Array, Sequence[int]], History],
+        sample: _Sampler,
         touch: float,
         unseen: float,
     ) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 
 from tamias2d.balance import balance, kinetic_energy
 from tamias2d.certificate import Certificate, hashes, not_claimed
+from tamias2d.contact import steps_because
 from tamias2d.errors import InputError
 from tamias2d.motion import Stepped
 from tamias2d.run import Run
@@ -21,7 +22,7 @@ from tamias2d.study.companion import RefusedError
 from tamias2d.study.engines.overlap import worst
 from tamias2d.study.invariants import energy_error
 from tamias2d.study.refined import stepped, work_of
-from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.refusal import ToleranceError, rounded_up
 from tamias2d.study.stepped_plan import WORK, first_step, ladder
 
 _MEASURE = (
@@ -53,8 +54,9 @@ def quality_of(scene: Scene, history: History) -> Quality:
     """Return the quality of a history, at its samples."""
     energy, _, _ = balance(scene, history)
     kinetic = kinetic_energy(scene, history.velocity, history.angular_velocity)
-    overlap = max(worst(scene, state).share_of_size for state in _states(history))
-    return Quality(overlap, energy_error(scene, energy, kinetic))
+    return Quality(
+        worst(scene, *_states(history)).share_of_size, energy_error(scene, energy, kinetic)
+    )
 
 
 def of_quality(
@@ -64,10 +66,14 @@ def of_quality(
 
     Raises as `simulate` does.
     """
-    first = solve(scene, duration=duration, times=times, progress=progress, work_limit=work_limit)
-    if not isinstance(first.method, Stepped):
-        return _certified(first, quality)
-    work, best = WORK * work_limit, math.inf
+    if steps_because(scene, duration) is None:
+        first = solve(
+            scene, duration=duration, times=times, progress=progress, work_limit=work_limit
+        )
+        if not isinstance(first.method, Stepped):
+            return _certified(first, quality)
+    work, best, held = WORK * work_limit, math.inf, math.inf
+    nearest = (math.inf, 0.0, 0)
     reached: dict[float, float] = {}
     looks = np.linspace(0.0, duration, _LOOKS + 1)
     for step, substeps in ladder(scene, duration, 2 * first_step(duration), duration / 2**22):
@@ -76,27 +82,36 @@ def of_quality(
         before = reached.get(step * _STALE, math.inf)
         if work < 0 or (math.isfinite(before) and best > before / 2):
             break
-        try:
-            seen = quality_of(scene, stepped(scene, duration, looks, step, substeps)).size
-        except RefusedError:
-            continue
+        seen = _seen(scene, duration, looks, step, substeps)
         if seen > quality:
             best = min(best, _MARGIN * seen)
+            nearest = min(nearest, (seen, step, substeps))
             continue
-        run = solve(
-            scene,
-            duration=duration,
-            method=Stepped(substeps),
-            time_step=step,
-            times=times,
-            progress=progress,
-        )
-        found = quality_of(scene, _history(run)).size
+        found = max(seen, _seen(scene, duration, times, step, substeps))
         if found <= quality:
-            note = f"{run.method} with steps of {step:.4g} s: the cheapest of quality {quality:g}"
+            method = Stepped(substeps)
+            run = solve(
+                scene,
+                duration=duration,
+                method=method,
+                time_step=step,
+                times=times,
+                progress=progress,
+            )
+            note = f"{method} with steps of {step:.4g} s: the cheapest of quality {quality:g}"
             return _certified(replace(run, notes=(note, *run.notes[1:])), quality)
-        best = min(best, found)
-    raise _refusal(quality, best)
+        best, held = min(best, found), min(held, found)
+    if math.isinf(held) and math.isfinite(nearest[0]):
+        held = max(nearest[0], _seen(scene, duration, times, *nearest[1:]))
+    raise _refusal(quality, held)
+
+
+def _seen(scene: Scene, duration: float, times: Array, step: float, substeps: int) -> float:
+    """Return what is wrong with a run by steps at times (k,), s: infinite if it is refused."""
+    try:
+        return quality_of(scene, stepped(scene, duration, times, step, substeps)).size
+    except RefusedError:
+        return math.inf
 
 
 def checked_quality(value: object) -> float:
@@ -134,11 +149,13 @@ def _certified(run: Run, quality: float) -> Run:
 
 
 def _refusal(quality: float, best: float) -> ToleranceError:
-    can = "nothing was seen to be reached" if math.isinf(best) else f"{best:.1e} is reached"
+    """Return the error that offers what some steps hold at all samples."""
+    offer = rounded_up(best) if best < 1.0 else 1.0
+    can = f"{offer:.1e} is reached" if offer < 1.0 else "nothing was seen to be reached"
     return ToleranceError(
         f"quality {quality:g}: no steps within the work limit hold it: {can} (R5, R12). Give that "
         "or more, a shorter duration, or a larger work_limit.",
-        None if math.isinf(best) else best,
+        offer if offer < 1.0 else None,
     )
 
 

@@ -27,12 +27,12 @@ from tamias2d.scene.rules import number
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.solve import solve
 from tamias2d.study.pilot import Estimate, Pilot
-from tamias2d.study.refusal import ToleranceError as ToleranceError, refusal
+from tamias2d.study.refusal import LOOSEST, ToleranceError as ToleranceError, refusal
 from tamias2d.study.stepped_plan import plan_steps, stepped_because
 from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
-TIGHTEST, LOOSEST = 1e-15, 0.1
+TIGHTEST = 1e-15
 _MORE = 4  # times the work of the first pilot run may the tightest one take
 
 

@@ -23,14 +23,15 @@ from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.error import distance, radii
 
-_RUNS = ((1.0, 1.0), (2 ** (-1 / 3), 1.5), (2 ** (-2 / 3), 3.0), (0.5, 2.0))
-"""Their steps and substeps, as shares of the first one's. The last one has the shortest steps."""
+_RUNS = ((1.0, 1.0), (1.25, 1.5), (1.5, 3.0), (2.0, 2.0))
+"""How many steps and substeps they have for one of the first. The last has the shortest steps."""
 _TRUSTED = 3.0
 """Times as far as these runs are apart they may be from where ever shorter steps lead: at order 1
 the last one is once as far from it as from the first, at order 1/2 two and a half times."""
 _NUDGE = 1e-9
 """Of the largest radius: by how much the starts of all runs but the last one are moved."""
 SUBSTEPS = 4
+_ROUNDED = 1e-9  # of a step
 _OVERHEAD = 4
 """Substeps that the rest of a step costs as much as, measured on piles and stacks."""
 
@@ -71,14 +72,26 @@ class Refined:
 
 
 def refined(
-    scene: Scene, *, duration: float, times: Array, time_step: float, substeps: int = SUBSTEPS
+    scene: Scene,
+    *,
+    duration: float,
+    times: Array,
+    time_step: float,
+    grid: float,
+    substeps: int = SUBSTEPS,
 ) -> Refined:
     """Return what runs from a time step, s, to half of it say of a scene at times (k,), s.
+
+    Their steps divide those of a grid, s, so that at times on the grid all of them have ends of
+    steps: between these, nothing is known of an impact.
 
     Raises:
         RefusedError: one of them goes beyond float64.
     """
-    settings = [(time_step * step, round(substeps * sub)) for step, sub in _RUNS]
+    parts = [math.ceil(more * grid / time_step - _ROUNDED) for more, _ in _RUNS]
+    settings = [
+        (grid / many, round(substeps * sub)) for many, (_, sub) in zip(parts, _RUNS, strict=True)
+    ]
     starts = [*(nudged(scene, k) for k in range(1, len(_RUNS))), scene]
     found = [
         stepped(start, duration, times, *setting)
@@ -102,11 +115,14 @@ def refinements(
 ) -> Iterator[Refined]:
     """Yield what ever shorter steps say, each time half as long, as far as some work goes.
 
+    All of them divide the first time step, s.
+
     Raises:
         RefusedError: the first runs go beyond float64.
     """
+    grid = time_step
     while True:
-        found = refined(scene, duration=duration, times=times, time_step=time_step)
+        found = refined(scene, duration=duration, times=times, time_step=time_step, grid=grid)
         work -= found.work
         yield found
         if work < 2 * found.work:

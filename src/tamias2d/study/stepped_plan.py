@@ -18,9 +18,8 @@ from tamias2d.state import Array
 from tamias2d.study.companion import RefusedError
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.refined import Refined, refinements, stepped, work_of
-from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.refusal import LOOSEST, ToleranceError
 
-LOOSEST = 0.1
 _SHARE = 1 / 3  # of the tolerance may be in doubt
 WORK = 1000.0
 """Substeps of one body for each step of the work limit: together they take some 0.1 ms."""
@@ -30,6 +29,7 @@ _FEWEST = 16  # steps of a run
 _FALLS = 8.0  # times, at most, halving a step makes an error smaller
 _STALE = 4  # halvings in which the doubt must halve, or it never will
 _SAMPLES = 120
+_ROUNDED = 1e-9  # of a step
 _SOONER = 0.9  # of the time up to which runs agreed is one that can be asked for
 
 
@@ -70,16 +70,16 @@ def plan_steps(
     Raises:
         ToleranceError: runs do not agree so well, or not up to the end; it says until when.
     """
-    spread = np.linspace(0.0, duration, _SAMPLES + 1)
-    looked = np.unique(np.concatenate((np.asarray(times, dtype=float), spread)))
-    work = WORK * work_limit
-    seen = _refined(scene, duration, tolerance, looked, work)
+    asked = np.unique(np.asarray(times, dtype=float))
+    first = aligned_step(duration, asked)
+    looked = _looked(asked, duration, first)
+    seen = _refined(scene, duration, tolerance, looked, first, WORK * work_limit)
     refined = seen[-1]
     if not refined.share <= _SHARE * tolerance:
         raise _beyond(tolerance, duration, seen, reason)
     failed: dict[int, Estimate] = {}  # the last of each number of substeps
     spent = sum(found.steps for found in seen)
-    for step, substeps in _ladder(refined, duration):
+    for step, substeps in ladder(scene, duration, 2 * first, 2 * refined.time_step):
         if substeps in failed and (least := failed[substeps].error / _FALLS) > tolerance:
             failed[substeps] = replace(failed[substeps], error=least)
             continue
@@ -97,6 +97,31 @@ def first_step(duration: float) -> float:
     return min(1 / FRAMES, duration / _FEWEST)
 
 
+def aligned_step(duration: float, times: Array) -> float:
+    """Return about `first_step`, s, so that most of the times (k,), s, are at ends of steps."""
+    most = first_step(duration)
+    gap = float(np.median(np.diff(times, prepend=0.0)[times > 0.0])) if times.any() else duration
+    if gap > most:
+        return gap / math.ceil(gap / most * (1 - _ROUNDED))
+    return gap * 2.0 ** math.floor(math.log2(most / gap * (1 + _ROUNDED)))
+
+
+def ends_of_steps(duration: float, step: float) -> Array:
+    """Return the times (k,), s, of some 60 to 120 ends of steps, or of all if these are fewer."""
+    steps = math.ceil(duration / step * (1 - _ROUNDED))
+    every = max(math.ceil(steps / _SAMPLES), 1)
+    found: Array = np.minimum(np.arange(0, steps + every, every) * step, duration)
+    return found
+
+
+def _looked(times: Array, duration: float, step: float) -> Array:
+    """Return times (k,), s, that were asked for, and what it takes to see when runs part."""
+    more = ends_of_steps(duration, step)
+    place = np.searchsorted(times, more - _ROUNDED * step)
+    known = np.append(times, math.inf)[place] <= more + _ROUNDED * step
+    return np.unique(np.concatenate((times, more[~known])))
+
+
 def ladder(
     scene: Scene, duration: float, coarsest: float, finest: float
 ) -> Iterator[tuple[float, int]]:
@@ -108,20 +133,13 @@ def ladder(
     yield from sorted(pairs, key=lambda pair: work_of(scene, duration, *pair))
 
 
-def _ladder(refined: Refined, duration: float) -> Iterator[tuple[float, int]]:
-    coarsest = 2 * first_step(duration)
-    yield from ladder(refined.scene, duration, coarsest, 2 * refined.time_step)
-
-
 def _refined(
-    scene: Scene, duration: float, tolerance: float, times: Array, work: float
+    scene: Scene, duration: float, tolerance: float, times: Array, step: float, work: float
 ) -> list[Refined]:
     """Return refinements, the last of which is good enough, or no better than those before."""
     seen: list[Refined] = []
     try:
-        for found in refinements(
-            scene, duration=duration, times=times, time_step=first_step(duration), work=work
-        ):
+        for found in refinements(scene, duration=duration, times=times, time_step=step, work=work):
             seen.append(found)
             if found.share <= _SHARE * tolerance or _stale(seen, _SHARE * tolerance):
                 break
@@ -163,7 +181,7 @@ def _lost(estimate: Estimate) -> Estimate:
 def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str) -> ToleranceError:
     """Return the error that says until when, and how well, runs agree."""
     best = min(found.share for found in seen) / _SHARE
-    until = max(_agreed(found, _SHARE * tolerance) for found in seen)
+    until = _agreed(seen[-1], _SHARE * tolerance)  # what only longer steps agreed on was chance
     remedies = []
     offer = float(f"{_SOONER * until:.1e}") if until > duration / _SAMPLES else None
     if offer is not None:

@@ -46,11 +46,12 @@ class _Solids:
             for piece in pieces(body, 0.0)
         ]
         most = max((len(piece.corners) for _, piece in held), default=1)
-        self.body = np.array([k for k, _ in held])
-        self.moves = np.array([scene.bodies[k].dynamic for k in self.body])
+        self.body = np.array([k for k, _ in held], dtype=np.int64)
+        self.moves = np.array([scene.bodies[k].dynamic for k in self.body], dtype=bool)
         self.radius = np.array([piece.radius for _, piece in held])
         self.inner = np.array([_inner(piece) for _, piece in held])
         self.outer = np.array([_outer(scene.bodies[k]) for k, _ in held])
+        self.filtered = any(filters(body) for body in scene.bodies)
         padded = [
             piece.corners + piece.corners[-1:] * (most - len(piece.corners)) for _, piece in held
         ]
@@ -65,21 +66,27 @@ class _Solids:
         return np.asarray(turned + at[:, None, :2])
 
 
-def worst(scene: Scene, state: Array) -> Overlap:
-    """Return the deepest overlap of a scene in a state (n, 6) of all its bodies, or 0."""
+def worst(scene: Scene, *states: Array) -> Overlap:
+    """Return the deepest overlap of a scene in states (n, 6) of all its bodies, or 0."""
     solids = _Solids(scene)
-    corners = solids.corners(state)
-    found = [Overlap(0.0, 0.0, 0.0), *_in_half_planes(scene, solids, corners)]
-    filtered = any(filters(body) for body in scene.bodies)
+    found = [Overlap(0.0, 0.0, 0.0)]
+    if len(solids.body):
+        for state in states:
+            found += _overlaps(scene, solids, solids.corners(state))
+    return Overlap(*(max(column) for column in zip(*found, strict=True)))
+
+
+def _overlaps(scene: Scene, solids: _Solids, corners: Array) -> Iterator[Overlap]:
+    """Give the deepest overlaps of several groups of pairs."""
+    yield from _in_half_planes(scene, solids, corners)
     for first, second in _near(solids, corners):
         apart = separations(corners[first], corners[second])
         depth = solids.radius[first] + solids.radius[second] - apart
-        if filtered:
+        if solids.filtered:
             depth = np.where(_solid_pairs(scene, solids, first, second), depth, 0.0)
         inner = np.minimum(solids.inner[first], solids.inner[second])
         outer = np.minimum(solids.outer[first], solids.outer[second])
-        found.append(_worst_of(depth, inner, outer))
-    return Overlap(*(max(column) for column in zip(*found, strict=True)))
+        yield _worst_of(depth, inner, outer)
 
 
 def _worst_of(depth: Array, inner: Array, outer: Array) -> Overlap:
