@@ -77,6 +77,8 @@ def contact_report(store: Store) -> Touching:
     state, buffers, counts = store.world.state, store.world.buffers, store.world.broad_phase.counts
     side, size = int(counts[BUFFER]), int(counts[CONTACTS])
     rows = np.flatnonzero(buffers.flags[side, :size, TOUCHES])
+    if len(rows) == 0:
+        return _NOTHING
     flags, found = buffers.flags[side, rows].astype(np.int64), buffers.manifolds[side, rows]
     bodies = state.body_of_slot[buffers.pairs[side, rows, SLOT_A : SLOT_B + 1]].astype(np.int64)
     code = bodies.min(axis=1) * len(state.pose) + bodies.max(axis=1)
@@ -152,3 +154,15 @@ def contacts_of(columns: Iterable[NDArray[Any]]) -> Contacts:
 def _read_only(values: NDArray[Any]) -> NDArray[Any]:
     values.flags.writeable = False
     return values
+
+
+def _nothing() -> Contacts:
+    none = np.empty(0)
+    pairs = np.empty((0, 2), dtype=np.int64)
+    return contacts_of((pairs, np.empty((0, 2)), np.empty((0, 2)), none, none))
+
+
+_NOTHING = Touching(
+    contacts=_nothing(), began=_nothing(), ended=_read_only(np.empty((0, 2), dtype=np.int64))
+)
+"""Made once, because most steps of a scene without piles have it."""
