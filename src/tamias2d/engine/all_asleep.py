@@ -52,10 +52,10 @@ def note_all_asleep(world: World) -> bool:
 
 def nobody_awake(islands: Islands) -> bool:
     """Return whether no body was awake in a step, and none that is not dynamic was new or moved."""
-    for i in range(len(islands.links)):
-        if islands.links[i, AWAKE] == 1:
-            return False
-    return True
+    i, size = 0, len(islands.links)
+    while i < size and islands.links[i, AWAKE] == 0:
+        i += 1
+    return i == size
 
 
 def still_asleep(world: World) -> bool:

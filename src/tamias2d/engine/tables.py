@@ -90,6 +90,10 @@ RETAKEN = _control()  # 1 if the part was begun before, and was too long
 LEAST_LEVEL = _control()  # of the parts of this step: longer ones had too many impacts
 FINEST = _control()  # level of the shortest part of the last step
 PART_SUBSTEPS = _control()  # of a part
+SUNK_A = _control()  # slot, plus 1, of a body that another sinks into; 0 for none so far
+SUNK_B = _control()  # of the other one
+OUTWEIGHED = _control()  # slot, plus 1, of a body of an island of masses too different to be solved
+LIMITS = _control()  # how many of these two are known
 ALL_ASLEEP = _control()  # 1 if no body was awake in the last step, and nobody came or went since
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 
@@ -637,6 +641,7 @@ EDGES = _direct()  # so far, while nodes are ordered, as all below
 FILL_LENGTH = _direct()  # of the fill list
 LEAF_NODES = _direct()  # size of the stack in LEAF_NODE
 PASS_NODES = _direct()  # size of the stack in PASS_NODE
+UNSOLVED = _direct()  # slot, plus 1, of a body of an unsolved island of very different masses
 
 
 class Direct(NamedTuple):
