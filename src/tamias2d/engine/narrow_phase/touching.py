@@ -112,8 +112,7 @@ def find_touching(
                 continue
             gap = smallest_gap(contacts.manifolds[p], count)
             deep = deep | (gap < -DEEP * smaller)
-            if gap < before and before < 0.0:
-                note_sinking(i, j, gap, control, bodies)
+            note_sinking(i, j, before, gap, control, bodies)
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
             total += 1
@@ -137,10 +136,14 @@ def known_gap(manifold: Array, flags: Integers) -> float:
     return smallest_gap(manifold, flags[POINT_COUNT]) if flags[POINT_COUNT] > 0 else 0.0
 
 
-def note_sinking(i: int, j: int, gap: float, control: Control, bodies: Bodies) -> None:
+@inlined
+def note_sinking(
+    i: int, j: int, before: float, gap: float, control: Control, bodies: Bodies
+) -> None:
     """Note the first two bodies whose overlap grows though it is deep: nothing holds them apart."""
     least = min(bodies.properties[i, MIN_EXTENT], bodies.properties[j, MIN_EXTENT])
-    if gap < -SUNK * least and control.counts[SUNK_A] == 0:
+    grows = (gap < before) & (before < 0.0) & (gap < -SUNK * least)
+    if grows and control.counts[SUNK_A] == 0:
         control.counts[SUNK_A], control.counts[SUNK_B] = i + 1, j + 1
         control.counts[LIMITS] += 1
 
