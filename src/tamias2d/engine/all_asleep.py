@@ -47,7 +47,7 @@ def note_all_asleep(world: World) -> bool:
         gravity = chunks.asleep[len(chunks.course)]
         gravity[0], gravity[1] = control.settings[GRAVITY_X], control.settings[GRAVITY_Y]
     counts[ALL_ASLEEP] = 1 if slept else 0
-    return slept
+    return bool(slept)
 
 
 def nobody_awake(islands: Islands) -> bool:

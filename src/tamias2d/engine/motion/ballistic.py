@@ -50,7 +50,6 @@ from tamias2d.engine.tables import (
     SLEEP_STEPS,
     STAGE,
     STATIC,
-    STEPS_SINCE,
     STEPS_TAKEN,
     TIME_STEP,
     UNIFORM,
@@ -100,7 +99,6 @@ def integrate_ballistic(world: World, steps: int) -> int:
         for _ in range(steps):
             move_frame(broad_phase)
         control.counts[STEPS_TAKEN] += steps
-        broad_phase.counts[STEPS_SINCE] += steps
     return steps
 
 
