@@ -35,6 +35,7 @@ from tamias2d.engine.tables import (
     STATIC,
     SUNK_A,
     SUNK_B,
+    TICK,
     TOUCHES,
     TOUCHING,
     VX,
@@ -138,10 +139,13 @@ def known_gap(manifold: Array, flags: Integers) -> float:
 def note_sinking(
     i: int, j: int, before: float, gap: float, control: Control, bodies: Bodies
 ) -> None:
-    """Note the first two bodies whose overlap grows though it is deep: nothing holds them apart."""
+    """Note the first two bodies whose overlap grows though it is deep: nothing holds them apart.
+
+    It is asked as a step begins: between its parts an impact may press bodies together for a while.
+    """
     least = min(bodies.properties[i, MIN_EXTENT], bodies.properties[j, MIN_EXTENT])
     grows = (gap < before) & (before < 0.0) & (gap < -SUNK * least)
-    if grows and control.counts[SUNK_A] == 0:
+    if grows and control.counts[SUNK_A] + control.counts[TICK] == 0:
         control.counts[SUNK_A], control.counts[SUNK_B] = i + 1, j + 1
         control.counts[LIMITS] += 1
 
