@@ -52,6 +52,7 @@ from tamias2d.engine.tables import (
     SUNK_B,
     TICK,
     TIME_STEP,
+    UNSOLVED,
 )
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
 from tamias2d.engine.world import Capacities
@@ -212,6 +213,17 @@ class Engine(Store):
     def sleep_after(self, steps: int) -> None:
         """Let islands fall asleep that have been slow for so many steps; 0 for never."""
         self.world.islands.counts[SLEEP_STEPS] = steps
+
+    def start_over(self) -> None:
+        """Forget all steps, where the arrays hold what they did before the first one."""
+        control, bodies = self.world.control, self.world.bodies
+        substeps = control.counts[SUBSTEPS]
+        control.counts[:], control.progress[:] = 0, 0.0
+        control.counts[SUBSTEPS] = substeps
+        self.world.direct.counts[UNSOLVED] = 0
+        bodies.propagators[:] = bodies.propagators_of_level[0]
+        self._alone, self._course_known = True, False
+        self.revision += 1
 
     # -- answers
 
