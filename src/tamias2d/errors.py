@@ -29,7 +29,7 @@ class RecordingError(TamiasError):
 
 
 class StepWarning(UserWarning):
-    """A time step is too long for what acts: the answer gains what it should not (DD54)."""
+    """A time step is too long for what acts: the answer is not what it should be (DD54, IM10)."""
 
 
 class SimulationError(TamiasError):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.solver.prepare import CIRCLE, CYCLES, FIRMER
+from tamias2d.engine.solver.prepare import FIRMER
 from tamias2d.generated import soft_contact
 from tamias2d.scene import catalogue
 from tamias2d.simulator import Simulator
@@ -26,7 +26,7 @@ def overlap(body: t2.Disc | t2.Box, mass: float, height: float, substeps: int) -
 def stated(push: float, row_mass: float, substeps: int) -> float:
     """The overlap of a contact that carries a push, N s in each substep, on what does not move."""
     substep = 1 / 60 / substeps
-    frequency = CIRCLE * CYCLES / substep * FIRMER
+    frequency = FIRMER / substep
     return -soft_contact.separation_rest(push, row_mass, frequency, substep)
 
 

@@ -18,6 +18,7 @@ from tamias2d.engine.shape_rows import ShapeRow, numbers_of, shape_rows
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ABSENT,
+    ALL_ASLEEP,
     BOUNDING_RADIUS,
     BUFFER,
     CONTACTS,
@@ -135,6 +136,7 @@ class BodyPool:
         asleep = links[self.store.world.state.slot_of_body[rows], SLEEP_ID]
         woken = np.isin(links[:, SLEEP_ID], asleep[asleep > 0])
         links[woken, SLEEP_ID] = links[woken, SLOW_STEPS] = 0
+        self.store.world.control.counts[ALL_ASLEEP] = 0
 
     # -- rows
 

@@ -27,6 +27,7 @@ from tamias2d.engine.tables import (
     INVERSE_INERTIA,
     INVERSE_MASS,
     LEAST_LEVEL,
+    LIMITS,
     MORE_BLOCKS,
     MORE_CANDIDATES,
     MORE_CONTACTS,
@@ -35,6 +36,7 @@ from tamias2d.engine.tables import (
     N_MEMBER,
     NETWORKS,
     NEXT_LEVEL,
+    OUTWEIGHED,
     OVERFLOWED,
     RESTITUTION,
     RETAKEN,
@@ -46,8 +48,11 @@ from tamias2d.engine.tables import (
     STEPS_LEFT,
     STEPS_TAKEN,
     SUBSTEPS,
+    SUNK_A,
+    SUNK_B,
     TICK,
     TIME_STEP,
+    UNSOLVED,
 )
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
 from tamias2d.engine.world import Capacities
@@ -157,6 +162,24 @@ class Engine(Store):
                 return int(springs.body[springs.networks[n, N_MEMBER]])
         return -1
 
+    @property
+    def limits(self) -> int:
+        """How many of the next two are known."""
+        return int(self.world.control.counts[LIMITS])
+
+    @property
+    def sunk(self) -> tuple[int, int] | None:
+        """The rows of the first two bodies that sank into each other, or None."""
+        counts, row = self.world.control.counts, self.world.state.body_of_slot
+        first, second = int(counts[SUNK_A]), int(counts[SUNK_B])
+        return (int(row[first - 1]), int(row[second - 1])) if first else None
+
+    @property
+    def outweighed(self) -> int:
+        """The row of a body among masses too different to be solved, or -1."""
+        slot = int(self.world.control.counts[OUTWEIGHED])
+        return int(self.world.state.body_of_slot[slot - 1]) if slot else -1
+
     # -- changes
 
     def add(self, batch: Batch) -> NDArray[np.int64]:
@@ -197,6 +220,7 @@ class Engine(Store):
         substeps = control.counts[SUBSTEPS]
         control.counts[:], control.progress[:] = 0, 0.0
         control.counts[SUBSTEPS] = substeps
+        self.world.direct.counts[UNSOLVED] = 0
         bodies.propagators[:] = bodies.propagators_of_level[0]
         self._alone, self._course_known = True, False
         self.revision += 1

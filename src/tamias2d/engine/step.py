@@ -10,6 +10,7 @@ through the whole step, or in its substeps where their bodies have contacts (IM1
 Cost: a substep visits each contact twice. Source: Macklin et al. (2019), Catto (2024).
 """
 
+from tamias2d.engine.all_asleep import note_all_asleep, skip_steps, still_asleep
 from tamias2d.engine.arrangement import arrange
 from tamias2d.engine.broad_phase.comoving_frame import move_frame
 from tamias2d.engine.broad_phase.contact_list import current_contacts
@@ -90,6 +91,9 @@ def step(world: World) -> int:
     may go ballistically then.
     """
     counts = world.control.counts
+    if still_asleep(world):
+        skip_steps(world)
+        return DONE
     if counts[STAGE] == AT_START:
         valid = gather_state(world.control, world.state, world.bodies)
         if not valid and counts[CHECKED] == 0:
@@ -103,6 +107,9 @@ def step(world: World) -> int:
         counts[STEPS_TAKEN] += 1
         if not scatter_state(world.state, world.bodies):
             return OVERFLOWED
+        if note_all_asleep(world):
+            skip_steps(world)
+            return DONE
         pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[SLEEP_STEPS]
         sprung = world.springs.counts[SPRINGS] > 0
         clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0 and not sprung

@@ -23,7 +23,9 @@ from tamias2d.engine.tables import (
     GRAVITY_Y,
     IMPULSE_RATIO,
     LANES_FILLED,
+    LIMITS,
     NETWORKS_TOUCHED,
+    OUTWEIGHED,
     PART_SUBSTEPS,
     PART_TIME,
     PREFETCHED,
@@ -34,8 +36,11 @@ from tamias2d.engine.tables import (
     SLABS,
     SUBSTEP,
     TOUCHING,
+    UNSOLVED,
     Constraints,
     Contacts,
+    Control,
+    Direct,
     World,
 )
 from tamias2d.kernels.assembled import inlined
@@ -61,6 +66,7 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(stage, front - stage, substep, world, contacts)
+    note_unsolved(control, world.direct)
     constraints.counts[LANES_FILLED] = 1
     if constraints.counts[BOUNCING] > 0 or makes_energy(constraints.energy):
         finish_step(world)
@@ -69,6 +75,13 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     if constraints.counts[BOUNCING] > 0:
         last = world.touching.counts[TOUCHING]
         store_impulses(0, last, control, world.bodies, contacts, world.touching, constraints)
+
+
+def note_unsolved(control: Control, direct: Direct) -> None:
+    """Note the first body of an island that was not solved, and whose masses are very different."""
+    if direct.counts[UNSOLVED] > 0 and control.counts[OUTWEIGHED] == 0:
+        control.counts[OUTWEIGHED] = direct.counts[UNSOLVED]
+        control.counts[LIMITS] += 1
 
 
 def finish_step(world: World) -> None:

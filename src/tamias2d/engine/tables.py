@@ -91,6 +91,11 @@ RETAKEN = _control()  # 1 if the part was begun before, and was too long
 LEAST_LEVEL = _control()  # of the parts of this step: longer ones had too many impacts
 FINEST = _control()  # level of the shortest part of the last step
 PART_SUBSTEPS = _control()  # of a part
+SUNK_A = _control()  # slot, plus 1, of a body that another sinks into; 0 for none so far
+SUNK_B = _control()  # of the other one
+OUTWEIGHED = _control()  # slot, plus 1, of a body of an island of masses too different to be solved
+LIMITS = _control()  # how many of these two are known
+ALL_ASLEEP = _control()  # 1 if no body was awake in the last step, and nobody came or went since
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
 
 MOST_LEVEL = 10  # a step has up to 1024 parts
@@ -637,6 +642,7 @@ EDGES = _direct()  # so far, while nodes are ordered, as all below
 FILL_LENGTH = _direct()  # of the fill list
 LEAF_NODES = _direct()  # size of the stack in LEAF_NODE
 PASS_NODES = _direct()  # size of the stack in PASS_NODE
+UNSOLVED = _direct()  # slot, plus 1, of a body of an unsolved island of very different masses
 
 
 class Direct(NamedTuple):
@@ -761,9 +767,14 @@ L_LIFT = _stream()
 L_BEFORE = _stream()  # the frame before a step
 L_AFTER = _stream()  # the frame after it
 
+_asleep = Columns(CHUNK_LANES)  # of each chunk; the last row begins with gravity
+POSES_ASLEEP = _asleep()
+VELOCITIES_ASLEEP = _asleep()
+LOADS_ASLEEP = _asleep()
+
 
 class Chunks(NamedTuple):
-    """Bodies that are near nothing, a row for each chunk; read by ballistic motion."""
+    """What users see, a row for each chunk; read by ballistic motion, and where all sleep."""
 
     poses: FloatRows  # views of what users see
     velocities: FloatRows
@@ -771,6 +782,7 @@ class Chunks(NamedTuple):
     load_bits: RankRows
     course: Annotated[FloatRows, Sized("chunks", 200)]  # whole cache lines
     stream: Annotated[FloatRows, Sized("streams", _stream.width)]
+    asleep: Annotated[FloatRows, Sized("streams", _asleep.width)]  # as all fell asleep
 
 
 class World(NamedTuple):

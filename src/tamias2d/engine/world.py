@@ -14,7 +14,6 @@ from tamias2d.engine.tables import (
     CHUNK,
     CHUNK_LANES,
     BodyState,
-    Chunks,
     Contacts,
     Saved,
     Sized,
@@ -160,8 +159,8 @@ def _with_views(world: World) -> World:
     poses, velocities, loads = (
         values.reshape(-1, CHUNK_LANES) for values in (state.pose, state.velocity, state.load)
     )
-    chunks = Chunks(
-        poses, velocities, loads, loads.view(np.int64), world.chunks.course, world.chunks.stream
+    chunks = world.chunks._replace(
+        poses=poses, velocities=velocities, loads=loads, load_bits=loads.view(np.int64)
     )
     return world._replace(chunks=chunks)
 

@@ -44,6 +44,7 @@ from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
 _LOSSY = "springs"  # under which a warning of them is kept
+_SUNK, _OUTWEIGHED = "overlap", "masses"  # the same of what the engine could not hold
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
@@ -65,6 +66,7 @@ class Simulator(Views):
     """
 
     __slots__ = (
+        "_limits",
         "_names",
         "_pushed",
         "_scene",
@@ -134,6 +136,7 @@ class Simulator(Views):
         """Forget what was asked for and told so far."""
         self._varying: VaryingLoads | None = None
         self._warned: dict[str, str] = {}
+        self._limits = 0  # of which was told
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
         self._unsettled = True
@@ -148,8 +151,8 @@ class Simulator(Views):
             SimulationError: a force that varies has no finite value.
 
         Warns:
-            StepWarning: the time step is too long for a force that varies, once for each; or for
-                springs, once.
+            StepWarning: the time step is too long for a force that varies, once for each; for
+                springs, once; for the weight on bodies that overlap, or their masses, once each.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
@@ -172,6 +175,8 @@ class Simulator(Views):
         """Take some steps, or raise `RuleError`."""
         if (invalid := self._engine.step(count)) is not None:
             raise invalid_state(invalid, self._engine.kind, self._name_of)
+        if self._engine.limits > self._limits:
+            self._tell_limits()
         if self._scene is None or _LOSSY in self._warned:
             return
         if (row := self._engine.lossy_springs) >= 0:
@@ -181,6 +186,27 @@ class Simulator(Views):
                 "and their energy is not kept (IM14). Give a shorter step."
             )
             warn(self._warned[_LOSSY], StepWarning, stacklevel=3)
+
+    def _tell_limits(self) -> None:
+        """Warn of what the engine could not hold at this step, each once."""
+        engine, when = self._engine, f"before {self.time:.6g} s"
+        step = f"steps of {self._time_step:.6g} s in {self._substeps} substeps"
+        self._limits = engine.limits
+        if (pair := engine.sunk) is not None and _SUNK not in self._warned:
+            first, second = map(self._name_of, pair)
+            self._warned[_SUNK] = (
+                f"{first} and {second}, {when}: they overlap by more than a quarter of the "
+                f"thinner one's width, and ever more; {step} do not hold what weighs on them "
+                "(IM10). Give a shorter step or more substeps."
+            )
+            warn(self._warned[_SUNK], StepWarning, stacklevel=4)
+        if (row := engine.outweighed) >= 0 and _OUTWEIGHED not in self._warned:
+            self._warned[_OUTWEIGHED] = (
+                f"{self._name_of(row)}, {when}: it touches masses so different from its own that "
+                f"{step} do not solve their contacts (GD12). Give a shorter step, more substeps or "
+                "masses less different."
+            )
+            warn(self._warned[_OUTWEIGHED], StepWarning, stacklevel=4)
 
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
@@ -245,7 +271,7 @@ class Simulator(Views):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What was warned of so far: each force, and springs, for which the step is too long."""
+        """What was warned of so far: all for which the step is too long, each once."""
         return tuple(self._warned.values())
 
     # -- pushing

@@ -51,6 +51,7 @@ from tamias2d.engine.tables import (
     R_MASS_SHARE,
     SECOND_POINT,
     SOFTNESS,
+    UNSOLVED,
     Bodies,
     Constraints,
     Direct,
@@ -64,6 +65,7 @@ CORRECTIONS = 12  # of the active set, at most
 NEARLY = 1e-3  # of the largest difference of velocity: a point that parts more slowly may press
 CONVERGED = 1e-10  # residual as a part of the impulses, squared
 ACCEPTED = 1e-6  # the same: an island with more is not solved
+UNLIKE = 100.0  # largest mass over that mean: what is so uneven the substeps do not hold
 WILD = 100.0  # impulses for each contact, in units of those that stop the island: not accepted
 
 NOT_FACTORED, FACTORED, LEFT_TO_SUBSTEPS = 0, 1, -1  # status of an island
@@ -143,6 +145,8 @@ def solve_tree(
         harden(contact, solved, rate, constraints, direct)
     if not solved:
         direct.sparse[n, I_STATUS] = LEFT_TO_SUBSTEPS
+        if direct.factors[n, LARGEST_MASS] * STIFF > UNLIKE * direct.factors[n, FIRM_MASS]:
+            direct.counts[UNSOLVED] = direct.sparse[direct.sparse[n, I_NODE], N_BODY] + 1
     elif relaxing:
         for contact in contacts:
             note_gaps(contact, substep, bodies, constraints, direct)

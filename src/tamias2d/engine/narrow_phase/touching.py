@@ -11,8 +11,10 @@ from tamias2d.engine.tables import (
     GRAVITY_Y,
     IS_TOUCHING,
     ISLANDS_KNOWN,
+    LIMITS,
     LOCATED,
     MEETING,
+    MIN_EXTENT,
     MOST_LOCATED,
     NEW_STATIC,
     NX,
@@ -31,6 +33,9 @@ from tamias2d.engine.tables import (
     SLOT_B,
     SPIN,
     STATIC,
+    SUNK_A,
+    SUNK_B,
+    TICK,
     TOUCHES,
     TOUCHING,
     VX,
@@ -56,6 +61,7 @@ CLOSE = 0.02  # the gap below which there is a contact already
 AHEAD = 0.1  # the most by which the motion of a step raises that
 GRAZE = 2.0**-12  # the overlap of bodies that have just met
 DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it grows no more
+SUNK = 0.5  # of the smaller half of a least width: an overlap that should not grow any more
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 
 
@@ -90,6 +96,7 @@ def find_touching(
         radii = radius_s + radius_t + margin
         if x * x + y * y > radii * radii and contacts.flags[p, POINT_COUNT] == 0:
             continue
+        before = known_gap(contacts.manifolds[p], contacts.flags[p])
         count = collide(p, s, t, x, y, margin, shapes, contacts)
         if contacts.manifolds[p, FORESEEN] != 0.0:
             contacts.manifolds[p, FORESEEN] = 0.0
@@ -102,7 +109,9 @@ def find_touching(
             if not meets and smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
                 contacts.flags[p, POINT_COUNT] = 0
                 continue
-            deep = deep | (smallest_gap(contacts.manifolds[p], count) < -DEEP * smaller)
+            gap = smallest_gap(contacts.manifolds[p], count)
+            deep = deep | (gap < -DEEP * smaller)
+            note_sinking(i, j, before, gap, control, bodies)
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
             total += 1
@@ -119,6 +128,26 @@ def find_touching(
     touching.counts[TOUCHING] = total
     touching.counts[MEETING], touching.counts[NEW_STATIC] = marked, new_static
     touching.counts[PRESSED_DEEP] = 1 if deep else 0
+
+
+def known_gap(manifold: Array, flags: Integers) -> float:
+    """Return the smallest gap of a contact as it was found last, m; 0 without points."""
+    return smallest_gap(manifold, flags[POINT_COUNT]) if flags[POINT_COUNT] > 0 else 0.0
+
+
+@inlined
+def note_sinking(
+    i: int, j: int, before: float, gap: float, control: Control, bodies: Bodies
+) -> None:
+    """Note the first two bodies whose overlap grows though it is deep: nothing holds them apart.
+
+    It is asked as a step begins: between its parts an impact may press bodies together for a while.
+    """
+    least = min(bodies.properties[i, MIN_EXTENT], bodies.properties[j, MIN_EXTENT])
+    grows = (gap < before) & (before < 0.0) & (gap < -SUNK * least)
+    if grows and control.counts[SUNK_A] + control.counts[TICK] == 0:
+        control.counts[SUNK_A], control.counts[SUNK_B] = i + 1, j + 1
+        control.counts[LIMITS] += 1
 
 
 def age_flags(again: bool, flags: Integers) -> None:

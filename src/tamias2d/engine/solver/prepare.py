@@ -58,6 +58,7 @@ from tamias2d.engine.tables import (
     Y,
 )
 from tamias2d.generated.soft_contact import (
+    angular_frequency_even,
     angular_frequency_loaded,
     bend,
     bias_rate,
@@ -73,10 +74,8 @@ from tamias2d.generated.soft_contact import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-CIRCLE = 6.283185307179586
-CYCLES = 0.125  # of the spring of a contact, in one substep
 FIRMER = 2.0  # frequency of a contact with a body that does not move freely, to that of others
-FIRMEST = 3.0  # frequency under load, to that without
+FIRMEST = 2.0  # frequency under load, to that without
 DAMPING = 10.0  # of the spring, where 1 is critical
 REST = 0.015  # of the smaller radius: overlap to which a load should lead
 LEARNT = 0.02  # of the overlap, by the preload in a step
@@ -224,15 +223,15 @@ def soften_lanes(row: Array, points: int, substep: float) -> None:
     """Write the softness of contacts: so soft that their loads press them in by `REST`.
 
     The load is the normal impulse of a point in the last substep, N s. Contacts firmer than
-    `FIRMEST` allows would shake in a deep pile, which one substep does not solve as a whole.
+    `FIRMEST` allows would feed the waves of a wide pile (DD76).
     """
     each = 1.0 / points  # 1 or a half: the product is exact
+    even = angular_frequency_even(substep)
     for m in range(LANES):
         a, b = row[R_MASS_A + m], row[R_MASS_B + m]
         second = row[SECOND_POINT + P_NORMAL_IMPULSE + m] if points == 2 else 0.0
         load = (row[FIRST_POINT + P_NORMAL_IMPULSE + m] + second) * each
-        frequency = CIRCLE * CYCLES / substep
-        frequency = frequency if (a > 0.0) & (b > 0.0) else FIRMER * frequency
+        frequency = even if (a > 0.0) & (b > 0.0) else FIRMER * even
         radius = row[R_SMALLER_RADIUS + m] if row[R_SMALLER_RADIUS + m] > 0.0 else 1.0
         frequency = angular_frequency_loaded(frequency, load, a, b, substep, REST, radius, FIRMEST)
         row[R_BIAS_RATE + m] = bias_rate(frequency, DAMPING, substep)
