@@ -15,6 +15,7 @@ from tamias2d.engine.continuous.events import (
     senses,
     smaller_radius,
 )
+from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.tables import (
     AT_START,
     CONTACTS,
@@ -173,7 +174,8 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
         reach = smaller_radius(s, t, shapes.material)
         deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
         if far > deep and not senses(s, t, shapes.filters):
-            gap = manifold_at(s, t, 0.0, bodies, shapes, world.events)
+            held = held_normal(contacts.manifolds[p], contacts.flags[p])
+            gap = manifold_at(s, t, 0.0, held, bodies, shapes, world.events)
             k = level
             while k < MOST_LEVEL and far > deep and far > gap:
                 k += 1

@@ -220,7 +220,8 @@ class Bodies(NamedTuple):
 
 # -- shapes
 
-DISC, CAPSULE, POLYGON, HALF_PLANE = range(4)  # kind
+# kind; shapes that are next to nothing across are those from THIN_CAPSULE on
+DISC, CAPSULE, POLYGON, HALF_PLANE, THIN_CAPSULE, THIN_POLYGON = range(6)
 
 _material = Columns()
 FRICTION = _material()  # -1 where not stated
@@ -235,7 +236,7 @@ class Shapes(NamedTuple):
     """Convex shapes: vertices grown by a radius; read by the broad and the narrow phase."""
 
     slot: Annotated[Places, Sized("shapes")]  # of the body
-    kind: Annotated[Indices, Sized("shapes"), Saved(4)]
+    kind: Annotated[Indices, Sized("shapes"), Saved(6)]
     first: Annotated[Indices, Sized("shapes"), Saved("vertices")]  # vertex
     vertex_count: Annotated[Indices, Sized("shapes"), Saved(2**31)]  # of vertices
     radius: Annotated[Floats, Sized("shapes"), Saved()]  # m
