@@ -23,7 +23,15 @@ from tamias2d.engine.narrow_phase.separation import (
     inner_radius,
     side_slack,
 )
-from tamias2d.engine.tables import CACHED_AXIS, NX, NY, POINT_COUNT, Integers
+from tamias2d.engine.tables import (
+    CACHED_AXIS,
+    MET_IN_FLIGHT,
+    NX,
+    NY,
+    POINT_COUNT,
+    TOUCHES,
+    Integers,
+)
 from tamias2d.state import Array, Vector
 
 
@@ -93,8 +101,8 @@ def search(
 
 
 def held_normal(manifold: Array, flags: Integers) -> Vector:
-    """Return the normal of a contact that has points, (0, 0) of others."""
-    if flags[POINT_COUNT] == 0:
+    """Return the normal of a contact that has points or met in flight, (0, 0) of others."""
+    if flags[POINT_COUNT] == 0 and flags[TOUCHES] & MET_IN_FLIGHT == 0:
         return 0.0, 0.0
     return manifold[NX], manifold[NY]
 
