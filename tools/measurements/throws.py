@@ -72,16 +72,24 @@ def measure(count: int = 10_000, first: int = 0, way: list[str] | None = None) -
         for seed in track(range(first, first + count), name, console=told, transient=True):
             one = throw(seed)
             key = (name, one.body, one.floor)
-            row = rows.setdefault(
-                key,
-                dict(zip(("way", "body", "floor"), key))
-                | {"throws": 0, "passed": [], "refused": 0},
-            )
+            row = rows.setdefault(key, _row(*key))
             row["throws"] += 1
             found = (stepped if name == "stepped" else located)(one)
             row["refused"] += found is None
             row["passed"] += [seed] if found else []
     return {"count": count, "first": first, "rows": [rows[key] for key in sorted(rows)]}
+
+
+def _row(way: str, body: str, floor: str) -> dict[str, Any]:
+    empty: list[int] = []
+    return {
+        "way": way,
+        "body": body,
+        "floor": floor,
+        "throws": 0,
+        "refused": 0,
+        "passed": empty,
+    }
 
 
 def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
