@@ -11,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 
 import tamias2d as t2
+from tamias2d.scene import Shape
 
 
 def saved(seed: int) -> str:
@@ -69,7 +70,8 @@ def _saved_simulator() -> tuple[bytes, str]:
     """Return the bytes of a file, and the digest of the simulator in it."""
     scene = t2.Scene(gravity=(0.0, -9.81))
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), restitution=0.2, friction=0.4)
-    for k, shape in enumerate((t2.Disc(radius=0.4), t2.Box(width=0.8, height=0.5)) * 3):
+    shapes: tuple[Shape, ...] = (t2.Disc(radius=0.4), t2.Box(width=0.8, height=0.5)) * 3
+    for k, shape in enumerate(shapes):
         place = (0.3 * k, 0.5 + k)
         scene.add_body(shape, mass=1.0, position=place, restitution=0.1, friction=0.5)
     sim = t2.Simulator(scene)

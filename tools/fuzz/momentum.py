@@ -16,12 +16,13 @@ _STEPS, _TIME_STEP = 60, 1 / 30
 def located(seed: int) -> str:
     """Simulate bodies that meet, their impacts located; return what came of it."""
     scene = meeting(seed)
+    run: t2.Run | None
     try:
         run = t2.simulate(scene, duration=_STEPS * _TIME_STEP, method=t2.ClosedForm())
     except t2.SimulationError as error:  # simultaneous impacts: the run goes up to there
         run = getattr(error, "run", None)
-        if run is None or len(run.position) == 0:
-            return "refused"
+    if run is None or len(run.position) == 0:
+        return "refused"
     mass = np.array([body.mass for body in scene.bodies])
     inertia = np.array([body.inertia for body in scene.bodies])
     _judge(mass, inertia, run.position, run.velocity, run.angular_velocity)
@@ -48,7 +49,7 @@ def meeting(seed: int) -> t2.Scene:
     chance = numbers.chance
     scene = t2.Scene(gravity=(0.0, 0.0))
     count, far = chance.randint(2, 6), chance.choice((0.0, 100.0))
-    surface = {
+    surface: dict[str, Any] = {
         "restitution": chance.choice((0.0, 1.0, chance.random())),
         "friction": chance.choice((0.0, chance.random())),
     }

@@ -110,7 +110,10 @@ def _scene(numbers: Numbers) -> t2.Scene:
 
 def _add_wall(scene: t2.Scene, numbers: Numbers) -> None:
     chance = numbers.chance
-    surface = {"restitution": numbers.number(0.0, 1.0), "friction": abs(numbers.number(0.0, 1.0))}
+    surface: dict[str, Any] = {
+        "restitution": numbers.number(0.0, 1.0),
+        "friction": abs(numbers.number(0.0, 1.0)),
+    }
     match chance.randrange(3):
         case 0:
             plane = t2.HalfPlane(normal=(0.0, 1.0), offset=numbers.number(-5.0, -3.0))

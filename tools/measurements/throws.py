@@ -25,6 +25,7 @@ KINDS = ("static", "static", "lifted", "heavy")
 WIDE = 400.0  # m, of a floor
 SECONDS = 2.0
 SOFT = 0.2  # of its radius: how far a body may be pressed in, which has not passed
+SMALLEST = 1e-7  # m, of a disc: gravity outruns smaller ones in any part of a step, which is told
 _HEAVY = 1e6  # kg
 
 
@@ -187,7 +188,7 @@ def throw(seed: int) -> Throw:
 
 def _thickness(chance: random.Random) -> float:
     """Return a thickness, m: often that of a sheet, and down to nearly nothing."""
-    return 10.0 ** chance.choice((chance.uniform(-3.0, -0.7), chance.uniform(-12.0, -3.0)))
+    return math.pow(10.0, chance.choice((chance.uniform(-3.0, -0.7), chance.uniform(-12.0, -3.0))))
 
 
 def _floor(kind: str, thickness: float) -> Shape:
@@ -218,7 +219,7 @@ def _body(kind: str, chance: random.Random) -> tuple[Shape, float]:
     elif kind == "capsule":
         shape = t2.Capsule(length=size, radius=0.5 * thin)
     elif kind == "disc":
-        shape = t2.Disc(radius=0.5 * thin)
+        shape = t2.Disc(radius=max(0.5 * thin, SMALLEST))
     elif kind == "needle":
         shape = t2.Polygon(vertices=[(0.0, 0.0), (size, 0.0), (0.0, max(thin, 1e-7 * size))])
     elif kind == "polygon":

@@ -24,6 +24,7 @@ from tamias2d.engine.tables import (
     FINEST,
     FRAME_MOVES,
     GOES_FAR,
+    HAD_MET_IN_FLIGHT,
     LEAST_LEVEL,
     LEVEL,
     LIST_HOLDS,
@@ -113,7 +114,7 @@ def retake_part(world: World, contacts: Contacts) -> None:
             bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
             bodies.motion[i, DX + n] = 0.0
     for p in range(broad_phase.counts[CONTACTS] if counts[TICK] == 0 else 0):
-        contacts.flags[p, TOUCHES] &= WAS_TOUCHING
+        contacts.flags[p, TOUCHES] &= WAS_TOUCHING + HAD_MET_IN_FLIGHT
     broad_phase.counts[NEXT_LEVEL] = counts[LEAST_LEVEL] = counts[LEVEL] + 1
     counts[RETAKEN], counts[STAGE] = 1, AT_START
 

@@ -368,8 +368,8 @@ LOCATED = _flags()  # impacts whose instants continuous collision may still find
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list
 SPENT = 15  # LOCATED of a contact that has had its share of these impacts
-# bits of TOUCHES: in this step, in the last one, and in flight in this step
-IS_TOUCHING, WAS_TOUCHING, MET_IN_FLIGHT = 1, 2, 4
+# bits of TOUCHES: in this step and in the last one; in flight in this step and in the last one
+IS_TOUCHING, WAS_TOUCHING, MET_IN_FLIGHT, HAD_MET_IN_FLIGHT = 1, 2, 4, 8
 
 
 class ContactBuffers(NamedTuple):
@@ -390,7 +390,7 @@ class Contacts(NamedTuple):
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),
-        Saved({POINT_COUNT: 3, TOUCHES: 8, CACHED_AXIS: 2**31, LOCATED: 16}),
+        Saved({POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, LOCATED: 16}),
     ]
 
 

@@ -69,7 +69,8 @@ def advance(
         place_vertices(q, path.turn_b * at, vertices, p.vertex_count, rows)
         gap = measure_gap(manifold, placed_a, placed_b, x, y, held, rows)
         if at == 0.0 and gap <= near:
-            if gap > 0.0 and is_thin(p, q):  # behind a gap of 0 is the other side
+            known = held[0] != 0.0 or held[1] != 0.0
+            if gap > 0.0 and is_thin(p, q) and not known:  # behind a gap of 0 is the other side
                 least = hair = 0.5 * gap
             else:
                 least = gap - near

@@ -102,7 +102,7 @@ def search(
 
 def held_normal(manifold: Array, flags: Integers) -> Vector:
     """Return the normal of a contact that has points or met in flight, (0, 0) of others."""
-    if flags[POINT_COUNT] == 0 and flags[TOUCHES] & MET_IN_FLIGHT == 0:
+    if flags[POINT_COUNT] == 0 and flags[TOUCHES] < MET_IN_FLIGHT:
         return 0.0, 0.0
     return manifold[NX], manifold[NY]
 

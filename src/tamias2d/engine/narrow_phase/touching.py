@@ -13,6 +13,7 @@ from tamias2d.engine.tables import (
     ISLANDS_KNOWN,
     LOCATED,
     MEETING,
+    MET_IN_FLIGHT,
     MOST_LOCATED,
     NEW_STATIC,
     NX,
@@ -35,7 +36,6 @@ from tamias2d.engine.tables import (
     TOUCHING,
     VX,
     VY,
-    WAS_TOUCHING,
     Bodies,
     BroadPhase,
     Contacts,
@@ -57,6 +57,7 @@ AHEAD = 0.1  # the most by which the motion of a step raises that
 GRAZE = 2.0**-12  # the overlap of bodies that have just met
 DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it grows no more
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
+OF_THIS_STEP = IS_TOUCHING + MET_IN_FLIGHT  # of TOUCHES; twice these bits are of the last one
 
 
 def find_touching(
@@ -79,7 +80,7 @@ def find_touching(
     same = touching.counts[ARRANGED] == 1
     for p in range(broad_phase.counts[CONTACTS]):
         if contacts.flags[p, TOUCHES] != 0 and not again:
-            contacts.flags[p, TOUCHES] = WAS_TOUCHING * (contacts.flags[p, TOUCHES] & IS_TOUCHING)
+            contacts.flags[p, TOUCHES] = 2 * (contacts.flags[p, TOUCHES] & OF_THIS_STEP)
         contacts.flags[p, LOCATED] = 0
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
