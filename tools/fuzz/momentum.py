@@ -11,7 +11,7 @@ from tools.fuzz.numbers import Numbers
 
 ROUNDING = 1e-12  # of the sum of magnitudes
 ARMS = 1e-3  # the same of angular momentum where contacts are stepped: their arms are those of the
-# step's begin, while gaps close in it; 51 of 300 scenes are off by more than 1e-12, the worst 1.5e-4
+# begin of the step, while gaps close in it; 51 of 300 are off by more than 1e-12, the worst 1.5e-4
 _STEPS, _TIME_STEP = 60, 1 / 30
 
 
