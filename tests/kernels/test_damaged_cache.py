@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.kernels.test_cache import RIGHT, answer
-from tests.simulator.test_damaged_files import damaged
+from tools.fuzz.damage import damaged
 
 
 def check(seed: int, file: Path, whole: bytes) -> bool:

@@ -10,6 +10,7 @@ import pytest
 
 import tamias2d as t2
 from tests.simulator.crowd import crowd
+from tools.fuzz.damage import damaged
 
 
 @pytest.fixture(scope="module")
@@ -20,29 +21,6 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> tuple[bytes, str]:
     path = tmp_path_factory.mktemp("saved") / "game.npz"
     sim.save(path)
     return path.read_bytes(), sim.digest()
-
-
-def damaged(content: bytes, chance: random.Random) -> bytes:
-    """The content with bits flipped, bytes set or moved, or a stretch cut, repeated or cleared."""
-    found = bytearray(content)
-    for _ in range(chance.choice((1, 1, 1, 2, 5))):
-        start = chance.randrange(len(found))
-        end = min(start + chance.choice((1, 1, 4, 100, len(found))), len(found))
-        match chance.randrange(6):
-            case 0:
-                found[start] ^= 1 << chance.randrange(8)
-            case 1:
-                found[start] = chance.choice((0, 1, 127, 128, 255))
-            case 2:
-                found[start:end] = bytes(end - start)
-            case 3:
-                found[start:end] = found[start:end] * 2
-            case 4 if end - start < len(found):
-                del found[start:end]
-            case _:
-                place = chance.randrange(len(found))
-                found[place : place + end - start] = found[start:end][: len(found) - place]
-    return bytes(found)
 
 
 def restored_is_the_same(seed: int, saved: tuple[bytes, str], path: Path) -> bool:

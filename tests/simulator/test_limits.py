@@ -4,6 +4,7 @@ import _thread
 import signal
 import threading
 import time
+import warnings
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 
@@ -162,3 +163,17 @@ def test_reports_cannot_be_written() -> None:
     for values in (sim.contacts.impulse, sim.began.bodies, sim.ended):
         with pytest.raises(ValueError, match="read-only"):
             values[...] = 0
+
+
+@pytest.mark.parametrize("pull", [1e12, 9e18])
+def test_gravity_that_outruns_the_shortest_parts_of_a_step_is_told(pull: float) -> None:
+    scene = t2.Scene(gravity=(0.0, -pull))
+    scene.add_body(t2.Disc(radius=0.5), mass=1.0, position=(0.0, 1.0), restitution=0.0)
+    sim = t2.Simulator(scene, compiled=False)
+    with pytest.warns(t2.StepWarning, match=r"gravity of .* time step of at most"):
+        sim.step()
+    most = float(sim.warnings[0].rpartition("at most ")[2].removesuffix(" s."))
+    calm = t2.Simulator(scene, time_step=most, compiled=False)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        calm.step()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.simulator.fuzzed import sequence
+from tools.fuzz.sequences import sequence
 
 FOUND = (2408, 3033, 3913, 4159)
 """Seeds of sequences that broke something once."""

@@ -16,9 +16,11 @@ from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ABSENT,
     AT_START,
+    BOUNDING_RADIUS,
     CHECKED,
     CLEAR,
     DONE,
+    DYNAMIC,
     FINEST,
     FRICTION,
     GRAVITY_X,
@@ -152,6 +154,13 @@ class Engine(Store):
     def parts(self) -> int:
         """In how many parts the last step was taken where it was finest."""
         return 1 << int(self.world.control.counts[FINEST])
+
+    @property
+    def largest_radius(self) -> float:
+        """How far the largest body that moves freely reaches from its centre, m; 0 for none."""
+        free = self.kind == DYNAMIC
+        reach = self.world.state.properties[: self.size, BOUNDING_RADIUS][free]
+        return float(reach.max(initial=0.0))
 
     @property
     def lossy_springs(self) -> int:

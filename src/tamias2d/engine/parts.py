@@ -15,6 +15,7 @@ from tamias2d.engine.continuous.events import (
     senses,
     smaller_radius,
 )
+from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.tables import (
     AT_START,
     CONTACTS,
@@ -23,6 +24,7 @@ from tamias2d.engine.tables import (
     FINEST,
     FRAME_MOVES,
     GOES_FAR,
+    HAD_MET_IN_FLIGHT,
     LEAST_LEVEL,
     LEVEL,
     LIST_HOLDS,
@@ -121,7 +123,7 @@ def retake_part(world: World, contacts: Contacts) -> None:
             bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
             bodies.motion[i, DX + n] = 0.0
     for p in range(broad_phase.counts[CONTACTS] if counts[TICK] == 0 else 0):
-        contacts.flags[p, TOUCHES] &= WAS_TOUCHING
+        contacts.flags[p, TOUCHES] &= WAS_TOUCHING + HAD_MET_IN_FLIGHT
     broad_phase.counts[NEXT_LEVEL] = counts[LEAST_LEVEL] = counts[LEVEL] + 1
     counts[RETAKEN], counts[STAGE] = 1, AT_START
 
@@ -182,7 +184,8 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
         reach = smaller_radius(s, t, shapes.material)
         deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
         if far > deep and not senses(s, t, shapes.filters):
-            gap = manifold_at(s, t, 0.0, bodies, shapes, world.events)
+            held = held_normal(contacts.manifolds[p], contacts.flags[p])
+            gap = manifold_at(s, t, 0.0, held, bodies, shapes, world.events)
             k = level
             while k < MOST_LEVEL and far > deep and far > gap:
                 k += 1

@@ -28,6 +28,7 @@ from tamias2d.engine.tables import (
     RESTITUTION,
     SLOT_A,
     SLOT_B,
+    THIN_CAPSULE,
     Saved,
 )
 from tamias2d.engine.world import Capacities, SavedField, saved_fields
@@ -147,7 +148,8 @@ def _check_shapes(arrays: Arrays) -> None:
     name = "shapes.vertex_count"
     taken = count > 0
     require(taken[:-1] >= taken[1:], name, "rows that were never taken must come last")
-    least = np.select([kind == CAPSULE, (kind == DISC) | (kind == HALF_PLANE)], [2, 1], 3)
+    lines = (kind == CAPSULE) | (kind == THIN_CAPSULE)
+    least = np.select([lines, (kind == DISC) | (kind == HALF_PLANE)], [2, 1], 3)
     most = np.where(least == 3, 2**31, least)
     require(~taken | ((count >= least) & (count <= most)), name, "must fit the kinds of shapes")
     require(first + count <= len(arrays["shapes.local_vertices"]), name, "there are no such rows")

@@ -6,18 +6,27 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tamias2d.engine.tables import CAPSULE, DISC, HALF_PLANE, POLYGON
+from tamias2d.engine.tables import (
+    CAPSULE,
+    DISC,
+    HALF_PLANE,
+    POLYGON,
+    THIN_CAPSULE,
+    THIN_POLYGON,
+)
 from tamias2d.scene import HalfPlane
 from tamias2d.scene.compound import Shape, pieces_of
 from tamias2d.scene.rules import Vector
 from tamias2d.state import Array
+
+THINNEST = 2.0**-8  # of the length: shapes of a smaller width are thin
 
 
 class ShapeRow(NamedTuple):
     """One convex shape of a body, in the axes of the body."""
 
     kind: int
-    """of `tables`: DISC, CAPSULE, POLYGON or HALF_PLANE"""
+    """one of those in `tables`"""
     radius: float
     """how far the shape reaches around its vertices, m"""
     vertices: Array
@@ -53,15 +62,26 @@ def _bounded(core: Sequence[Vector], radius: float) -> ShapeRow:
     vertices = _with_normals(core)
     across = vertices[:, 2:] @ vertices[:, :2].T
     inradius = float((vertices[:, :2] * vertices[:, 2:]).sum(axis=1).min())
+    widths = np.ptp(across, axis=1)
+    length = 2.0 * radius + math.hypot(*np.ptp(vertices[:, :2], axis=0))
+    thin = 2.0 * radius + float(widths.min()) < THINNEST * length
     return ShapeRow(
-        kind={1: DISC, 2: CAPSULE}.get(len(core), POLYGON),
+        kind=_kind(len(core), thin),
         radius=radius,
         vertices=vertices,
         core_radius=far,
         bounding_radius=far + radius,
-        min_extent=radius + float(np.ptp(across, axis=1).min()) / 2,
+        min_extent=radius + float(widths.min()) / 2,
         inradius=inradius if inradius >= 0.0 else -math.inf,
     )
+
+
+def _kind(corners: int, thin: bool) -> int:
+    if corners == 1:
+        return DISC
+    if corners == 2:
+        return THIN_CAPSULE if thin else CAPSULE
+    return THIN_POLYGON if thin else POLYGON
 
 
 def _with_normals(core: Sequence[Vector]) -> Array:

@@ -24,6 +24,7 @@ from tamias2d.engine.tables import (
     FORCE_GAIN,
     GRAVITY_X,
     GRAVITY_Y,
+    HAD_MET_IN_FLIGHT,
     ISLAND_SLOW_STEPS,
     PART_TIME,
     POINT_COUNT,
@@ -43,6 +44,7 @@ from tamias2d.engine.tables import (
     TOUCHING,
     VX,
     VY,
+    WAS_TOUCHING,
     Bodies,
     BroadPhase,
     Contacts,
@@ -153,7 +155,8 @@ def keep_touching_flags(broad_phase: BroadPhase, contacts: Contacts, islands: Is
     links, pairs = islands.links, contacts.pairs
     for p in range(broad_phase.counts[CONTACTS]):
         if links[pairs[p, SLOT_A], AWAKE] + links[pairs[p, SLOT_B], AWAKE] == 0:
-            contacts.flags[p, TOUCHES] |= contacts.flags[p, TOUCHES] >> 1
+            before = contacts.flags[p, TOUCHES] & (WAS_TOUCHING + HAD_MET_IN_FLIGHT)
+            contacts.flags[p, TOUCHES] |= before >> 1
 
 
 def note_support_kinds(

@@ -226,7 +226,8 @@ class Bodies(NamedTuple):
 
 # -- shapes
 
-DISC, CAPSULE, POLYGON, HALF_PLANE = range(4)  # kind
+# kind; shapes that are next to nothing across are those from THIN_CAPSULE on
+DISC, CAPSULE, POLYGON, HALF_PLANE, THIN_CAPSULE, THIN_POLYGON = range(6)
 
 _material = Columns()
 FRICTION = _material()  # -1 where not stated
@@ -241,7 +242,7 @@ class Shapes(NamedTuple):
     """Convex shapes: vertices grown by a radius; read by the broad and the narrow phase."""
 
     slot: Annotated[Places, Sized("shapes")]  # of the body
-    kind: Annotated[Indices, Sized("shapes"), Saved(4)]
+    kind: Annotated[Indices, Sized("shapes"), Saved(6)]
     first: Annotated[Indices, Sized("shapes"), Saved("vertices")]  # vertex
     vertex_count: Annotated[Indices, Sized("shapes"), Saved(2**31)]  # of vertices
     radius: Annotated[Floats, Sized("shapes"), Saved()]  # m
@@ -373,7 +374,8 @@ LOCATED = _flags()  # impacts whose instants continuous collision may still find
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list
 SPENT = 15  # LOCATED of a contact that has had its share of these impacts
-IS_TOUCHING, WAS_TOUCHING = 1, 2  # bits of TOUCHES: in this step, in the last one
+# bits of TOUCHES: in this step and in the last one; in flight in this step and in the last one
+IS_TOUCHING, WAS_TOUCHING, MET_IN_FLIGHT, HAD_MET_IN_FLIGHT = 1, 2, 4, 8
 
 
 class ContactBuffers(NamedTuple):
@@ -394,7 +396,7 @@ class Contacts(NamedTuple):
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),
-        Saved({POINT_COUNT: 3, TOUCHES: 4, CACHED_AXIS: 2**31, LOCATED: 16}),
+        Saved({POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, LOCATED: 16}),
     ]
 
 

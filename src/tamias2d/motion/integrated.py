@@ -188,6 +188,9 @@ class IntegratedMotion:
         """Return the states at sorted times (k,), s: all bodies at once."""
         states = coordinates(start_states(self._scene))
         rows = np.repeat(np.stack(states)[None], len(times), axis=0)
+        if len(self._moving) == 0:
+            self.sampled = history_of(rows)
+            return self.sampled
         field = self._field(self._moving, [None] * len(self._scene))
         moving = (states[0][self._moving], states[1][self._moving])
         done = int(np.searchsorted(times, 0.0, side="right"))

@@ -1,6 +1,7 @@
 """The frame loop for games: bodies in arrays that can be read and written between steps."""
 
 import hashlib
+import math
 from collections.abc import Mapping
 from copy import deepcopy
 from pathlib import Path
@@ -43,8 +44,9 @@ from tamias2d.simulator.views import Views
 from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
-_LOSSY = "springs"  # under which a warning of them is kept
+_LOSSY, _OUTRUN = "springs", "gravity"  # under which a warning of them is kept
 _SUNK, _OUTWEIGHED = "overlap", "masses"  # the same of what the engine could not hold
+_SHORTEST = 2.0**-10  # of a step: its shortest part
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
@@ -152,7 +154,7 @@ class Simulator(Views):
 
         Warns:
             StepWarning: the time step is too long for a force that varies, once for each; for
-                springs, once; for the weight on bodies that overlap, or their masses, once each.
+                springs, gravity, the weight on bodies that overlap, or their masses, once each.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
@@ -218,6 +220,26 @@ class Simulator(Views):
             self._engine.set_springs(spring_rows(self._scene, staying))
             varying = VaryingLoads(self._scene, staying, self._warned)
             self._varying = None if varying.empty else varying
+        self._tell_outrun()
+
+    def _tell_outrun(self) -> None:
+        """Warn once if gravity moves even the largest body too far in the shortest part of a step.
+
+        Then each step takes as many parts as there may be, and none of them is short enough.
+        """
+        size, pull = self._engine.largest_radius, math.hypot(*self._engine.gravity.tolist())
+        if _OUTRUN in self._warned or size == 0.0:
+            return
+        step = self._time_step
+        if not pull * (_SHORTEST * step) * (_SHORTEST * step) > size:
+            return
+        self._warned[_OUTRUN] = (
+            f"gravity of {pull:.6g} m/s^2: in 1/1024 of a time step of {step:.6g} s, its shortest "
+            f"part, it moves bodies farther than any is wide ({size:.6g} m): each step costs up to "
+            "1024 times as much, and contacts give way (IM12). Give a time step of at most "
+            f"{math.sqrt(size / pull):.3g} s."
+        )
+        warn(self._warned[_OUTRUN], StepWarning, stacklevel=4)
 
     def _settle_between(self) -> None:
         """Settle between steps: contacts are reported before removed bodies are forgotten."""

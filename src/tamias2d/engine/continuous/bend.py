@@ -7,6 +7,8 @@ from tamias2d.engine.tables import (
     DX,
     DYNAMIC,
     FORCE_GAIN,
+    NX,
+    NY,
     REDIRECTED,
     SUPPORTED,
     Bodies,
@@ -37,14 +39,15 @@ def bend_paths(
     From then on their paths are the chords of the rest of the step.
     """
     i, j = shapes.slot[s], shapes.slot[t]
-    near = manifold_at(s, t, chord, bodies, shapes, events)
+    near = manifold_at(s, t, chord, (0.0, 0.0), bodies, shapes, events)
+    side = (events.scratch[0, NX], events.scratch[0, NY])
     start_i = (bodies.pose[i, 0], bodies.pose[i, 1], bodies.pose[i, 2])
     start_j = (bodies.pose[j, 0], bodies.pose[j, 1], bodies.pose[j, 2])
     now, target = chord, CLOSER * near
     for _ in range(MOST_BENDS):
         place_beside(i, start_i, now, time_step, bodies)
         place_beside(j, start_j, now, time_step, bodies)
-        gap = manifold_at(s, t, now, bodies, shapes, events)
+        gap = manifold_at(s, t, now, side, bodies, shapes, events)
         line = normal_line(i, j, now, events.scratch[0], bodies)
         closing = -time_step * speed_along(line, 1.0 - now, bodies.motion, bodies.flight)
         later = min(max(now + (gap - target) / closing, 0.0), 1.0) if closing > 0.0 else now

@@ -12,11 +12,11 @@ from tamias2d.engine.continuous.gap_bound import UNBOUNDED, Sweep, safe_advance
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.collide import collide_cores
-from tamias2d.engine.narrow_phase.core import Core, core_of
+from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.rotation import cosine_sine
-from tamias2d.engine.tables import GAP, HALF_PLANE, POINT, Events, Shapes
+from tamias2d.engine.tables import GAP, HALF_PLANE, NX, NY, POINT, Events, Shapes
 from tamias2d.generated.continuous_collision import fraction_closest, half_interval, miss_distance
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 MISSED = 2.0  # the fraction of the step at which pairs meet that do not
 NEAR = 2.0**-13  # of the smaller shape's size: a gap that counts as a meeting
@@ -25,24 +25,29 @@ MOST_CLOSE_POSES = 64  # of these, while a pair is as close as at the start
 WIDER = 1.0 + 2.0**-20  # of a circle, against rounding
 
 
-def time_of_impact(s: int, t: int, path: RelativePath, shapes: Shapes, events: Events) -> float:
+def time_of_impact(
+    s: int, t: int, path: RelativePath, held: Vector, shapes: Shapes, events: Events
+) -> float:
     """Return the fraction of a path at which shapes s and t first come close, or `MISSED`.
 
-    Vertices are turned as at the start of the path.
+    Vertices are turned as at the start of the path, where the shapes may be in contact, with the
+    normal that is given then.
 
     At the fraction the gap is positive, and at most `NEAR` of the smaller shape's size: their
     manifold at that pose has the normal and the points. A pair that is as close already at the
     start meets when it has come as much closer, or close again after it was apart.
     """
     if shapes.kind[t] != HALF_PLANE:
-        return advance(s, t, path, shapes, events)
+        return advance(s, t, path, held, shapes, events)
     if shapes.kind[s] == HALF_PLANE:
         return MISSED
     reverse = RelativePath(-path.x, -path.y, -path.dx, -path.dy, path.turn_b, path.turn_a)
-    return advance(t, s, reverse, shapes, events)
+    return advance(t, s, reverse, held, shapes, events)
 
 
-def advance(s: int, t: int, path: RelativePath, shapes: Shapes, events: Events) -> float:
+def advance(
+    s: int, t: int, path: RelativePath, held: Vector, shapes: Shapes, events: Events
+) -> float:
     """Return the same where shape t is not a half-plane."""
     p, q, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
     plane = p.kind == HALF_PLANE
@@ -55,21 +60,26 @@ def advance(s: int, t: int, path: RelativePath, shapes: Shapes, events: Events) 
     reach = (a.lever + p.radius + b.lever + q.radius) * WIDER + near
     at, last = near_interval(p, path, reach, vertices)
     manifold, rows = events.scratch[0], events.scratch[1:]
-    least = near
+    least = hair = near
     for pose in range(MOST_POSES):
         if at >= last:
             return MISSED
         x, y = path.x + at * path.dx, path.y + at * path.dy
         place_vertices(p, path.turn_a * at, vertices, 0, rows)
         place_vertices(q, path.turn_b * at, vertices, p.vertex_count, rows)
-        gap = measure_gap(manifold, placed_a, placed_b, x, y, rows)
+        gap = measure_gap(manifold, placed_a, placed_b, x, y, held, rows)
         if at == 0.0 and gap <= near:
-            least = gap - near
+            known = held[0] != 0.0 or held[1] != 0.0
+            if gap > 0.0 and is_thin(p, q) and not known:  # behind a gap of 0 is the other side
+                least = hair = 0.5 * gap
+            else:
+                least = gap - near
         elif gap > near:
-            least = near
+            least = hair = near
+        held = (0.0, 0.0) if gap > near else (manifold[NX], manifold[NY])
         if not (gap > least and (least == near or pose < MOST_CLOSE_POSES)):
             return at
-        radii = p.radius + q.radius + least - 0.5 * near
+        radii = p.radius + q.radius + least - 0.5 * hair
         free = safe_advance(manifold, a, b, x, y, path, radii, last - at, rows)
         if at + free == at:
             return at
@@ -77,9 +87,11 @@ def advance(s: int, t: int, path: RelativePath, shapes: Shapes, events: Events) 
     return at
 
 
-def measure_gap(manifold: Array, a: Core, b: Core, x: float, y: float, vertices: Array) -> float:
+def measure_gap(
+    manifold: Array, a: Core, b: Core, x: float, y: float, held: Vector, vertices: Array
+) -> float:
     """Write the manifold of two cores, however far apart; return their gap, m."""
-    _, second = collide_cores(manifold, a, b, x, y, UNBOUNDED, vertices)
+    _, second = collide_cores(manifold, a, b, x, y, UNBOUNDED, held, vertices)
     if second == 0:
         manifold[GAP + POINT] = UNBOUNDED
     return min(manifold[GAP], manifold[GAP + POINT])

@@ -35,6 +35,7 @@ from tamias2d.engine.continuous.events import (
 )
 from tamias2d.engine.continuous.impact import contact_point, rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.seams import is_seam
 from tamias2d.engine.tables import (
     BOUNDING_RADIUS,
@@ -277,7 +278,8 @@ def handle_meeting(
         changed = resolve_impact(p, now, control, bodies, shapes, contacts, events)
         if not changed:
             s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-            later = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
+            held = held_normal(contacts.manifolds[p], contacts.flags[p])
+            later = next_event(s, t, now, control.progress[PART_TIME], held, bodies, shapes, events)
     if not changed:  # a pair that meets where it is does not approach
         events.times[len(bodies.kind) + p] = later if later > now else MISSED
     return changed
@@ -322,7 +324,8 @@ def resolve_impact(
     i, j = shapes.slot[s], shapes.slot[t]
     if contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies):
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
-    manifold_at(s, t, now, bodies, shapes, events)
+    held = held_normal(contacts.manifolds[p], contacts.flags[p])
+    manifold_at(s, t, now, held, bodies, shapes, events)
     manifold = events.scratch[0]
     if meets_seam(s, t, now, bodies, shapes, events):
         return False

@@ -13,6 +13,7 @@ from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.touching import opening
 from tamias2d.engine.tables import (
     ANGLE,
@@ -55,7 +56,7 @@ from tamias2d.generated.continuous_collision import (
     motion_bound,
 )
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 # how far one body may go into another, from where the solver pushes it back, as a fraction of half
 # the width of the thinner one; it is not farther than the smaller bounding radius
@@ -100,7 +101,8 @@ def find_events(
             sought += 1
             if share < 1.0 and sought > MOST_SHALLOW:
                 return MANY
-            time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
+            held = held_normal(contacts.manifolds[p], contacts.flags[p])
+            time = next_event(s, t, now, control.progress[PART_TIME], held, bodies, shapes, events)
             events.times[body_count + p] = time
             found += time <= 1.0
     return found
@@ -221,7 +223,8 @@ def update_events_of(
         if shallow < 1.0 and bounces(p, shapes, contacts):
             share = 0.0
         if not goes_little(a, b, now, share, reach, bodies):
-            time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
+            held = held_normal(contacts.manifolds[p], contacts.flags[p])
+            time = next_event(s, t, now, control.progress[PART_TIME], held, bodies, shapes, events)
         events.times[body_count + p] = time
         update_event(body_count + p, event_count, events.times, events.queue)
 
@@ -240,11 +243,19 @@ def relative_motion(i: int, j: int, bodies: Bodies) -> float:
 
 
 def next_event(
-    s: int, t: int, now: float, time_step: float, bodies: Bodies, shapes: Shapes, events: Events
+    s: int,
+    t: int,
+    now: float,
+    time_step: float,
+    held: Vector,
+    bodies: Bodies,
+    shapes: Shapes,
+    events: Events,
 ) -> float:
     """Return the fraction of the step, from `now` on, at which two shapes meet, or `MISSED`.
 
-    A pair that is close now meets now if it approaches by more than counts as close.
+    A pair that is close now meets now if it approaches by more than counts as close. The normal is
+    that of their contact as the step began, (0, 0) if there was none.
     """
     if shapes.kind[t] == HALF_PLANE:
         s, t = t, s
@@ -253,7 +264,7 @@ def next_event(
     reach = shapes.material[s, SHAPE_RADIUS] + shapes.material[t, SHAPE_RADIUS] + near
     if passes_by(i, j, now, reach, bodies.pose, bodies.motion):
         return MISSED
-    gap = manifold_at(s, t, now, bodies, shapes, events)
+    gap = manifold_at(s, t, now, held, bodies, shapes, events)
     rest = 1.0 - now
     if gap <= near:
         line = normal_line(i, j, now, events.scratch[0], bodies)
@@ -261,7 +272,7 @@ def next_event(
         if closing * rest < -near:
             return now
     path = relative_path(i, j, now, bodies)
-    ahead = time_of_impact(s, t, path, shapes, events)
+    ahead = time_of_impact(s, t, path, held, shapes, events)
     return now + ahead * rest if ahead <= 1.0 else MISSED
 
 
@@ -276,7 +287,7 @@ def passes_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Arr
 
 
 def manifold_at(
-    s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, events: Events
+    s: int, t: int, now: float, held: Vector, bodies: Bodies, shapes: Shapes, events: Events
 ) -> float:
     """Write the manifold of two shapes at a fraction of the step; return their gap, m."""
     i, j = shapes.slot[s], shapes.slot[t]
@@ -284,7 +295,7 @@ def manifold_at(
     turn_shape_to(t, j, now, bodies, shapes)
     x, y = relative_place(i, j, now, bodies.pose, bodies.motion)
     a, b = core_of(s, shapes), core_of(t, shapes)
-    return measure_gap(events.scratch[0], a, b, x, y, shapes.world_vertices)
+    return measure_gap(events.scratch[0], a, b, x, y, held, shapes.world_vertices)
 
 
 def turn_shape_to(s: int, i: int, now: float, bodies: Bodies, shapes: Shapes) -> None:

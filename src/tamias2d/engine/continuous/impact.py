@@ -29,6 +29,7 @@ from tamias2d.engine.tables import (
     GAP,
     IMPACT_NORMAL,
     IS_TOUCHING,
+    MET_IN_FLIGHT,
     NX,
     NY,
     PART_TIME,
@@ -196,6 +197,9 @@ def record_impact(
     flags: Integers,
 ) -> None:
     """Add an impact to what is told of a contact in this step, at the place of the first one."""
+    if flags[POINT_COUNT] == 0:
+        recorded[NX], recorded[NY] = sense * manifold[NX], sense * manifold[NY]
+        flags[TOUCHES] |= MET_IN_FLIGHT
     if flags[TOUCHES] & IS_TOUCHING:
         recorded[TOTAL_IMPULSE] += impulse
         return

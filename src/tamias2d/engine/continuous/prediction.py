@@ -11,7 +11,8 @@ from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
-from tamias2d.engine.narrow_phase.core import Core, core_of
+from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
+from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.seams import clear_grounds, leave_seams_out
 from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
 from tamias2d.engine.tables import (
@@ -115,6 +116,9 @@ def is_located(
     if bounces(p, shapes, contacts) and held == 0:
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, POINT_COUNT])
+        a, b = core_of(s, shapes), core_of(t, shapes)
+        if is_thin(a, b):  # behind a gap of 0 is the other side
+            return gap > 0.0
         return gap > -CLOSE * smaller_radius(s, t, shapes.material)  # the solver parts others
     return meets and is_alone(i, bodies, touching) and is_alone(j, bodies, touching)
 
@@ -143,9 +147,10 @@ def foresee_contact(
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     time = control.progress[PART_TIME]
     path = path_ahead(i, j, time, bodies)
-    at = time_of_impact(s, t, path, shapes, events)
-    margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
     manifold, flags = contacts.manifolds[p], contacts.flags[p]
+    held = held_normal(manifold, flags)
+    at = time_of_impact(s, t, path, held, shapes, events)
+    margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
     if at > 1.0:
         return smallest_gap(manifold, flags[POINT_COUNT]) < margin
     a, b, rows = core_of(s, shapes), core_of(t, shapes), events.scratch[1:]
@@ -154,7 +159,7 @@ def foresee_contact(
     placed_a = Core(a.kind, 0, a.vertex_count, a.radius, 0.0)
     placed_b = Core(b.kind, a.vertex_count, b.vertex_count, b.radius, 0.0)
     x, y = path.x + at * path.dx, path.y + at * path.dy
-    first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, rows)
+    first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, held, rows)
     manifold[FORESEEN] = at * time
     return match_impulses(manifold, flags, first, second) > 0
 

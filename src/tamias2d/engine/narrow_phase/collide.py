@@ -27,7 +27,7 @@ from tamias2d.engine.tables import (
     Shapes,
 )
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 
 @inlined
@@ -53,16 +53,27 @@ def collide(
     if a.vertex_count > 1 and b.vertex_count > 1:
         first, second = collide_cached(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
     else:
-        first, second = collide_cores(manifold, a, b, dx, dy, margin, shapes.world_vertices)
+        first, second = collide_cores(
+            manifold, a, b, dx, dy, margin, (0.0, 0.0), shapes.world_vertices
+        )
     return match_impulses(manifold, flags, first, second)
 
 
 def collide_cores(
-    manifold: Array, a: Core, b: Core, x: float, y: float, margin: float, vertices: Array
+    manifold: Array,
+    a: Core,
+    b: Core,
+    x: float,
+    y: float,
+    margin: float,
+    held: Vector,
+    vertices: Array,
 ) -> tuple[int, int]:
     """Write normal, points and gaps of two shapes to a manifold.
 
-    Returns the features of the points, 0 for one that is not within the margin.
+    The normal of their contact before, (0, 0) where there was none, tells on which side of each
+    other thin shapes are. Returns the features of the points, 0 for one that is not within the
+    margin.
     """
     if a.kind == HALF_PLANE:
         if b.kind == HALF_PLANE:
@@ -72,7 +83,7 @@ def collide_cores(
         return collide_half_plane(manifold, b.first, a, -x, -y, margin, True, vertices)
     if a.vertex_count > 1:
         if b.vertex_count > 1:
-            return collide_polygons(manifold, a, b, x, y, margin, vertices)
+            return collide_polygons(manifold, a, b, x, y, margin, held, vertices)
         return collide_disc(manifold, a, b, x, y, margin, False, vertices), 0
     if b.vertex_count > 1:
         return collide_disc(manifold, b, a, -x, -y, margin, True, vertices), 0

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from tamias2d.engine.tables import SHAPE_INRADIUS, Shapes
+from tamias2d.engine.tables import SHAPE_INRADIUS, THIN_CAPSULE, Shapes
 
 
 class Core(NamedTuple):
@@ -24,6 +24,11 @@ def core_of(s: int, shapes: Shapes) -> Core:
         float(shapes.radius[s]),
         float(shapes.material[s, SHAPE_INRADIUS]),
     )
+
+
+def is_thin(a: Core, b: Core) -> bool:
+    """Return whether one of two shapes is next to nothing across."""
+    return a.kind >= THIN_CAPSULE or b.kind >= THIN_CAPSULE
 
 
 def next_vertex(k: int, count: int) -> int:

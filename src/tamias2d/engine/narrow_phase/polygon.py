@@ -12,18 +12,27 @@ from tamias2d.engine.narrow_phase.axis_cache import (
     relative_pose,
 )
 from tamias2d.engine.narrow_phase.clip import clip_reference
-from tamias2d.engine.narrow_phase.core import Core
+from tamias2d.engine.narrow_phase.core import Core, is_thin
 from tamias2d.engine.narrow_phase.separation import (
     EITHER_IS_REFERENCE,
     REFERENCE_A,
     SEPARATED,
     find_axis,
+    find_axis_on_side,
     foremost_side,
     inner_radius,
     side_slack,
 )
-from tamias2d.engine.tables import CACHED_AXIS, Integers
-from tamias2d.state import Array
+from tamias2d.engine.tables import (
+    CACHED_AXIS,
+    MET_IN_FLIGHT,
+    NX,
+    NY,
+    POINT_COUNT,
+    TOUCHES,
+    Integers,
+)
+from tamias2d.state import Array, Vector
 
 
 def collide_cached(
@@ -63,10 +72,18 @@ def search(
     cutoff: float,
     vertices: Array,
 ) -> tuple[int, int, int]:
-    """Return the state of the axis and the sides of A and B, and cache them for this pose."""
-    axis = find_axis(a, guess_a, b, guess_b, pose.x, pose.y, cutoff, vertices)
+    """Return the state of the axis and the sides of A and B, and cache them for this pose.
+
+    Of thin shapes that touch the side is known, but not for how long.
+    """
+    thin = is_thin(a, b)
+    if thin:
+        held = held_normal(manifold, flags)
+        axis = find_axis_on_side(a, b, pose.x, pose.y, held, cutoff, vertices)
+    else:
+        axis = find_axis(a, guess_a, b, guess_b, pose.x, pose.y, cutoff, vertices)
     state, side_a, side_b = axis.state, axis.side_a, axis.side_b
-    if moved_too_far(manifold, flags, pose):
+    if moved_too_far(manifold, flags, pose) or (thin and state != SEPARATED):
         cache_guess(manifold, flags, pose, side_a, side_b)
         return state, side_a, side_b
     lever = largest_lever(a, b, pose.x, pose.y, vertices)
@@ -83,13 +100,34 @@ def search(
     return state, side_a, side_b
 
 
+def held_normal(manifold: Array, flags: Integers) -> Vector:
+    """Return the normal of a contact that has points or met in flight, (0, 0) of others."""
+    if flags[POINT_COUNT] == 0 and flags[TOUCHES] < MET_IN_FLIGHT:
+        return 0.0, 0.0
+    return manifold[NX], manifold[NY]
+
+
 def collide_polygons(
-    manifold: Array, a: Core, b: Core, x: float, y: float, margin: float, vertices: Array
+    manifold: Array,
+    a: Core,
+    b: Core,
+    x: float,
+    y: float,
+    margin: float,
+    held: Vector,
+    vertices: Array,
 ) -> tuple[int, int]:
     """Write the points between two shapes with sides, without a cache.
 
     Inradii are measured, to the last bit those of the vertices as they are turned.
     """
+    if is_thin(a, b):
+        found = find_axis_on_side(a, b, x, y, held, margin + a.radius + b.radius, vertices)
+        if found.state == SEPARATED:
+            return 0, 0
+        return clip_reference(
+            manifold, found.state, a, found.side_a, b, found.side_b, x, y, margin, vertices
+        )
     one = Core(a.kind, a.first, a.vertex_count, a.radius, inner_radius(a, vertices))
     other = Core(b.kind, b.first, b.vertex_count, b.radius, inner_radius(b, vertices))
     guess_a, guess_b = foremost_side(a, x, y, vertices), foremost_side(b, -x, -y, vertices)

@@ -12,11 +12,12 @@ Source: Gregorius, The separating axis test between convex polyhedra (GDC 2013).
 from typing import NamedTuple
 
 from tamias2d.engine.narrow_phase.core import Core, next_vertex
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 # states of an axis: the shapes are apart along it; whose side is the reference side
 SEPARATED, REFERENCE_A, REFERENCE_B, EITHER_IS_REFERENCE = 1, 2, 3, 4
 INFINITE = 1e308
+BEHIND = -0.5  # cosine of the angle between directions on opposite sides of a thin shape
 
 
 class Axis(NamedTuple):
@@ -95,6 +96,42 @@ def find_axis(
     next_b = best_b.next_separation
     next_b = next_b if side_b == guess_b else max(next_b, along_b)
     return Axis(state, side_a, side_b, best_b.separation, max(next_a, next_b))
+
+
+def find_axis_on_side(
+    a: Core, b: Core, x: float, y: float, held: Vector, cutoff: float, vertices: Array
+) -> Axis:
+    """Return the axis of the largest separation that is not behind the normal of before.
+
+    The inside of a thin shape does not tell on which side of it another one is: the normal does. It
+    is (0, 0) where any axis will do.
+    """
+    best_a = best_on_side(a, b, x, y, held[0], held[1], vertices)
+    best_b = best_on_side(b, a, -x, -y, -held[0], -held[1], vertices)
+    if best_a.separation >= best_b.separation:
+        v = a.first + best_a.side
+        other = incident_side(b, best_a.vertex, vertices[v, 2], vertices[v, 3], vertices)
+        state = SEPARATED if best_a.separation >= cutoff else REFERENCE_A
+        return Axis(state, best_a.side, other, best_a.separation, best_b.separation)
+    v = b.first + best_b.side
+    other = incident_side(a, best_b.vertex, vertices[v, 2], vertices[v, 3], vertices)
+    state = SEPARATED if best_b.separation >= cutoff else REFERENCE_B
+    return Axis(state, other, best_b.side, best_b.separation, best_a.separation)
+
+
+def best_on_side(
+    p: Core, q: Core, x: float, y: float, hx: float, hy: float, vertices: Array
+) -> Best:
+    """Return the side of P with the largest separation from Q, of those that are not behind."""
+    best, side, vertex = -INFINITE, 0, 0
+    for k in range(p.vertex_count):
+        v = p.first + k
+        if vertices[v, 2] * hx + vertices[v, 3] * hy < BEHIND:
+            continue
+        along, nearest = separation_along(v, q, x, y, vertices)
+        if along > best:
+            best, side, vertex = along, k, nearest
+    return Best(best, side, vertex, -INFINITE)
 
 
 def best_side(

@@ -14,6 +14,7 @@ from tamias2d.engine.tables import (
     LIMITS,
     LOCATED,
     MEETING,
+    MET_IN_FLIGHT,
     MIN_EXTENT,
     MOST_LOCATED,
     NEW_STATIC,
@@ -40,7 +41,6 @@ from tamias2d.engine.tables import (
     TOUCHING,
     VX,
     VY,
-    WAS_TOUCHING,
     Bodies,
     BroadPhase,
     Contacts,
@@ -63,6 +63,7 @@ GRAZE = 2.0**-12  # the overlap of bodies that have just met
 DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it grows no more
 SUNK = 0.5  # of the smaller half of a least width: an overlap that should not grow any more
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
+OF_THIS_STEP = IS_TOUCHING + MET_IN_FLIGHT  # of TOUCHES; twice these bits are of the last one
 
 
 def find_touching(
@@ -151,9 +152,9 @@ def note_sinking(
 
 
 def age_flags(again: bool, flags: Integers) -> None:
-    """Let what touched in the step before have touched, unless this step was looked at already."""
+    """Let what touched and met have done so before, unless this step was looked at already."""
     if flags[TOUCHES] != 0 and not again:
-        flags[TOUCHES] = WAS_TOUCHING * (flags[TOUCHES] & IS_TOUCHING)
+        flags[TOUCHES] = 2 * (flags[TOUCHES] & OF_THIS_STEP)
     flags[LOCATED] = 0
 
 

@@ -20,7 +20,6 @@ from tamias2d.engine.tables import (
     LEAF,
     LEAVES,
     PLANES,
-    POLYGON,
     SENSOR,
     BodyState,
     Integers,
@@ -157,7 +156,7 @@ def overlaps_box(s: int, box: Box, state: BodyState, shapes: Shapes) -> bool:
     x = 0.5 * box.low_x + 0.5 * box.high_x - state.pose[i, X]
     y = 0.5 * box.low_y + 0.5 * box.high_y - state.pose[i, Y]
     half_x, half_y = 0.5 * box.high_x - 0.5 * box.low_x, 0.5 * box.high_y - 0.5 * box.low_y
-    if shapes.kind[s] == POLYGON:
+    if shapes.vertex_count[s] > 2:
         return not some_side_separates(vertices, c, d, x, y, half_x, half_y)
     last = len(vertices) - 1
     one_x = c * vertices[0, 0] - d * vertices[0, 1]

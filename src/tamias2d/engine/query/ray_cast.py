@@ -18,7 +18,6 @@ from tamias2d.engine.tables import (
     LEAF,
     LEAVES,
     PLANES,
-    POLYGON,
     RANK,
     BodyState,
     Integers,
@@ -201,7 +200,7 @@ def enter_bounded(
     ray: Ray, kind: int, first: int, count: int, radius: float, vertices: Array
 ) -> Entry:
     """Return where a ray in the axes of a body enters one of its shapes, and the normal there."""
-    if kind == POLYGON:
+    if count > 2:
         return enter_polygon(ray, first, count, vertices)
     if kind == DISC:
         return enter_disc(ray, vertices[first, 0], vertices[first, 1], radius)

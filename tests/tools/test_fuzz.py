@@ -1,0 +1,71 @@
+"""A few seeds of every kind of fuzz; a hang and a kill are told with their seed."""
+
+import ctypes
+import itertools
+import json
+import signal
+from multiprocessing.connection import Connection
+
+import pytest
+
+from tools.fuzz import runner
+from tools.measurements import fuzz, throws
+
+SEEDS = {
+    "scenes": 150,
+    "files": 60,
+    "sequences": 20,
+    "saved": 60,
+    "momentum-located": 15,
+    "momentum-stepped": 15,
+}
+FOUND = (("scenes", 269),)
+"""Cases that broke something once."""
+
+
+@pytest.mark.parametrize("kind", SEEDS)
+def test_cases_are_done_or_refused_by_name(kind: str) -> None:
+    found = [runner.run_case(kind, seed) for seed in range(SEEDS[kind])]
+    assert [each for each in found if each.wrong] == []
+    assert any(each.what == "done" for each in found)
+
+
+@pytest.mark.parametrize(("kind", "seed"), FOUND)
+def test_a_case_that_was_found_is_mended(kind: str, seed: int) -> None:
+    assert not runner.run_case(kind, seed).wrong
+
+
+def killed(_kind: str, first: int, last: int, pipe: Connection) -> None:
+    for seed in range(first, last):
+        if seed == 2:
+            ctypes.string_at(0)
+        pipe.send(("done", False))
+
+
+def test_a_kill_is_told_with_its_seed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(runner, "_run", killed)
+    found = list(runner.results("scenes", 0, 4))
+    assert [each.wrong for each in found] == [False, False, True, False]
+    assert str(-signal.SIGSEGV) in found[2].what
+
+
+def test_a_hang_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(runner, "LIMIT", 0.05)
+    monkeypatch.setattr("tools.fuzz.scenes.case", lambda _: [0 for _ in itertools.count()])
+    assert "more than" in runner.run_case("scenes", 0).what
+
+
+def test_the_command_runs_small() -> None:
+    found = fuzz.measure(kind=["files"], count=3)
+    assert json.loads(json.dumps(found)) == found
+    heads, rows = fuzz.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert fuzz.notes(found) == []
+
+
+def test_throws_run_small() -> None:
+    found = throws.measure(count=3)
+    assert json.loads(json.dumps(found)) == found
+    heads, rows = throws.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert len(throws.notes(found)) == 2

@@ -1,0 +1,58 @@
+"""Random cases of every kind: is each done, or refused by name?
+
+Kinds: scenes and what is asked of them, damaged scene files, sequences of calls of a simulator,
+damaged saved states and compiled code, and momentum where nothing outside pushes. A case is known
+by its kind and seed.
+"""
+
+from argparse import ArgumentParser
+from collections import Counter
+from typing import Any
+
+from rich.console import Console
+from rich.progress import track
+
+from tools.fuzz.runner import KINDS, results
+
+
+def options(parser: ArgumentParser) -> None:
+    """Add what can be chosen."""
+    parser.add_argument("--kind", choices=sorted(KINDS), action="append", help="one kind only")
+    parser.add_argument("--first", type=int, default=0, help="seed of the first case (0)")
+    parser.add_argument("--count", type=int, default=1000, help="cases of each kind (1000)")
+
+
+def measure(kind: list[str] | None = None, first: int = 0, count: int = 1000) -> dict[str, Any]:
+    """Return for each kind how many cases were done and refused, and what was wrong."""
+    told = Console(stderr=True)
+    rows = []
+    for name in kind or KINDS:
+        counted: Counter[str] = Counter()
+        wrong: list[tuple[int, str]] = []
+        for found in track(results(name, first, count), name, total=count, console=told):
+            if found.wrong:
+                wrong.append((found.seed, found.what))
+                told.print(f"{name} {found.seed}: {found.what}")
+            else:
+                counted[found.what] += 1
+        rows.append({"kind": name, **counted, "wrong": [list(each) for each in wrong]})
+    return {"first": first, "count": count, "rows": rows}
+
+
+def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """Return heads and rows for people."""
+    heads = ("kind", "done", "refused", "wrong")
+    return heads, [
+        (
+            row["kind"],
+            str(row.get("done", 0)),
+            str(row.get("refused", 0)),
+            str(len(row["wrong"])),
+        )
+        for row in found["rows"]
+    ]
+
+
+def notes(found: dict[str, Any]) -> list[str]:
+    """Return what was wrong."""
+    return [f"{row['kind']} {seed}: {what}" for row in found["rows"] for seed, what in row["wrong"]]
