@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.body_pool import BodyPool
 from tamias2d.engine.contact_report import Touching, contact_report
-from tamias2d.engine.menu import CONTACT, functions
+from tamias2d.engine.joints.rows import JointRow, kept_apart, set_joints
+from tamias2d.engine.menu import CONTACT, JOINTED, functions
 from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.springs.rows import SpringRow, set_springs
 from tamias2d.engine.steps_per_call import StepsPerCall
@@ -25,6 +26,7 @@ from tamias2d.engine.tables import (
     HORIZON,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    JOINTS,
     MORE_BLOCKS,
     MORE_CANDIDATES,
     MORE_CONTACTS,
@@ -157,6 +159,16 @@ class Engine(Store):
         """Let springs act between bodies, given by rows, in this order, and no others."""
         set_springs(self, rows)
 
+    def set_joints(self, rows: Sequence[JointRow]) -> list[int]:
+        """Let joints hold bodies, given by rows, in this order, and no others.
+
+        Returns the place of each among the joints of the arrays.
+        """
+        places = set_joints(self, rows)
+        self._library = functions(JOINTED if rows else CONTACT, compiled=self.compiled)
+        self._pool.drop_pairs(kept_apart(self))
+        return places
+
     def settle(self) -> None:
         """Give what was added its place, and free what was removed; before a step or query."""
         self._pool.settle()
@@ -202,7 +214,7 @@ class Engine(Store):
         checked, timed = 0, count > 1
         try:
             while count > 0:
-                if self._alone and not self.world.springs.counts[SPRINGS]:
+                if self._alone and not self._connected:
                     asked = min(count, self._ballistic_steps_per_call.most)
                     taken = self._ballistic_steps(asked, timed)
                     count -= taken
@@ -219,6 +231,12 @@ class Engine(Store):
                 self._forget_contacts()
             raise
         return None
+
+    @property
+    def _connected(self) -> bool:
+        """Whether springs or joints connect bodies, which do not go ballistically then."""
+        world = self.world
+        return bool(world.springs.counts[SPRINGS] or world.joints.counts[JOINTS])
 
     def _ballistic_steps(self, count: int, timed: bool) -> int:
         """Take up to some steps while all bodies are alone; return how many."""

@@ -24,7 +24,10 @@ from tamias2d.engine.tables import (
     FORCE_GAIN,
     GRAVITY_X,
     GRAVITY_Y,
+    I_NODE,
     ISLAND_SLOW_STEPS,
+    JOINED_SLOT,
+    MECHANISMS,
     POINT_COUNT,
     REST_GRAVITY,
     REST_LOAD,
@@ -49,6 +52,7 @@ from tamias2d.engine.tables import (
     Control,
     Integers,
     Islands,
+    Joints,
     Touching,
 )
 from tamias2d.generated.sleeping import quiet, quiet_square
@@ -157,13 +161,14 @@ def keep_touching_flags(broad_phase: BroadPhase, contacts: Contacts, islands: Is
 
 
 def note_support_kinds(
-    bodies: Bodies, contacts: Contacts, touching: Touching, islands: Islands
+    bodies: Bodies, contacts: Contacts, touching: Touching, islands: Islands, joints: Joints
 ) -> None:
     """Note what each body touches: nothing, bodies at rest, or one that moves by itself."""
-    find_islands(bodies, touching, islands)
+    find_islands(bodies, touching, islands, joints)
     links = islands.links
     for i in range(len(bodies.kind)):
         links[i, SUPPORT_KIND] = NO_SUPPORT
+    note_joined_support(islands, joints)
     for k in range(touching.counts[TOUCHING]):
         pair = contacts.pairs[touching.contact[k]]
         i, j = pair[SLOT_A], pair[SLOT_B]
@@ -173,6 +178,14 @@ def note_support_kinds(
         support = SUPPORTED_IN_MOTION if in_motion else SUPPORTED_AT_REST
         links[i, SUPPORT_KIND] = max(links[i, SUPPORT_KIND], support)
         links[j, SUPPORT_KIND] = max(links[j, SUPPORT_KIND], support)
+
+
+def note_joined_support(islands: Islands, joints: Joints) -> None:
+    """Note that bodies which joints hold are supported by what these hold besides."""
+    for n in range(joints.counts[MECHANISMS]):
+        for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+            links = islands.links[joints.members[m, JOINED_SLOT]]
+            links[SUPPORT_KIND] = max(links[SUPPORT_KIND], SUPPORTED_AT_REST)
 
 
 def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:

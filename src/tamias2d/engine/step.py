@@ -18,6 +18,7 @@ from tamias2d.engine.broad_phase.pairs import rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, solve_continuous
+from tamias2d.engine.joints.stages import clear_of_joints, note_mechanisms
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
 from tamias2d.engine.sleep import (
@@ -84,6 +85,7 @@ def step(world: World) -> int:
         pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[SLEEP_STEPS]
         sprung = world.springs.counts[SPRINGS] > 0
         clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0 and not sprung
+        clear = clear_of_joints(clear, world)
     return CLEAR if clear else DONE
 
 
@@ -115,6 +117,7 @@ def take_step(world: World) -> int:
             again = True
         counts[STAGE] = MANIFOLDS_KNOWN
     if counts[STAGE] == MANIFOLDS_KNOWN:
+        note_mechanisms(world)
         status = arrange(world, contacts)
         if status != DONE:
             return status
@@ -161,7 +164,7 @@ def integrate(world: World) -> int:
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
-        note_support_kinds(bodies, contacts, world.touching, islands)
+        note_support_kinds(bodies, contacts, world.touching, islands, world.joints)
     if islands.counts[SLEEPING] > 0:
         hold_sleeping(bodies, islands)
         keep_touching_flags(broad_phase, contacts, islands)

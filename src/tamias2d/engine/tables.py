@@ -663,6 +663,62 @@ class Springs(NamedTuple):
     members: Annotated[FloatRows, Sized("members", _members.width)]
 
 
+# -- joints: a mechanism is what joints connect, through bodies that move freely
+
+_joint_counts = Columns()
+JOINTS = _joint_counts()
+MECHANISMS = _joint_counts()
+MECHANISMS_AWAKE = _joint_counts()  # in this step
+
+_mechanisms = Columns()
+M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
+M_STATUS = _mechanisms()  # one of those below
+ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
+
+_joint = Columns()  # whole numbers of a joint
+J_KIND = _joint()  # by the number in `generated.joint_rows`
+J_ROWS = _joint()  # how many of them
+J_MEMBER = _joint(3)  # of its bodies A, B and C; 0 for the plane
+J_NODE = _joint(3)  # their nodes, or -1 where one does not move
+J_EDGE = _joint(3)  # of the pairs AB, AC and BC, or -1 where one does not move
+
+_joint_numbers = Columns()
+J_ROW = _joint_numbers(30)  # value and slopes of each row
+J_FIRMNESS = _joint_numbers(3)  # kg, of each row
+J_AIM = _joint_numbers(3)  # m or rad, to which a substep brings each row
+J_ERROR = _joint_numbers(3)  # m/s or rad/s, rate of each row beyond what is wanted
+J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over the step
+
+_joined = Columns()  # members: the plane, then the nodes, then bodies that do not move
+JOINED_BODY = _joined()  # row of the body
+JOINED_SLOT = _joined()  # its slot in this step
+
+_places = Columns()  # of a member, as generated code takes it
+PLACE_X = _places()  # m
+PLACE_Y = _places()  # m
+PLACE_ANGLE = _places()  # rad
+PLACE_COSINE = _places()
+PLACE_SINE = _places()
+
+
+class Joints(NamedTuple):
+    """Joints and the bodies that they hold; read by the joints' own stages."""
+
+    counts: Annotated[Ranks, Sized(_joint_counts.width)]
+    mechanisms: Annotated[RankRows, Sized("mechanisms", _mechanisms.width)]
+    joints: Annotated[RankRows, Sized("joints", _joint.width)]
+    given: Annotated[FloatRows, Sized("joints", 10)]  # parameters
+    numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
+    members: Annotated[RankRows, Sized("joined", _joined.width)]
+    places: Annotated[FloatRows, Sized("joined", _places.width)]
+    # as those of the direct solver, a node for each body that moves
+    sparse: Annotated[RankRows, Sized("joint_sparse", _sparse.width)]
+    factors: Annotated[FloatRows, Sized("joint_sparse", _factors.width)]
+    # bodies that joints keep from touching: of each pair, by the body with the lower row
+    apart_first: Annotated[Ranks, Sized("apart_bodies")]  # where those of a row begin
+    apart: Annotated[Ranks, Sized("apart")]  # the other rows
+
+
 # -- continuous collision
 
 FIRST_OF_BODY, CONTACT_OF_BODY, TOURNAMENT = range(3)  # rows of queue
@@ -728,3 +784,4 @@ class World(NamedTuple):
     springs: Springs
     events: Events
     chunks: Chunks
+    joints: Joints

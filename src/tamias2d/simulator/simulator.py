@@ -18,7 +18,7 @@ from tamias2d.engine.saved_state import restored_engine, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
-from tamias2d.scene.joints import refuse_joints
+from tamias2d.scene.joints import Joint
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
@@ -27,6 +27,7 @@ from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
 from tamias2d.simulator.batch import scene_batch
 from tamias2d.simulator.exclusive import busy, exclusive
 from tamias2d.simulator.invalid_state import invalid_state
+from tamias2d.simulator.joint_rows import canonical_joints, joint_row, refuse_own_equations
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
 from tamias2d.simulator.selection import Bodies, selected
@@ -63,6 +64,9 @@ class Simulator(Views):
     """
 
     __slots__ = (
+        "_joint_places",
+        "_joints",
+        "_joints_new",
         "_names",
         "_pushed",
         "_scene",
@@ -99,11 +103,12 @@ class Simulator(Views):
             InputError: a value breaks a rule (R4).
         """
         checked_scene(scene)
-        refuse_joints(scene.joints, "the frame loop", "Take simulate(scene, ...), which does.")
+        refuse_own_equations(scene.joints)
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
         varies = bool(scene.springs) or not VaryingLoads(scene, range(len(scene)), {}).empty
         self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
+        self._joints: dict[str, Joint] = {joint.name: joint for joint in scene.joints}
         self._staying = list(range(len(scene)))
         engine = Engine(
             gravity=scene.gravity,
@@ -131,6 +136,8 @@ class Simulator(Views):
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
         self._unsettled = True
+        self._joint_places: dict[str, int] = {}
+        self._joints_new = bool(self._joints)
 
     # -- stepping
 
@@ -170,12 +177,24 @@ class Simulator(Views):
         """Give what was added its place, and see which loads vary on what is left."""
         self._engine.settle()
         self._unsettled = False
+        if self._joints_new:
+            self._settle_joints()
         self._varying = None
         if self._scene is not None:
             staying = sorted(self._staying, key=self._engine.rank.__getitem__)
             self._engine.set_springs(spring_rows(self._scene, staying))
             varying = VaryingLoads(self._scene, staying, self._warned)
             self._varying = None if varying.empty else varying
+
+    def _settle_joints(self) -> None:
+        """Tell the engine which joints there are."""
+        joints = list(self._joints.values())
+        order = canonical_joints(joints, self._engine.rank)
+        places = self._engine.set_joints([joint_row(joints[k]) for k in order])
+        self._joint_places = {
+            joints[k].name: place for k, place in zip(order, places, strict=True)
+        }
+        self._joints_new = False
 
     def _settle_between(self) -> None:
         """Settle between steps: contacts are reported before removed bodies are forgotten."""

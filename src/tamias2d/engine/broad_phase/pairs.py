@@ -9,6 +9,7 @@ from tamias2d.engine.broad_phase.contact_list import replace_contacts
 from tamias2d.engine.broad_phase.fat_bounds import fatten_all_bounds
 from tamias2d.engine.broad_phase.fat_box import fatten_box
 from tamias2d.engine.broad_phase.update import update_incrementally
+from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.tables import (
     ARRANGED,
     CONTACTS,
@@ -66,6 +67,7 @@ def rebuild_pairs(world: World) -> int:
     for s in range(len(shapes.slot)):
         fatten_box(s, bodies, shapes, tree, broad_phase)
     total = find_candidates(bodies, shapes, tree, broad_phase)
+    total = without_kept_apart(total, world.state, broad_phase, world.joints)
     if total > len(broad_phase.candidates):
         control.counts[ROWS_NEEDED] = total
         return MORE_CANDIDATES

@@ -8,8 +8,14 @@ moved when the step began: there, gravity does no work that contacts could take 
 from tamias2d.engine.tables import (
     ACTIVE,
     DYNAMIC,
+    I_NODE,
     INVERSE_MASS,
     ISLAND_MASS,
+    J_MEMBER,
+    J_NODE,
+    JOINED_SLOT,
+    M_JOINT,
+    MECHANISMS,
     MOMENTUM_X,
     MOMENTUM_Y,
     REFERENCE,
@@ -23,6 +29,7 @@ from tamias2d.engine.tables import (
     Bodies,
     Constraints,
     Islands,
+    Joints,
     Touching,
     X,
     Y,
@@ -87,6 +94,17 @@ def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
     speed = abs(by_x) + abs(by_y) + abs(motion[VX]) + abs(motion[VY])
     if apart > ALIKE * speed or abs(row[REFERENCE + 2] - spin) > ALIKE * abs(spin):
         row[SUPPORT] = SUPPORTED_BY_MORE
+
+
+def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
+    """Let the islands of mechanisms that are tied to what stands still be seen from there."""
+    for n in range(joints.counts[MECHANISMS]):
+        root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
+        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+            for end in range(3):
+                if joints.joints[j, J_NODE + end] < 0:
+                    support = joints.members[joints.joints[j, J_MEMBER + end], JOINED_SLOT]
+                    support_island(support, root, bodies, islands)
 
 
 def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:

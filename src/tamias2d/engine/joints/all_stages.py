@@ -1,0 +1,31 @@
+"""What the stages of a step call for joints alone: scenes without joints do without it."""
+
+from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
+from tamias2d.engine.islands import join_islands
+from tamias2d.engine.joints.stages import (
+    activate_joined,
+    begin_joints,
+    clear_of_joints,
+    end_joints,
+    join_slabs,
+    note_mechanisms,
+    relax_joints,
+    solve_joints,
+)
+from tamias2d.engine.sleep import note_joined_support
+from tamias2d.engine.solver.support import support_joined
+
+JOINT_STAGES = (
+    activate_joined,
+    begin_joints,
+    clear_of_joints,
+    end_joints,
+    join_islands,
+    join_slabs,
+    note_joined_support,
+    note_mechanisms,
+    relax_joints,
+    solve_joints,
+    support_joined,
+    without_kept_apart,
+)

@@ -1,0 +1,156 @@
+"""The rows of joints where their bodies are in a substep, and the matrix that answers them.
+
+Each row resists its rate like a very large mass, which is added to the masses of the bodies (DD57):
+joints that depend on each other share their load, and nothing is singular.
+
+Cost: cosine and sine of each body, some blocks for each joint, and a sparse factorization.
+"""
+
+from tamias2d.engine.direct.cholesky import factor
+from tamias2d.engine.direct.matrix import add_diagonal, clear_pivot
+from tamias2d.engine.rotation import cosine_sine
+from tamias2d.engine.tables import (
+    ANGLE,
+    DANGLE,
+    DX,
+    DY,
+    E_NODE_A,
+    I_NODE,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    J_EDGE,
+    J_FIRMNESS,
+    J_KIND,
+    J_MEMBER,
+    J_NODE,
+    J_ROW,
+    J_ROWS,
+    JOINED_SLOT,
+    M_JOINT,
+    N_BODY,
+    NODE_INERTIA,
+    NODE_MASS,
+    OFF_DIAGONAL,
+    PLACE_ANGLE,
+    PLACE_COSINE,
+    PLACE_SINE,
+    PLACE_X,
+    PLACE_Y,
+    SPIN,
+    VX,
+    VY,
+    Bodies,
+    Joints,
+    X,
+    Y,
+)
+from tamias2d.generated.joint_rows import ROW, joint_rows
+from tamias2d.generated.joint_step import (
+    coupled_inertia,
+    coupled_lever,
+    coupled_mass_x,
+    coupled_mass_y,
+    coupled_moment,
+    firmness,
+    row_yield,
+)
+from tamias2d.generated.soft_contact import shift_later, turn_later
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
+
+FIRM = 1e8  # firmness of a row, for each unit of its own mass
+ENDS_OF_JOINT = 3
+
+
+def linearise(n: int, bodies: Bodies, joints: Joints) -> bool:
+    """Write the rows of a mechanism where its bodies are, and factor its matrix."""
+    first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+    place_members(first + 1, last + 1, 0.0, bodies, joints)
+    for pivot in range(first, last):
+        clear_pivot(pivot, joints.sparse, joints.factors)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+        joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+        for r in range(ends[J_ROWS]):
+            add_joint_row(j, r, bodies, joints)
+    return factor(n, joints.sparse, joints.factors)
+
+
+def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
+    """Write where members are, or will be so many seconds ahead with the velocities they have."""
+    for m in range(first, last):
+        i, place = joints.members[m, JOINED_SLOT], joints.places[m]
+        pose, now = bodies.pose[i], bodies.motion[i]
+        by_x, by_y = shift_later((now[DX], now[DY]), (now[VX], now[VY]), ahead)
+        place[PLACE_X], place[PLACE_Y] = pose[X] + by_x, pose[Y] + by_y
+        place[PLACE_ANGLE] = pose[ANGLE] + turn_later(now[DANGLE], now[SPIN], ahead)
+        place[PLACE_COSINE], place[PLACE_SINE] = cosine_sine(place[PLACE_ANGLE])
+
+
+def add_joint_row(j: int, r: int, bodies: Bodies, joints: Joints) -> None:
+    """Find how firm a row of a joint is, and add it to the blocks of its nodes and edges."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    firm = firmness_of(r, ends, numbers, bodies, joints)
+    numbers[J_FIRMNESS + r] = firm
+    for end in range(ENDS_OF_JOINT):
+        at, i = J_ROW + ROW * r + 1 + 3 * end, joints.members[ends[J_MEMBER + end], JOINED_SLOT]
+        if ends[J_NODE + end] >= 0:
+            slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]
+            if bodies.properties[i, INVERSE_INERTIA] == 0.0:
+                turning = numbers[at + 2] = 0.0
+            add_diagonal(ends[J_NODE + end], firm, slope, turning, joints.factors)
+    for pair in range(ENDS_OF_JOINT):
+        edge = ends[J_EDGE + pair]
+        if edge >= 0:
+            one, other = pair // 2, 1 + (pair + 1) // 2  # AB, AC, BC
+            if joints.sparse[edge, E_NODE_A] != ends[J_NODE + one]:
+                one, other = other, one
+            at = J_ROW + ROW * r + 1
+            add_coupling(at + 3 * one, at + 3 * other, firm, numbers, joints.factors[edge])
+
+
+def firmness_of(r: int, ends: Array, numbers: Array, bodies: Bodies, joints: Joints) -> float:
+    """Return how firm a row is: by how much it yields, kg; 0 for one that nothing moves."""
+    yielding = 0.0
+    for end in range(ENDS_OF_JOINT):
+        at, i = J_ROW + ROW * r + 1 + 3 * end, joints.members[ends[J_MEMBER + end], JOINED_SLOT]
+        inverse_mass = bodies.properties[i, INVERSE_MASS]
+        inverse_inertia = bodies.properties[i, INVERSE_INERTIA]
+        slope = (numbers[at], numbers[at + 1])
+        yielding += row_yield(slope, numbers[at + 2], inverse_mass, inverse_inertia)
+    return firmness(FIRM, yielding) if yielding > 0.0 else 0.0
+
+
+@inlined
+def add_coupling(early: int, late: int, firm: float, numbers: Array, e: Array) -> None:
+    """Add a row to the block of an edge, with its slopes at the earlier and at the later node."""
+    slope, turning = (numbers[early], numbers[early + 1]), numbers[early + 2]
+    slope_late, turning_late = (numbers[late], numbers[late + 1]), numbers[late + 2]
+    x_x, x_y = coupled_mass_x(slope, slope_late, firm)
+    y_x, y_y = coupled_mass_y(slope, slope_late, firm)
+    x_turn, y_turn = coupled_moment(turning, slope_late, firm)
+    turn_x, turn_y = coupled_lever(slope, turning_late, firm)
+    e[OFF_DIAGONAL] += x_x
+    e[OFF_DIAGONAL + 1] += x_y
+    e[OFF_DIAGONAL + 2] += x_turn
+    e[OFF_DIAGONAL + 3] += y_x
+    e[OFF_DIAGONAL + 4] += y_y
+    e[OFF_DIAGONAL + 5] += y_turn
+    e[OFF_DIAGONAL + 6] += turn_x
+    e[OFF_DIAGONAL + 7] += turn_y
+    e[OFF_DIAGONAL + 8] += coupled_inertia(turning, turning_late, firm)
+
+
+def note_node_masses(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Note slots and masses of the nodes of a mechanism; 0 for a body that does not turn."""
+    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
+        i = joints.members[node + 1, JOINED_SLOT]
+        inverse, inverse_inertia = (
+            bodies.properties[i, INVERSE_MASS],
+            bodies.properties[i, INVERSE_INERTIA],
+        )
+        joints.sparse[node, N_BODY] = i
+        joints.factors[node, NODE_MASS] = 1.0 / inverse if inverse > 0.0 else 0.0
+        joints.factors[node, NODE_INERTIA] = 1.0 / inverse_inertia if inverse_inertia > 0.0 else 0.0

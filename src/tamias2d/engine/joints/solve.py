@@ -1,0 +1,184 @@
+"""The impulses of a mechanism's joints: all of them at once (DD57, IM15).
+
+What they do to velocities is what they are on both sides to the last bit, however well they are
+known: momentum and angular momentum are those of the impulses.
+
+Cost: a visit to each joint and a substitution for each iteration.
+"""
+
+from tamias2d.engine.direct.cholesky import substitute
+from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, place_members
+from tamias2d.engine.tables import (
+    CHANGE,
+    I_NODE,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    J_AIM,
+    J_ERROR,
+    J_FIRMNESS,
+    J_KIND,
+    J_MEMBER,
+    J_NODE,
+    J_ROW,
+    J_ROWS,
+    J_TOTAL,
+    JOINED_SLOT,
+    M_JOINT,
+    SPIN,
+    SUBSTEP_START,
+    VX,
+    VY,
+    Bodies,
+    Joints,
+)
+from tamias2d.generated.joint_rows import ROW, joint_values
+from tamias2d.generated.joint_step import (
+    angular_momentum_later,
+    angular_velocity_later,
+    momentum_later,
+    row_aim,
+    row_error,
+    row_impulse,
+    row_rate,
+    velocity_later,
+)
+
+REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep
+MOST_ITERATIONS_OF_JOINTS = 5
+SOLVED_RATE = 1e-4  # of the largest error of the first iteration: as good as solved
+
+
+def aim_joints(n: int, joints: Joints) -> None:
+    """Note to which values a substep brings the rows of a mechanism, which were just written."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        numbers = joints.numbers[j]
+        for r in range(joints.joints[j, J_ROWS]):
+            numbers[J_AIM + r] = row_aim(numbers[J_ROW + ROW * r], REMOVED_BY_JOINTS)
+
+
+def keep_positions(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a mechanism so that a substep, s, leads to what its rows aim at."""
+    first = before = 0.0
+    for k in range(MOST_ITERATIONS_OF_JOINTS):
+        size = find_position_errors(n, substep, bodies, joints)
+        if k == 0:
+            first = size
+        elif not SOLVED_RATE * SOLVED_RATE * first < size < before:
+            return
+        if size == 0.0:
+            return
+        solve_joint_errors(n, bodies, joints)
+        before = size
+
+
+def keep_velocities(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of its rows from the velocities of a mechanism."""
+    for _ in range(2):
+        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+            for r in range(joints.joints[j, J_ROWS]):
+                joints.numbers[j, J_ERROR + r] = rate_of_row(j, r, bodies, joints)
+        solve_joint_errors(n, bodies, joints)
+
+
+def find_position_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Write the rate that each row of a mechanism has too much; return a measure of all, J."""
+    place_members(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1, substep, bodies, joints)
+    size = 0.0
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+        joint_values(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+        for r in range(ends[J_ROWS]):
+            error = row_error(numbers[J_ROW + ROW * r], numbers[J_AIM + r], substep)
+            numbers[J_ERROR + r] = error
+            size += numbers[J_FIRMNESS + r] * error * error
+    return size
+
+
+def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
+    """Return the rate of a row of a joint, m/s."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    rate = 0.0
+    for end in range(ENDS_OF_JOINT):
+        at, i = J_ROW + ROW * r + 1 + 3 * end, joints.members[ends[J_MEMBER + end], JOINED_SLOT]
+        if ends[J_NODE + end] >= 0:
+            now = bodies.motion[i]
+            slope, velocity = (numbers[at], numbers[at + 1]), (now[VX], now[VY])
+            rate += row_rate(slope, numbers[at + 2], velocity, now[SPIN])
+    return rate
+
+
+def solve_joint_errors(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Give a mechanism the impulses that take the errors of its rows away."""
+    factors = joints.factors
+    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
+        factors[node, CHANGE] = factors[node, CHANGE + 1] = factors[node, CHANGE + 2] = 0.0
+    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
+    for j in range(first, last):
+        for r in range(joints.joints[j, J_ROWS]):
+            impulse = row_impulse(joints.numbers[j, J_ERROR + r], joints.numbers[j, J_FIRMNESS + r])
+            add_to_ends(j, r, impulse, joints)
+    substitute(n, joints.sparse, factors)
+    for j in range(first, last):
+        for r in range(joints.joints[j, J_ROWS]):
+            rate = joints.numbers[j, J_ERROR + r] + change_of_rate(j, r, joints)
+            joints.numbers[j, J_ERROR + r] = row_impulse(rate, joints.numbers[j, J_FIRMNESS + r])
+    for j in range(first, last):
+        for r in range(joints.joints[j, J_ROWS]):
+            apply_joint_impulse(j, r, joints.numbers[j, J_ERROR + r], bodies, joints)
+
+
+def add_to_ends(j: int, r: int, impulse: float, joints: Joints) -> None:
+    """Add the impulse of a row to the right-hand side at its nodes."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    for end in range(ENDS_OF_JOINT):
+        node, at = ends[J_NODE + end], J_ROW + ROW * r + 1 + 3 * end
+        if node >= 0:
+            change, slope = joints.factors[node], (numbers[at], numbers[at + 1])
+            change[CHANGE], change[CHANGE + 1] = momentum_later(
+                (change[CHANGE], change[CHANGE + 1]), impulse, slope
+            )
+            change[CHANGE + 2] = angular_momentum_later(
+                change[CHANGE + 2], impulse, numbers[at + 2]
+            )
+
+
+def change_of_rate(j: int, r: int, joints: Joints) -> float:
+    """Return by how much the solution changes the rate of a row, m/s."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    rate = 0.0
+    for end in range(ENDS_OF_JOINT):
+        node, at = ends[J_NODE + end], J_ROW + ROW * r + 1 + 3 * end
+        if node >= 0:
+            change = joints.factors[node]
+            slope, velocity = (numbers[at], numbers[at + 1]), (change[CHANGE], change[CHANGE + 1])
+            rate += row_rate(slope, numbers[at + 2], velocity, change[CHANGE + 2])
+    return rate
+
+
+def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: Joints) -> None:
+    """Give the bodies of a joint the impulse of a row, and add it to those of the step.
+
+    It is not what contacts have done, and so it also changes with what the substep began.
+    """
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    for end in range(ENDS_OF_JOINT):
+        i, at = joints.members[ends[J_MEMBER + end], JOINED_SLOT], J_ROW + ROW * r + 1 + 3 * end
+        slope, turning, to = (numbers[at], numbers[at + 1]), numbers[at + 2], J_TOTAL + 3 * end
+        numbers[to], numbers[to + 1] = momentum_later(
+            (numbers[to], numbers[to + 1]), impulse, slope
+        )
+        numbers[to + 2] = angular_momentum_later(numbers[to + 2], impulse, turning)
+        if ends[J_NODE + end] >= 0:
+            inverse_mass = bodies.properties[i, INVERSE_MASS]
+            now, state = bodies.motion[i], bodies.substep_state[i]
+            by_x, by_y = velocity_later((0.0, 0.0), impulse, slope, inverse_mass)
+            turn = angular_velocity_later(
+                0.0, impulse, turning, bodies.properties[i, INVERSE_INERTIA]
+            )
+            now[VX], now[VY], now[SPIN] = now[VX] + by_x, now[VY] + by_y, now[SPIN] + turn
+            state[SUBSTEP_START] += by_x
+            state[SUBSTEP_START + 1] += by_y
+            state[SUBSTEP_START + 2] += turn
+

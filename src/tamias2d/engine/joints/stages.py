@@ -1,0 +1,164 @@
+"""What joints do in each stage of a step; each of these functions is called by one of the stages.
+
+They are left out of the compiled engine for scenes without joints, and so a call is a statement by
+itself. A mechanism that no contact touches is taken through the step by itself, with forces at both
+ends of each substep; one that is touched is solved before and after the contacts (IM15).
+"""
+
+from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
+from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
+from tamias2d.engine.tables import (
+    ARRANGED,
+    ASLEEP,
+    DRAG_FACTOR,
+    FREE_OF_CONTACTS,
+    I_NODE,
+    IN_CONTACT,
+    INCREMENT,
+    J_TOTAL,
+    JOINED_BODY,
+    JOINED_SLOT,
+    JOINTS,
+    M_JOINT,
+    M_STATUS,
+    MECHANISMS,
+    MECHANISMS_AWAKE,
+    N_BODY,
+    SLEEP_ID,
+    SLABS,
+    S_TREE,
+    SUBSTEP_START,
+    Bodies,
+    Islands,
+    Joints,
+    World,
+)
+from tamias2d.engine.solver.slabs import list_all
+from tamias2d.engine.springs.substep import activate
+from tamias2d.generated.joint_step import (
+    half_decay,
+    half_gain,
+    kick_velocity_later,
+    kick_velocity_start,
+)
+
+
+def clear_of_joints(clear: bool, world: World) -> bool:
+    """Return whether bodies that have no contacts may go ballistically: not with joints."""
+    return clear and world.joints.counts[JOINTS] == 0
+
+
+def note_mechanisms(world: World) -> None:
+    """Note where the members of mechanisms are, and which of these are awake, before arranging."""
+    joints = world.joints
+    if joints.counts[JOINTS] == 0:
+        return
+    for m in range(1, len(joints.members)):
+        joints.members[m, JOINED_SLOT] = world.state.slot_of_body[joints.members[m, JOINED_BODY]]
+    place_members(0, len(joints.members), 0.0, world.bodies, joints)
+    for n in range(joints.counts[MECHANISMS]):
+        asleep = is_asleep(n, world.islands, joints)
+        if asleep != (joints.mechanisms[n, M_STATUS] == ASLEEP):
+            joints.mechanisms[n, M_STATUS] = ASLEEP if asleep else FREE_OF_CONTACTS
+            world.touching.counts[ARRANGED] = 0
+        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+            for k in range(9):
+                if not asleep:
+                    joints.numbers[j, J_TOTAL + k] = 0.0
+
+
+def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
+    """Return whether a mechanism sleeps; its bodies do so together."""
+    first = joints.sparse[n, I_NODE]
+    return bool(islands.links[joints.members[first + 1, JOINED_SLOT], SLEEP_ID] > 0)
+
+
+def activate_joined(world: World) -> None:
+    """Make the bodies of mechanisms active, and note which mechanisms contacts touch."""
+    joints, bodies = world.joints, world.bodies
+    awake = 0
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+            touched = 0
+            for m in range(first + 1, last + 1):
+                touched += bodies.moved[joints.members[m, JOINED_SLOT]]
+            joints.mechanisms[n, M_STATUS] = IN_CONTACT if touched > 0 else FREE_OF_CONTACTS
+            awake += 1
+    joints.counts[MECHANISMS_AWAKE] = awake
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+                activate(joints.members[m, JOINED_SLOT], bodies, world.touching, world.constraints)
+
+
+def join_slabs(tree_count: int, world: World) -> None:
+    """Make one slab of all where mechanisms are awake: they reach from any slab to any other."""
+    constraints = world.constraints
+    if world.joints.counts[MECHANISMS_AWAKE] > 0 and constraints.counts[SLABS] > 1:
+        constraints.counts[SLABS] = 1
+        constraints.slabs[1, S_TREE] = tree_count
+        list_all(world.bodies, world.touching, constraints)
+
+
+def begin_joints(world: World) -> None:
+    """Begin a step: find the rows, and let velocities lag half a substep behind free of contacts."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            note_node_masses(n, bodies, joints)
+            linearise(n, bodies, joints)
+            if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
+                kick_half(n, False, bodies, joints)
+
+
+def solve_joints(again: bool, substep: float, world: World) -> None:
+    """Let joints hold at the end of a substep; again, after contacts were visited."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        status = joints.mechanisms[n, M_STATUS]
+        if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
+            if not again:
+                aim_joints(n, joints)
+            keep_positions(n, substep, bodies, joints)
+
+
+def relax_joints(again: bool, world: World) -> None:
+    """Find the rows where bodies are, and let the velocities of touched mechanisms fit them."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            if not again:
+                linearise(n, bodies, joints)
+            if joints.mechanisms[n, M_STATUS] == IN_CONTACT:
+                keep_velocities(n, bodies, joints)
+
+
+def end_joints(world: World) -> None:
+    """End a step: let the velocities of mechanisms that are free of contacts catch up, and fit."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
+            kick_half(n, True, bodies, joints)
+            keep_velocities(n, bodies, joints)
+
+
+def kick_half(n: int, ahead: bool, bodies: Bodies, joints: Joints) -> None:
+    """Take the velocities of a mechanism half a substep ahead of the forces, or behind them."""
+    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
+        i = joints.sparse[node, N_BODY]
+        now, state = bodies.motion[i], bodies.substep_state[i]
+        for k in range(3):
+            decay = half_decay(state[DRAG_FACTOR + k])
+            gain = half_gain(state[INCREMENT + k], decay)
+            later = kick_velocity_later(now[k], decay, gain)
+            now[k] = later if ahead else kick_velocity_start(now[k], decay, gain)
+            state[SUBSTEP_START + k] = now[k]

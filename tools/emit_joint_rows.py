@@ -1,0 +1,182 @@
+"""Generated module of the rows of joints: each constraint and its slopes, written into an array.
+
+It is for the engine: without trigonometry, because a body's cosine and sine stand beside its place,
+and all kinds of joints behind one function, because compiled code knows no tables of functions.
+"""
+
+import re
+import textwrap
+from collections.abc import Iterator
+
+from tamias2d.spec.chapter import Item
+from tamias2d.spec.check import infer
+from tamias2d.spec.constraint import COORDINATES, ENDS, Constraint, Values, table_with
+from tamias2d.spec.constraint_items import constraint_of
+from tamias2d.spec.expression import names
+from tamias2d.spec.python import PythonPrinter
+from tamias2d.spec.specification import Specification
+from tamias2d.spec.symbols import SymbolTable
+from tools.quoting import docstring, quoted
+
+HEADER = '''"""Rows of joints: {titles}.
+
+Places are rows of x, y (m), orientation (rad), and its cosine and sine. Each row of a joint takes
+ten numbers: its value, then its slopes by x, y and orientation of bodies A, B and C.
+
+Generated from {sources}
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from typing import Any
+
+from tamias2d.spec.functions import {imports}
+
+ROW = {row}  # numbers of a row
+MOST_ROWS = {most}  # rows of a joint
+MOST_PARAMETERS = {parameters}  # numbers that a joint is given
+'''
+_ROW = 1 + 3 * len(ENDS)
+
+
+def owners(specification: Specification) -> list[tuple[str, str]]:
+    """The printed functions: the item's id and the function's name."""
+    items = specification.of_kind("constraint")
+    return [(item.id, f"{item.id}_{part}") for item in items for part in ("values", "rows")]
+
+
+def emit(specification: Specification) -> str:
+    """Source of the module, not yet formatted."""
+    items, table = specification.of_kind("constraint"), specification.table
+    helpers: set[str] = set()
+    bodies = [text for item in items for text in _functions(item, table, helpers)]
+    counts = {item.id: _row_count(constraint_of(item, table)) for item in items}
+    titles = "; ".join(item.title for item in items)
+    head = HEADER.format(
+        titles="\n".join(map(quoted, textwrap.wrap(titles, 80))),
+        sources=" and ".join(dict.fromkeys(item.file for item in items)),
+        imports=", ".join(sorted(helpers)),
+        row=_ROW,
+        most=max(counts.values()),
+        parameters=max(_width(item, table) for item in items),
+    )
+    kinds = f"KINDS = ({', '.join(repr(item.id) for item in items)},)"
+    rows = f"ROWS_OF_KIND = ({', '.join(str(counts[item.id]) for item in items)},)"
+    tables = [f'{kinds}\n"""By which number of a kind."""\n{rows}\n']
+    return "\n\n".join([head, *tables, *bodies, *map(_choice(items), ("values", "rows"))])
+
+
+def _choice(items: list[Item]):  # type: ignore[no-untyped-def]
+    """Return what prints the function that chooses by the kind of a joint."""
+
+    def printed(part: str) -> str:
+        says = {
+            "values": "Write how far each row of a joint of a kind is from holding.",
+            "rows": "Write the rows of a joint of a kind with their slopes.",
+        }
+        lines = [f"def joint_{part}(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any)"]
+        lines[0] += " -> None:"
+        lines.append(f'    """{says[part]}"""')
+        for number, item in enumerate(items):
+            lines.append(f"    {'el' if number else ''}if kind == {number}:")
+            lines.append(f"        {item.id}_{part}(given, a, b, c, row)")
+        return "\n".join(lines) + "\n"
+
+    return printed
+
+
+def _functions(item: Item, table: SymbolTable, helpers: set[str]) -> Iterator[str]:
+    constraint = constraint_of(item, table)
+    yield _function(item, "values", {0: constraint.values()}, table, helpers)
+    slopes = {1 + 3 * ENDS.index(end): constraint.slopes(end) for end in constraint.bodies}
+    yield _function(item, "rows", {0: constraint.values(), **slopes}, table, helpers)
+
+
+def _function(
+    item: Item, part: str, found: dict[int, Values], table: SymbolTable, helpers: set[str]
+) -> str:
+    """The function that writes some columns of the rows of a joint: those that begin at places."""
+    where = {name: tree for values in found.values() for name, tree in values.where}
+    known = table_with(table, tuple(where.items()))
+    printer = _Printer(known)
+    body = []
+    for name, tree in where.items():
+        targets = f"{name}_x, {name}_y" if infer(tree, known).shape == "vector" else name
+        body.append(f"    {targets} = {printer.value(tree)}")
+    count = _row_count(constraint_of(item, table))
+    for number in range(count):
+        written: set[int] = set()
+        for first, values in found.items():
+            width = 3 if first else 1
+            for k, tree in enumerate(values.rows[width * number : width * (number + 1)]):
+                written.add(first + k)
+                body.append(f"    row[{_ROW * number + first + k}] = {printer.scalar(tree)}")
+        for column in sorted(set(range(_ROW if part == "rows" else 1)) - written):
+            body.append(f"    row[{_ROW * number + column}] = 0.0")
+    helpers |= printer.helpers
+    used = {name for values in found.values() for tree in _trees(values) for name in names(tree)}
+    lead = {
+        "values": f"{item.title}: how far each row is from holding.",
+        "rows": f"{item.title}: its rows with their slopes.",
+    }[part]
+    head = [
+        f"def {item.id}_{part}(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:",
+        *docstring([lead, "", f"Source: {item.id}, {item.file}:{item.line}."]),
+        *_parameters(item, used, table),
+        *_places(used, printer.turned, "\n".join(body)),
+    ]
+    return "\n".join([*head, *body])
+
+
+def _trees(values: Values) -> Iterator[object]:
+    yield from values.rows
+    yield from (tree for _, tree in values.where)
+
+
+def _parameters(item: Item, used: set[str], table: SymbolTable) -> Iterator[str]:
+    """Lines that take the parameters of a joint out of its numbers."""
+    at = 0
+    for name in item.data["parameters"]:
+        vector = table.resolve(name).symbol.shape == "vector"
+        if name in used and vector:
+            yield f"    {name}_x, {name}_y = given[{at}], given[{at + 1}]"
+        elif name in used:
+            yield f"    {name} = given[{at}]"
+        at += 2 if vector else 1
+
+
+def _places(used: set[str], turned: set[str], body: str) -> Iterator[str]:
+    """Lines that take the places of bodies out of their rows."""
+    for end in ENDS:
+        position, orientation = (f"{name}_{end}" for name in COORDINATES)
+        if position in used:
+            yield f"    {position}_x, {position}_y = {end}[0], {end}[1]"
+        if re.search(rf"\b{orientation}\b", body):
+            yield f"    {orientation} = {end}[2]"
+        if orientation in turned:
+            yield f"    cosine_{end}, sine_{end} = {end}[3], {end}[4]"
+
+
+def _row_count(constraint: Constraint) -> int:
+    return sum(2 if found.shape == "vector" else 1 for found in constraint.types)
+
+
+def _width(item: Item, table: SymbolTable) -> int:
+    shapes = [table.resolve(name).symbol.shape for name in item.data["parameters"]]
+    return sum(2 if shape == "vector" else 1 for shape in shapes)
+
+
+class _Printer(PythonPrinter):
+    """Prints the cosine and the sine of an orientation as numbers that are known."""
+
+    def __init__(self, table: SymbolTable) -> None:
+        super().__init__(table)
+        self.turned: set[str] = set()
+        """Orientations of which these are used."""
+
+    def helper(self, function: str, inner: str) -> str:
+        """Source of a call of a helper function, or the name of what it returns."""
+        names = {"cos": "cosine", "sin": "sine"}
+        if function in names and inner in {f"orientation_{end}" for end in ENDS}:
+            self.turned.add(inner)
+            return f"{names[function]}_{inner[-1]}"
+        return super().helper(function, inner)
