@@ -673,14 +673,17 @@ MECHANISMS_AWAKE = _joint_counts()  # in this step
 _mechanisms = Columns()
 M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
 M_STATUS = _mechanisms()  # one of those below
+M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
 ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
 
 _joint = Columns()  # whole numbers of a joint
 J_KIND = _joint()  # by the number in `generated.joint_rows`
 J_ROWS = _joint()  # how many of them
 J_MEMBER = _joint(3)  # of its bodies A, B and C; 0 for the plane
-J_NODE = _joint(3)  # their nodes, or -1 where one does not move
+J_NODE = _joint(3)  # their nodes, or one of those below
 J_EDGE = _joint(3)  # of the pairs AB, AC and BC, or -1 where one does not move
+
+STANDS_STILL, UNUSED = -1, -2  # instead of a node: nothing moves there, or the joint asks for none
 
 _joint_numbers = Columns()
 J_ROW = _joint_numbers(30)  # value and slopes of each row

@@ -4,7 +4,7 @@ Generated from srs/models/joint_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, sqrt
+from tamias2d.spec.functions import Scalar, Vector, largest, sqrt
 
 
 def row_rate(
@@ -264,7 +264,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:90.
+    Source: IM15, srs/models/joint_step.md:97.
     """
     return (1 - removed_share) * row_value
 
@@ -277,7 +277,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:91.
+    Source: IM15, srs/models/joint_step.md:98.
     """
     return sqrt(kick_decay)
 
@@ -291,7 +291,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:92.
+    Source: IM15, srs/models/joint_step.md:99.
     """
     return kick_gain / (1 + half_decay)
 
@@ -306,7 +306,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:93.
+    Source: IM15, srs/models/joint_step.md:100.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -321,6 +321,20 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:94.
+    Source: IM15, srs/models/joint_step.md:101.
     """
     return (kick_velocity - half_gain) / half_decay
+
+
+def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
+    """Energy of motion, turning included; the most that there may be (J).
+
+    kinetic_energy_most = max(kinetic_energy_start + work, 0[J])
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+
+    Source: IM15, srs/models/joint_step.md:102.
+    """
+    return largest(kinetic_energy_start + work, 0.0)

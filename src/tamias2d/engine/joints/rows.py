@@ -24,12 +24,17 @@ from tamias2d.engine.tables import (
     JOINED_BODY,
     JOINTS,
     M_JOINT,
+    M_TIED,
     MECHANISMS,
     PIVOT_COUNT,
     PIVOT_FIRST,
     PIVOT_NODE,
+    STANDS_STILL,
+    UNUSED,
 )
+from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
+from tamias2d.spec.constraint import ENDS
 
 
 class JointRow(NamedTuple):
@@ -75,7 +80,6 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     joints.mechanisms[1:, M_JOINT] = np.cumsum([len(own) for own in mechanisms])
     joints.sparse[: len(nodes) + 1, I_NODE] = np.cumsum([0, *map(len, nodes)]) if rows else 0
     if rows:
-        joints.members[0, JOINED_BODY] = store.capacities.slots - 1
         joints.members[1:, JOINED_BODY] = list(member)
     _write_plans(store, plans)
     places = _write_joints(store, rows, mechanisms, plans, member)
@@ -119,16 +123,21 @@ def _write_joints(
     joints.numbers[:] = 0.0
     places = [0] * len(rows)
     j = first_edge = 0
-    for mechanism, plan in zip(mechanisms, plans, strict=True):
+    for n, (mechanism, plan) in enumerate(zip(mechanisms, plans, strict=True)):
         for k in mechanism:
             row = rows[k]
             number = KINDS.index(row.kind)
             joints.joints[j, [J_KIND, J_ROWS]] = number, ROWS_OF_KIND[number]
             own = [0 if body is None else member[body] for body in row.ends]
             nodes = [
-                -1 if body is None or kind[body] != DYNAMIC else member[body] - 1
-                for body in row.ends
+                UNUSED
+                if end not in CONSTRAINTS[row.kind].bodies
+                else STANDS_STILL
+                if body is None or kind[body] != DYNAMIC
+                else member[body] - 1
+                for end, body in zip(ENDS, row.ends, strict=True)
             ]
+            joints.mechanisms[n, M_TIED] |= STANDS_STILL in nodes
             joints.joints[j, J_MEMBER : J_MEMBER + 3] = own
             joints.joints[j, J_NODE : J_NODE + 3] = nodes
             joints.joints[j, J_EDGE : J_EDGE + 3] = [

@@ -5,6 +5,7 @@ itself. A mechanism that no contact touches is taken through the step by itself,
 ends of each substep; one that is touched is solved before and after the contacts (IM15).
 """
 
+from tamias2d.engine.joints.energy import bound_mechanism
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.tables import (
@@ -53,6 +54,7 @@ def note_mechanisms(world: World) -> None:
     joints = world.joints
     if joints.counts[JOINTS] == 0:
         return
+    joints.members[0, JOINED_SLOT] = len(world.bodies.kind) - 1  # the plane is the idle body
     for m in range(1, len(joints.members)):
         joints.members[m, JOINED_SLOT] = world.state.slot_of_body[joints.members[m, JOINED_BODY]]
     place_members(0, len(joints.members), 0.0, world.bodies, joints)
@@ -149,6 +151,7 @@ def end_joints(world: World) -> None:
         if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
             keep_velocities(n, bodies, joints)
+            bound_mechanism(n, world.control, bodies, joints, world.islands)
 
 
 def kick_half(n: int, ahead: bool, bodies: Bodies, joints: Joints) -> None:

@@ -21,6 +21,7 @@ from tamias2d.engine.tables import (
     REFERENCE,
     ROOT,
     SPIN,
+    STANDS_STILL,
     STEP_START,
     SUPPORT,
     TOUCHING,
@@ -102,7 +103,7 @@ def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
         root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
         for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
             for end in range(3):
-                if joints.joints[j, J_NODE + end] < 0:
+                if joints.joints[j, J_NODE + end] == STANDS_STILL:
                     support = joints.members[joints.joints[j, J_MEMBER + end], JOINED_SLOT]
                     support_island(support, root, bodies, islands)
 
