@@ -159,14 +159,17 @@ class Engine(Store):
         """Let springs act between bodies, given by rows, in this order, and no others."""
         set_springs(self, rows)
 
-    def set_joints(self, rows: Sequence[JointRow]) -> list[int]:
+    def set_joints(self, rows: Sequence[JointRow], *, restored: bool) -> list[int]:
         """Let joints hold bodies, given by rows, in this order, and no others.
 
-        Returns the place of each among the joints of the arrays.
+        Returns the place of each among the joints of the arrays. If the engine was restored with
+        them, what it knows of contacts fits them already.
         """
         places = set_joints(self, rows)
         self._library = functions(JOINTED if rows else CONTACT, compiled=self.compiled)
-        self._pool.drop_pairs(kept_apart(self))
+        if not restored:
+            self._pool.drop_pairs(kept_apart(self))
+            self.forget_pairs()
         return places
 
     def settle(self) -> None:

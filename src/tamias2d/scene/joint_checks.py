@@ -28,8 +28,13 @@ def checked_joint(
     anchors: tuple[object, object, object],
     collide: object,
     bodies: Sequence[Body],
+    *,
+    at_rest: bool = False,
 ) -> Joint:
-    """Return a joint that ties bodies and holds at the start, or raise `RuleError`."""
+    """Return a joint that ties bodies and holds at the start, or raise `RuleError`.
+
+    If it is only asked `at_rest`, the velocities may be such as to tear it.
+    """
     of = f"joint '{name}'"
     if not isinstance(kind, Kind):
         raise RuleError(
@@ -60,7 +65,7 @@ def checked_joint(
         collide=collide,
     )
     _refuse_idle(joint, bodies, of)
-    return _fitted(joint, kind, bodies, of)
+    return _fitted(joint, kind, bodies, of, at_rest=at_rest)
 
 
 def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
@@ -104,7 +109,9 @@ def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
         raise RuleError(f"{of}: it holds no body that moves (TM7). Name one that does.", "between")
 
 
-def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str) -> Joint:
+def _fitted(
+    joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, *, at_rest: bool
+) -> Joint:
     """Return the joint with all its parameters; what is not given is as at the start."""
     known = {name: value for name, value in kind.given.items() if value is not None}
     joint = _with(joint, known)
@@ -115,7 +122,7 @@ def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str) -> Joint:
         joint = _with(joint, known)
     start = Start(joint, bodies)
     _refuse_singular(start, bodies, of)
-    _refuse_unfit(start, of)
+    _refuse_unfit(start, of, at_rest=at_rest)
     return joint
 
 
@@ -163,7 +170,7 @@ def _refuse_singular(start: Start, bodies: Sequence[Body], of: str) -> None:
             )
 
 
-def _refuse_unfit(start: Start, of: str) -> None:
+def _refuse_unfit(start: Start, of: str, *, at_rest: bool = False) -> None:
     """Refuse a joint that does not hold at the start."""
     if start.way(start.rows) > _FITS * start.size:
         raise RuleError(
@@ -171,7 +178,7 @@ def _refuse_unfit(start: Start, of: str) -> None:
             "Move the bodies or the anchors so that it fits.",
             "between",
         )
-    if start.way(start.rates) > _FITS * start.speed:
+    if not at_rest and start.way(start.rates) > _FITS * start.speed:
         raise RuleError(
             f"{of}: the velocities at the start tear it: it is left at "
             f"{start.worst(start.rates, '/s')} (TM7). Give its bodies velocities that fit.",

@@ -18,8 +18,9 @@ from tamias2d.engine.saved_state import restored_engine, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
-from tamias2d.scene.joints import Joint
-from tamias2d.scene.rules import RuleError, shown
+from tamias2d.scene.joint_kinds import Kind
+from tamias2d.scene.joints import End
+from tamias2d.scene.rules import RuleError, VectorLike, shown, vector
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
 from tamias2d.simulator.adding import Shapes, added_batch
@@ -27,7 +28,7 @@ from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
 from tamias2d.simulator.batch import scene_batch
 from tamias2d.simulator.exclusive import busy, exclusive
 from tamias2d.simulator.invalid_state import invalid_state
-from tamias2d.simulator.joint_rows import canonical_joints, joint_row, refuse_own_equations
+from tamias2d.simulator.joint_set import JointSet, Reactions, Standing
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
 from tamias2d.simulator.selection import Bodies, selected
@@ -64,9 +65,7 @@ class Simulator(Views):
     """
 
     __slots__ = (
-        "_joint_places",
         "_joints",
-        "_joints_new",
         "_names",
         "_pushed",
         "_scene",
@@ -103,12 +102,11 @@ class Simulator(Views):
             InputError: a value breaks a rule (R4).
         """
         checked_scene(scene)
-        refuse_own_equations(scene.joints)
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
         varies = bool(scene.springs) or not VaryingLoads(scene, range(len(scene)), {}).empty
         self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
-        self._joints: dict[str, Joint] = {joint.name: joint for joint in scene.joints}
+        self._joints = JointSet(scene.joints)
         self._staying = list(range(len(scene)))
         engine = Engine(
             gravity=scene.gravity,
@@ -136,8 +134,6 @@ class Simulator(Views):
         self._pushed: Array | None = None  # loads for the next step only
         self._touching: Touching | None = None
         self._unsettled = True
-        self._joint_places: dict[str, int] = {}
-        self._joints_new = bool(self._joints)
 
     # -- stepping
 
@@ -160,6 +156,7 @@ class Simulator(Views):
                 if self._unsettled:
                     self._settle()
                 self._touching = None
+                self._joints.forget_report()
                 if self._varying is None and self._pushed is None:
                     self._advance(count)
                     return
@@ -177,24 +174,14 @@ class Simulator(Views):
         """Give what was added its place, and see which loads vary on what is left."""
         self._engine.settle()
         self._unsettled = False
-        if self._joints_new:
-            self._settle_joints()
+        if self._joints.new:
+            self._joints.settle(self._engine)
         self._varying = None
         if self._scene is not None:
             staying = sorted(self._staying, key=self._engine.rank.__getitem__)
             self._engine.set_springs(spring_rows(self._scene, staying))
             varying = VaryingLoads(self._scene, staying, self._warned)
             self._varying = None if varying.empty else varying
-
-    def _settle_joints(self) -> None:
-        """Tell the engine which joints there are."""
-        joints = list(self._joints.values())
-        order = canonical_joints(joints, self._engine.rank)
-        places = self._engine.set_joints([joint_row(joints[k]) for k in order])
-        self._joint_places = {
-            joints[k].name: place for k, place in zip(order, places, strict=True)
-        }
-        self._joints_new = False
 
     def _settle_between(self) -> None:
         """Settle between steps: contacts are reported before removed bodies are forgotten."""
@@ -371,12 +358,13 @@ class Simulator(Views):
 
     @exclusive
     def remove(self, bodies: Bodies) -> None:
-        """Take bodies out; the indices of all others stay, and springs that held them go.
+        """Take bodies out; the indices of all others stay; springs and joints that held them go.
 
         Raises:
             InputError: a body is not there.
         """
         rows = np.unique(self._rows(bodies))
+        self._engine.wake(np.array(self._joints.drop_bodies(set(rows.tolist())), dtype=np.int64))
         self._engine.remove(rows)
         if self._pushed is not None:
             self._pushed[rows[rows < len(self._pushed)]] = 0.0
@@ -384,6 +372,61 @@ class Simulator(Views):
         self._names = {name: k for name, k in self._names.items() if k not in gone}
         self._staying = [k for k in self._staying if k not in gone]
         self._unsettled = True
+
+    @exclusive
+    def add_joint(
+        self,
+        kind: Kind,
+        first: int | str | VectorLike,
+        second: int | str | VectorLike,
+        *,
+        anchor: VectorLike = (0.0, 0.0),
+        other_anchor: VectorLike = (0.0, 0.0),
+        third: int | str | None = None,
+        third_anchor: VectorLike = (0.0, 0.0),
+        name: str | None = None,
+        collide: bool = False,
+    ) -> str:
+        """Tie two bodies, or a body and the plane, and return the joint's name (TM7).
+
+        The words are those of `Scene.add_joint`. The places of the bodies have to fit the joint;
+        their velocities do after the next step.
+
+        Raises:
+            InputError: a body is not there, a value breaks a rule (R4), the joint moves nothing or
+                does not hold where the bodies are, or it is one of its own equation.
+        """
+        ends = (self._end(first), self._end(second), (0.0, 0.0) if third is None else self._end(third))
+        anchors = (anchor, other_anchor, third_anchor)
+        standing: Any = Standing(self._engine, self._names)
+        joint = self._joints.add(kind, ends, anchors, name, collide, standing)
+        self._engine.wake(np.array(joint.bodies, dtype=np.int64))
+        self._unsettled = True
+        return joint.name
+
+    @exclusive
+    def remove_joint(self, name: str) -> None:
+        """Take a joint out; raise `InputError` if there is none of that name."""
+        joint = self._joints.remove(name)
+        self._engine.wake(np.array(joint.bodies, dtype=np.int64))
+        self._unsettled = True
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The names of the joints, as they were added."""
+        return self._joints.names
+
+    @property
+    @exclusive
+    def reactions(self) -> Reactions:
+        """What joints exerted in the last step, and how well they hold."""
+        return self._joints.reactions(self._engine, self._time_step)
+
+    def _end(self, end: object) -> End:
+        """Return a body by its row, or a point of the plane."""
+        if isinstance(end, str | int | np.integer) and not isinstance(end, bool):
+            return int(self._rows(end)[0])  # type: ignore[arg-type]
+        return vector(end, "position", "a joint", "Give a body, or a point (x, y) in m.", at=("end",))
 
     def index(self, name: str) -> int:
         """Return the index of a body of the scene by its name; raise `InputError` if none."""
@@ -491,6 +534,7 @@ class Simulator(Views):
             names=self._names,
             staying=self._staying,
             scene=None if self._scene is None else scene_text(self._scene),
+            joints=self._joints.saved(),
         )
         parts = {
             "engine": saved_arrays(self._engine),
@@ -498,7 +542,8 @@ class Simulator(Views):
         }
         found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
         pushed = {} if self._pushed is None else {"pushed": self._pushed}
-        return saving.sealed(about, {**found, **pushed})
+        tied = {"joints": self._joints.totals(self._engine)} if len(self._joints) else {}
+        return saving.sealed(about, {**found, **pushed, **tied})
 
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
         about, arrays = saving.opened(content, where)
@@ -513,6 +558,7 @@ class Simulator(Views):
         )
         self._scene = saving.scene_of(about, engine.kind, dynamic=DYNAMIC, where=where)
         self._begin(engine)
+        self._joints = JointSet.restored(about.joints, arrays.get("joints"), engine.kind)
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)
 

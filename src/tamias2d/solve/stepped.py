@@ -8,7 +8,6 @@ import numpy as np
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.motion import Stepped, Tally
 from tamias2d.run import Impacts, Run
-from tamias2d.scene.joints import refuse_joints
 from tamias2d.simulator import Overlap, Stepper
 from tamias2d.solve.assembly import cost_of, run_of
 from tamias2d.solve.finite import range_error
@@ -21,7 +20,6 @@ def run_by_steps(plan: Plan, method: Stepped, *, progress: bool) -> Run:
 
     Raises as `solve` does; the error's `run` is the history up to there.
     """
-    refuse_joints(plan.scene.joints, f"method {method}", "Take Reference(), or none.")
     stepper = Stepper(
         plan.scene,
         time_step=plan.time_step or plan.duration,

@@ -87,7 +87,6 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     lows = [low for low, _ in apart]
     joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))
     store.world.touching.counts[[ARRANGED, ISLANDS_KNOWN]] = 0
-    store.forget_pairs()
     return places
 
 
