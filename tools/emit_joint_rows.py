@@ -21,7 +21,8 @@ from tools.quoting import docstring, quoted
 HEADER = '''"""Rows of joints: {titles}.
 
 Places are rows of x, y (m), orientation (rad), and its cosine and sine. Each row of a joint takes
-ten numbers: its value, then its slopes by x, y and orientation of bodies A, B and C.
+ten numbers: its value, then its slopes by x, y and orientation of bodies A, B and C. The second
+derivatives by the orientations of these are three numbers for each row.
 
 Generated from {sources}
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -36,12 +37,15 @@ MOST_ROWS = {most}  # rows of a joint
 MOST_PARAMETERS = {parameters}  # numbers that a joint is given
 '''
 _ROW = 1 + 3 * len(ENDS)
+_PARTS = ("values", "rows", "bends")
+_LAYOUT = {"values": (_ROW, range(1)), "rows": (_ROW, range(_ROW)), "bends": (len(ENDS), range(1, 4))}
+"""Numbers from a row to the next, and the columns that are written of each."""
 
 
 def owners(specification: Specification) -> list[tuple[str, str]]:
     """The printed functions: the item's id and the function's name."""
     items = specification.of_kind("constraint")
-    return [(item.id, f"{item.id}_{part}") for item in items for part in ("values", "rows")]
+    return [(item.id, f"{item.id}_{part}") for item in items for part in _PARTS]
 
 
 def emit(specification: Specification) -> str:
@@ -62,7 +66,7 @@ def emit(specification: Specification) -> str:
     kinds = f"KINDS = ({', '.join(repr(item.id) for item in items)},)"
     rows = f"ROWS_OF_KIND = ({', '.join(str(counts[item.id]) for item in items)},)"
     tables = [f'{kinds}\n"""By which number of a kind."""\n{rows}\n']
-    return "\n\n".join([head, *tables, *bodies, *map(_choice(items), ("values", "rows"))])
+    return "\n\n".join([head, *tables, *bodies, *map(_choice(items), _PARTS)])
 
 
 def _choice(items: list[Item]):  # type: ignore[no-untyped-def]
@@ -72,6 +76,7 @@ def _choice(items: list[Item]):  # type: ignore[no-untyped-def]
         says = {
             "values": "Write how far each row of a joint of a kind is from holding.",
             "rows": "Write the rows of a joint of a kind with their slopes.",
+            "bends": "Write the second derivatives of a joint of a kind by orientations.",
         }
         lines = [f"def joint_{part}(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any)"]
         lines[0] += " -> None:"
@@ -89,6 +94,8 @@ def _functions(item: Item, table: SymbolTable, helpers: set[str]) -> Iterator[st
     yield _function(item, "values", {0: constraint.values()}, table, helpers)
     slopes = {1 + 3 * ENDS.index(end): constraint.slopes(end) for end in constraint.bodies}
     yield _function(item, "rows", {0: constraint.values(), **slopes}, table, helpers)
+    bends = {1 + ENDS.index(end): constraint.bends(end) for end in constraint.bodies}
+    yield _function(item, "bends", bends, table, helpers)
 
 
 def _function(
@@ -105,18 +112,21 @@ def _function(
     count = _row_count(constraint_of(item, table))
     for number in range(count):
         written: set[int] = set()
+        start, columns = _LAYOUT[part]
         for first, values in found.items():
-            width = 3 if first else 1
+            width = 3 if first and part == "rows" else 1
             for k, tree in enumerate(values.rows[width * number : width * (number + 1)]):
                 written.add(first + k)
-                body.append(f"    row[{_ROW * number + first + k}] = {printer.scalar(tree)}")
-        for column in sorted(set(range(_ROW if part == "rows" else 1)) - written):
-            body.append(f"    row[{_ROW * number + column}] = 0.0")
+                at = start * number + first + k - (part == "bends")
+                body.append(f"    row[{at}] = {printer.scalar(tree)}")
+        for column in sorted(set(columns) - written):
+            body.append(f"    row[{start * number + column - (part == 'bends')}] = 0.0")
     helpers |= printer.helpers
     used = {name for values in found.values() for tree in _trees(values) for name in names(tree)}
     lead = {
         "values": f"{item.title}: how far each row is from holding.",
         "rows": f"{item.title}: its rows with their slopes.",
+        "bends": f"{item.title}: second derivatives of its rows by orientations.",
     }[part]
     head = [
         f"def {item.id}_{part}(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:",

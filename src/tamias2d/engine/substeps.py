@@ -130,7 +130,7 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
     prepare_blocks(block, block_end, substep, blocks, lanes)
     prepare_trees(slabs[slab, S_TREE], slabs[slab + 1, S_TREE], bodies, constraints, world.direct)
     warm_start(block, block_end, bodies, constraints)
-    begin_joints(world)
+    begin_joints(substep, world)
 
 
 @inlined

@@ -673,6 +673,7 @@ MECHANISMS_AWAKE = _joint_counts()  # in this step
 _mechanisms = Columns()
 M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
 M_STATUS = _mechanisms()  # one of those below
+M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration
 M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
 ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
 
@@ -691,6 +692,11 @@ J_FIRMNESS = _joint_numbers(3)  # kg, of each row
 J_AIM = _joint_numbers(3)  # m or rad, to which a substep brings each row
 J_ERROR = _joint_numbers(3)  # m/s or rad/s, rate of each row beyond what is wanted
 J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over the step
+J_PULL = _joint_numbers(3)  # N s, impulse of each row over the step
+J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved; of a mesh, kept for the next time
+J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
+J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
+J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about
 
 _joined = Columns()  # members: the plane, then the nodes, then bodies that do not move
 JOINED_BODY = _joined()  # row of the body
@@ -702,6 +708,8 @@ PLACE_Y = _places()  # m
 PLACE_ANGLE = _places()  # rad
 PLACE_COSINE = _places()
 PLACE_SINE = _places()
+LEANING = _places()  # N m, of joints that pull at the arms of the body
+HELD_INVERSE_INERTIA = _places()  # 1/(kg m^2), with which it counts in joints
 
 
 class Joints(NamedTuple):
@@ -714,6 +722,7 @@ class Joints(NamedTuple):
     numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
     members: Annotated[RankRows, Sized("joined", _joined.width)]
     places: Annotated[FloatRows, Sized("joined", _places.width)]
+    bends: Annotated[Floats, Sized(9)]  # m, second derivatives of the rows of a joint
     # as those of the direct solver, a node for each body that moves
     sparse: Annotated[RankRows, Sized("joint_sparse", _sparse.width)]
     factors: Annotated[FloatRows, Sized("joint_sparse", _factors.width)]

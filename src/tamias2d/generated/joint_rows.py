@@ -1,7 +1,8 @@
 """Rows of joints: Revolute joint; Distance joint; Weld; Prismatic joint; Groove; Gear; Pulley.
 
 Places are rows of x, y (m), orientation (rad), and its cosine and sine. Each row of a joint takes
-ten numbers: its value, then its slopes by x, y and orientation of bodies A, B and C.
+ten numbers: its value, then its slopes by x, y and orientation of bodies A, B and C. The second
+derivatives by the orientations of these are three numbers for each row.
 
 Generated from srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -109,6 +110,31 @@ def revolute_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[19] = 0.0
 
 
+def revolute_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+    """Revolute joint: second derivatives of its rows by orientations.
+
+    Source: revolute, srs/models/joints.md:147.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    anchor_b_x, anchor_b_y = given[2], given[3]
+    cosine_a, sine_a = a[3], a[4]
+    cosine_b, sine_b = b[3], b[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    row[0] = arm_a_x
+    row[1] = -arm_b_x
+    row[2] = 0.0
+    row[3] = arm_a_y
+    row[4] = -arm_b_y
+    row[5] = 0.0
+
+
 def distance_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Distance joint: how far each row is from holding.
 
@@ -172,6 +198,45 @@ def distance_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[7] = 0.0
     row[8] = 0.0
     row[9] = 0.0
+
+
+def distance_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+    """Distance joint: second derivatives of its rows by orientations.
+
+    Source: distance, srs/models/joints.md:161.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    anchor_b_x, anchor_b_y = given[2], given[3]
+    position_a_x, position_a_y = a[0], a[1]
+    cosine_a, sine_a = a[3], a[4]
+    position_b_x, position_b_y = b[0], b[1]
+    cosine_b, sine_b = b[3], b[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    distance = sqrt(span_x * span_x + span_y * span_y)
+    row[0] = (
+        arm_a_x * arm_a_x + arm_a_y * arm_a_y + (arm_a_x * span_x + arm_a_y * span_y)
+    ) / distance - (
+        -((-arm_a_y) * span_x + (arm_a_x) * span_y)
+        * (-((-arm_a_y) * span_x + (arm_a_x) * span_y))
+        / distance
+    ) / (distance * distance)
+    row[1] = (
+        arm_b_x * arm_b_x + arm_b_y * arm_b_y - (arm_b_x * span_x + arm_b_y * span_y)
+    ) / distance - (span_x * (-arm_b_y) + span_y * (arm_b_x)) * (
+        span_x * (-arm_b_y) + span_y * (arm_b_x)
+    ) / distance / (distance * distance)
+    row[2] = 0.0
 
 
 def weld_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
@@ -263,6 +328,34 @@ def weld_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[29] = 0.0
 
 
+def weld_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+    """Weld: second derivatives of its rows by orientations.
+
+    Source: weld, srs/models/joints.md:178.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    anchor_b_x, anchor_b_y = given[2], given[3]
+    cosine_a, sine_a = a[3], a[4]
+    cosine_b, sine_b = b[3], b[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    row[0] = arm_a_x
+    row[1] = -arm_b_x
+    row[2] = 0.0
+    row[3] = arm_a_y
+    row[4] = -arm_b_y
+    row[5] = 0.0
+    row[6] = 0
+    row[7] = 0
+    row[8] = 0.0
+
+
 def prismatic_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Prismatic joint: how far each row is from holding.
 
@@ -351,6 +444,47 @@ def prismatic_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[19] = 0.0
 
 
+def prismatic_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+    """Prismatic joint: second derivatives of its rows by orientations.
+
+    Source: prismatic, srs/models/joints.md:191.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    guide_a_x, guide_a_y = given[2], given[3]
+    anchor_b_x, anchor_b_y = given[4], given[5]
+    position_a_x, position_a_y = a[0], a[1]
+    cosine_a, sine_a = a[3], a[4]
+    position_b_x, position_b_y = b[0], b[1]
+    cosine_b, sine_b = b[3], b[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cosine_a * guide_a_x - sine_a * guide_a_y,
+        sine_a * guide_a_x + cosine_a * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    row[0] = (
+        (-arm_a_y) * guide_x
+        + (arm_a_x) * guide_y
+        - ((-guide_y) * span_x + (guide_x) * span_y)
+        - ((-arm_a_y) * guide_x + (arm_a_x) * guide_y + arm_a_x * (-guide_y) + arm_a_y * (guide_x))
+    )
+    row[1] = guide_x * (-arm_b_y) + guide_y * (arm_b_x)
+    row[2] = 0.0
+    row[3] = 0
+    row[4] = 0
+    row[5] = 0.0
+
+
 def groove_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Groove: how far each row is from holding.
 
@@ -422,6 +556,44 @@ def groove_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[9] = 0.0
 
 
+def groove_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+    """Groove: second derivatives of its rows by orientations.
+
+    Source: groove, srs/models/joints.md:208.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    guide_a_x, guide_a_y = given[2], given[3]
+    anchor_b_x, anchor_b_y = given[4], given[5]
+    position_a_x, position_a_y = a[0], a[1]
+    cosine_a, sine_a = a[3], a[4]
+    position_b_x, position_b_y = b[0], b[1]
+    cosine_b, sine_b = b[3], b[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cosine_a * guide_a_x - sine_a * guide_a_y,
+        sine_a * guide_a_x + cosine_a * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    row[0] = (
+        (-arm_a_y) * guide_x
+        + (arm_a_x) * guide_y
+        - ((-guide_y) * span_x + (guide_x) * span_y)
+        - ((-arm_a_y) * guide_x + (arm_a_x) * guide_y + arm_a_x * (-guide_y) + arm_a_y * (guide_x))
+    )
+    row[1] = guide_x * (-arm_b_y) + guide_y * (arm_b_x)
+    row[2] = 0.0
+
+
 def gear_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Gear: how far each row is from holding.
 
@@ -459,6 +631,16 @@ def gear_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[7] = 0
     row[8] = 0
     row[9] = -1 + gear_ratio
+
+
+def gear_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+    """Gear: second derivatives of its rows by orientations.
+
+    Source: gear, srs/models/joints.md:224.
+    """
+    row[0] = 0
+    row[1] = 0
+    row[2] = 0
 
 
 def pulley_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
@@ -564,6 +746,92 @@ def pulley_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     ) / distance_b
 
 
+def pulley_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+    """Pulley: second derivatives of its rows by orientations.
+
+    Source: pulley, srs/models/joints.md:242.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    anchor_b_x, anchor_b_y = given[2], given[3]
+    post_a_x, post_a_y = given[4], given[5]
+    post_b_x, post_b_y = given[6], given[7]
+    gear_ratio = given[8]
+    position_a_x, position_a_y = a[0], a[1]
+    cosine_a, sine_a = a[3], a[4]
+    position_b_x, position_b_y = b[0], b[1]
+    cosine_b, sine_b = b[3], b[4]
+    position_c_x, position_c_y = c[0], c[1]
+    cosine_c, sine_c = c[3], c[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_c_a_x, arm_c_a_y = (
+        cosine_c * post_a_x - sine_c * post_a_y,
+        sine_c * post_a_x + cosine_c * post_a_y,
+    )
+    span_a_x, span_a_y = (
+        position_a_x + arm_a_x - position_c_x - arm_c_a_x,
+        position_a_y + arm_a_y - position_c_y - arm_c_a_y,
+    )
+    distance_a = sqrt(span_a_x * span_a_x + span_a_y * span_a_y)
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    arm_c_b_x, arm_c_b_y = (
+        cosine_c * post_b_x - sine_c * post_b_y,
+        sine_c * post_b_x + cosine_c * post_b_y,
+    )
+    span_b_x, span_b_y = (
+        position_b_x + arm_b_x - position_c_x - arm_c_b_x,
+        position_b_y + arm_b_y - position_c_y - arm_c_b_y,
+    )
+    distance_b = sqrt(span_b_x * span_b_x + span_b_y * span_b_y)
+    row[0] = (
+        arm_a_x * arm_a_x + arm_a_y * arm_a_y - (arm_a_x * span_a_x + arm_a_y * span_a_y)
+    ) / distance_a - (span_a_x * (-arm_a_y) + span_a_y * (arm_a_x)) * (
+        span_a_x * (-arm_a_y) + span_a_y * (arm_a_x)
+    ) / distance_a / (distance_a * distance_a)
+    row[1] = gear_ratio * (
+        (arm_b_x * arm_b_x + arm_b_y * arm_b_y - (arm_b_x * span_b_x + arm_b_y * span_b_y))
+        / distance_b
+        - (span_b_x * (-arm_b_y) + span_b_y * (arm_b_x))
+        * (span_b_x * (-arm_b_y) + span_b_y * (arm_b_x))
+        / distance_b
+        / (distance_b * distance_b)
+    )
+    row[2] = (
+        (
+            arm_c_a_x * arm_c_a_x
+            + arm_c_a_y * arm_c_a_y
+            + (arm_c_a_x * span_a_x + arm_c_a_y * span_a_y)
+        )
+        / distance_a
+        - (
+            -((-arm_c_a_y) * span_a_x + (arm_c_a_x) * span_a_y)
+            * (-((-arm_c_a_y) * span_a_x + (arm_c_a_x) * span_a_y))
+            / distance_a
+        )
+        / (distance_a * distance_a)
+        + gear_ratio
+        * (
+            (
+                arm_c_b_x * arm_c_b_x
+                + arm_c_b_y * arm_c_b_y
+                + (arm_c_b_x * span_b_x + arm_c_b_y * span_b_y)
+            )
+            / distance_b
+            - (
+                -((-arm_c_b_y) * span_b_x + (arm_c_b_x) * span_b_y)
+                * (-((-arm_c_b_y) * span_b_x + (arm_c_b_x) * span_b_y))
+                / distance_b
+            )
+            / (distance_b * distance_b)
+        )
+    )
+
+
 def joint_values(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Write how far each row of a joint of a kind is from holding."""
     if kind == 0:
@@ -598,3 +866,21 @@ def joint_rows(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
         gear_rows(given, a, b, c, row)
     elif kind == 6:
         pulley_rows(given, a, b, c, row)
+
+
+def joint_bends(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+    """Write the second derivatives of a joint of a kind by orientations."""
+    if kind == 0:
+        revolute_bends(given, a, b, c, row)
+    elif kind == 1:
+        distance_bends(given, a, b, c, row)
+    elif kind == 2:
+        weld_bends(given, a, b, c, row)
+    elif kind == 3:
+        prismatic_bends(given, a, b, c, row)
+    elif kind == 4:
+        groove_bends(given, a, b, c, row)
+    elif kind == 5:
+        gear_bends(given, a, b, c, row)
+    elif kind == 6:
+        pulley_bends(given, a, b, c, row)

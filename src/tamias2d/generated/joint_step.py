@@ -264,9 +264,39 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:97.
+    Source: IM15, srs/models/joint_step.md:102.
     """
     return (1 - removed_share) * row_value
+
+
+def leaning(row_impulse: Scalar, row_bend: Scalar, time_step: Scalar) -> Scalar:
+    """By how much less a joint's pull turns a body that has turned by a radian (N*m).
+
+    leaning = -row_impulse*row_bend/time_step
+
+    Args:
+        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        row_bend: Second derivative of a row's value by the orientation of a body, m
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:103.
+    """
+    return (-row_impulse) * row_bend / time_step
+
+
+def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
+    """Moment of inertia about the centre of mass; held through a step (kg*m^2).
+
+    inertia_held = max(inertia, time_step**2*leaning)
+
+    Args:
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:104.
+    """
+    return largest(inertia, time_step * time_step * leaning)
 
 
 def half_decay(kick_decay: Scalar) -> Scalar:
@@ -277,7 +307,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:98.
+    Source: IM15, srs/models/joint_step.md:105.
     """
     return sqrt(kick_decay)
 
@@ -291,7 +321,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:99.
+    Source: IM15, srs/models/joint_step.md:106.
     """
     return kick_gain / (1 + half_decay)
 
@@ -306,7 +336,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:100.
+    Source: IM15, srs/models/joint_step.md:107.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -321,7 +351,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:101.
+    Source: IM15, srs/models/joint_step.md:108.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -335,6 +365,6 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:102.
+    Source: IM15, srs/models/joint_step.md:109.
     """
     return largest(kinetic_energy_start + work, 0.0)

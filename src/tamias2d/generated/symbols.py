@@ -1782,6 +1782,22 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1133,
     ),
+    "row_bend": Symbol(
+        "row_bend",
+        "m",
+        "second derivative of a row's value by the orientation of a body",
+        tex="g_{\\varphi\\varphi}",
+        file="srs/symbols.md",
+        line=1138,
+    ),
+    "leaning": Symbol(
+        "leaning",
+        "N*m",
+        "by how much less a joint's pull turns a body that has turned by a radian",
+        tex="K_\\varphi",
+        file="srs/symbols.md",
+        line=1142,
+    ),
     "firm_ratio": Symbol(
         "firm_ratio",
         "1",
@@ -1789,7 +1805,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1138,
+        line=1146,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -1797,7 +1813,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1143,
+        line=1151,
     ),
     "coupled_mass_x": Symbol(
         "coupled_mass_x",
@@ -1806,7 +1822,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_x",
         file="srs/symbols.md",
-        line=1147,
+        line=1155,
     ),
     "coupled_mass_y": Symbol(
         "coupled_mass_y",
@@ -1815,7 +1831,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_y",
         file="srs/symbols.md",
-        line=1152,
+        line=1160,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -1824,7 +1840,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1157,
+        line=1165,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -1833,7 +1849,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1162,
+        line=1170,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -1841,7 +1857,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1167,
+        line=1175,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -1849,7 +1865,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1171,
+        line=1179,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -1857,7 +1873,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1175,
+        line=1183,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -1866,7 +1882,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1179,
+        line=1187,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -1874,7 +1890,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1184,
+        line=1192,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -1883,6 +1899,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1188,
+        line=1196,
     ),
 }

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.rows import JointRow
 from tamias2d.engine.saved_checks import require
-from tamias2d.engine.tables import ABSENT, BOUNDING_RADIUS, DYNAMIC, J_TOTAL, KINEMATIC
+from tamias2d.engine.tables import ABSENT, BOUNDING_RADIUS, DYNAMIC, J_IMPULSE, J_TOTAL, KINEMATIC
 from tamias2d.generated.constraints import CONSTRAINTS
-from tamias2d.generated.joint_rows import KINDS
+from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joints import End, Joint
@@ -25,7 +25,7 @@ from tamias2d.scene.springs import arm
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
-_TOTALS = 3 * len(ENDS)
+_KEPT = J_IMPULSE + MOST_ROWS - J_TOTAL  # numbers of a joint that a step leaves to the next
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,6 +126,8 @@ class JointSet:
         self._places = [0] * len(joints)
         for k, place in zip(order, places, strict=True):
             self._places[k] = place
+        if self._saved is not None and self._restored:
+            engine.world.joints.numbers[self._places, J_TOTAL : J_TOTAL + _KEPT] = self._saved
         self.new = self._restored = False
 
     def forget_report(self) -> None:
@@ -133,17 +135,20 @@ class JointSet:
         self._saved = None
 
     def totals(self, engine: Engine) -> Array:
-        """Return the impulses (j, 9) of the last step on A, B and C, N s, N s and N m s."""
+        """Return what the last step left (j, 15): first the impulses on A, B and C.
+
+        These are three numbers each, N s, N s and N m s.
+        """
         if self._saved is not None:
             return self._saved
-        found = np.zeros((len(self._joints), _TOTALS))
+        found = np.zeros((len(self._joints), _KEPT))
         if not self.new:
-            found[:] = engine.world.joints.numbers[self._places, J_TOTAL : J_TOTAL + _TOTALS]
+            found[:] = engine.world.joints.numbers[self._places, J_TOTAL : J_TOTAL + _KEPT]
         return found
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
-        totals = self.totals(engine).reshape(-1, len(ENDS), 3)
+        totals = self.totals(engine)[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3)
         joints = list(self._joints.values())
         torque = totals[:, :, 2] / time_step
         force = totals[:, :, :2] / time_step
@@ -193,7 +198,7 @@ class JointSet:
         own = cls(joints)
         if joints:
             fits = totals is not None and totals.dtype == np.float64
-            require(fits and totals.shape == (len(joints), _TOTALS), name, "have no impulses")  # type: ignore[union-attr]
+            require(fits and totals.shape == (len(joints), _KEPT), name, "have no impulses")  # type: ignore[union-attr]
             require(np.isfinite(cast(Array, totals)), name, "must be numbers")
             own._saved, own._restored = cast(Array, totals).copy(), True
         return own

@@ -24,8 +24,13 @@ class Elimination(NamedTuple):
     """For each pivot how many edges it has."""
 
 
-def eliminated(nodes: Sequence[int], pairs: Iterable[tuple[int, int]]) -> Elimination:
-    """Return the order of elimination of nodes that some pairs connect."""
+def eliminated(
+    nodes: Sequence[int], pairs: Iterable[tuple[int, int]], most: int
+) -> Elimination | None:
+    """Return the order of elimination of nodes that some pairs connect.
+
+    None if its fill list had more than so many entries: it is a mesh of many loops.
+    """
     around: dict[int, set[int]] = {node: set() for node in nodes}
     for one, other in pairs:
         around[one].add(other)
@@ -35,12 +40,16 @@ def eliminated(nodes: Sequence[int], pairs: Iterable[tuple[int, int]]) -> Elimin
     found = Elimination([], {}, [], [])
     left = set(nodes)
     later: list[list[int]] = []
+    size = 0
     while waiting:
         degree, node = heappop(waiting)
         if node not in left or degree != len(around[node]):
             continue
         left.discard(node)
         neighbours = sorted(around.pop(node))
+        size += len(neighbours) * (len(neighbours) + 1) // 2
+        if size > most:
+            return None
         found.order.append(node)
         later.append(neighbours)
         for one in neighbours:

@@ -16,6 +16,7 @@ from tamias2d.engine.tables import (
     DY,
     E_NODE_A,
     I_NODE,
+    HELD_INVERSE_INERTIA,
     INVERSE_INERTIA,
     INVERSE_MASS,
     J_EDGE,
@@ -23,10 +24,13 @@ from tamias2d.engine.tables import (
     J_KIND,
     J_MEMBER,
     J_NODE,
+    J_PULL,
     J_ROW,
     J_ROWS,
     JOINED_SLOT,
+    LEANING,
     M_JOINT,
+    M_MESHED,
     N_BODY,
     NODE_INERTIA,
     NODE_MASS,
@@ -44,7 +48,7 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
-from tamias2d.generated.joint_rows import ROW, joint_rows
+from tamias2d.generated.joint_rows import ROW, joint_bends, joint_rows
 from tamias2d.generated.joint_step import (
     coupled_inertia,
     coupled_lever,
@@ -52,6 +56,8 @@ from tamias2d.generated.joint_step import (
     coupled_mass_y,
     coupled_moment,
     firmness,
+    inertia_held,
+    leaning,
     row_yield,
 )
 from tamias2d.generated.soft_contact import shift_later, turn_later
@@ -75,6 +81,8 @@ def linearise(n: int, bodies: Bodies, joints: Joints) -> bool:
         joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
         for r in range(ends[J_ROWS]):
             add_joint_row(j, r, bodies, joints)
+    if joints.mechanisms[n, M_MESHED] == 1:
+        return True
     return factor(n, joints.sparse, joints.factors)
 
 
@@ -115,11 +123,13 @@ def firmness_of(r: int, ends: Array, numbers: Array, bodies: Bodies, joints: Joi
     """Return how firm a row is: by how much it yields, kg; 0 for one that nothing moves."""
     yielding = 0.0
     for end in range(ENDS_OF_JOINT):
-        at, i = J_ROW + ROW * r + 1 + 3 * end, joints.members[ends[J_MEMBER + end], JOINED_SLOT]
-        inverse_mass = bodies.properties[i, INVERSE_MASS]
-        inverse_inertia = bodies.properties[i, INVERSE_INERTIA]
-        slope = (numbers[at], numbers[at + 1])
-        yielding += row_yield(slope, numbers[at + 2], inverse_mass, inverse_inertia)
+        at, member = J_ROW + ROW * r + 1 + 3 * end, ends[J_MEMBER + end]
+        if ends[J_NODE + end] >= 0:
+            inverse_mass = bodies.properties[joints.members[member, JOINED_SLOT], INVERSE_MASS]
+            slope, inverse = (numbers[at], numbers[at + 1]), joints.places[member]
+            yielding += row_yield(
+                slope, numbers[at + 2], inverse_mass, inverse[HELD_INVERSE_INERTIA]
+            )
     return firmness(FIRM, yielding) if yielding > 0.0 else 0.0
 
 
@@ -143,14 +153,36 @@ def add_coupling(early: int, late: int, firm: float, numbers: Array, e: Array) -
     e[OFF_DIAGONAL + 8] += coupled_inertia(turning, turning_late, firm)
 
 
-def note_node_masses(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Note slots and masses of the nodes of a mechanism; 0 for a body that does not turn."""
+def note_node_masses(n: int, substep: float, share: float, bodies: Bodies, joints: Joints) -> None:
+    """Note slots and masses of the nodes of a mechanism; 0 for a body that does not turn.
+
+    A body that joints pulled at its arms in the last step, of which a substep is a share, counts
+    with so much inertia that it swings slowly enough for substeps.
+    """
+    note_leaning(n, substep / share, joints)
     for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
-        i = joints.members[node + 1, JOINED_SLOT]
-        inverse, inverse_inertia = (
-            bodies.properties[i, INVERSE_MASS],
-            bodies.properties[i, INVERSE_INERTIA],
-        )
+        i, place = joints.members[node + 1, JOINED_SLOT], joints.places[node + 1]
+        inverse_inertia = bodies.properties[i, INVERSE_INERTIA]
         joints.sparse[node, N_BODY] = i
-        joints.factors[node, NODE_MASS] = 1.0 / inverse if inverse > 0.0 else 0.0
-        joints.factors[node, NODE_INERTIA] = 1.0 / inverse_inertia if inverse_inertia > 0.0 else 0.0
+        joints.factors[node, NODE_MASS] = 1.0 / bodies.properties[i, INVERSE_MASS]
+        joints.factors[node, NODE_INERTIA] = place[HELD_INVERSE_INERTIA] = 0.0
+        if inverse_inertia > 0.0:
+            held = inertia_held(1.0 / inverse_inertia, place[LEANING], substep)
+            joints.factors[node, NODE_INERTIA] = held
+            place[HELD_INVERSE_INERTIA] = 1.0 / held
+
+
+def note_leaning(n: int, time_step: float, joints: Joints) -> None:
+    """Note how the pull of joints in the last step leans on the arms of a mechanism's bodies."""
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        joints.places[m, LEANING] = 0.0
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers, bends = joints.joints[j], joints.numbers[j], joints.bends
+        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+        joint_bends(ends[J_KIND], joints.given[j], place_a, place_b, place_c, bends)
+        for r in range(ends[J_ROWS]):
+            for end in range(ENDS_OF_JOINT):
+                if ends[J_NODE + end] >= 0:
+                    by = leaning(numbers[J_PULL + r], bends[ENDS_OF_JOINT * r + end], time_step)
+                    joints.places[ends[J_MEMBER + end], LEANING] += by

@@ -24,6 +24,7 @@ from tamias2d.engine.tables import (
     JOINED_BODY,
     JOINTS,
     M_JOINT,
+    M_MESHED,
     M_TIED,
     MECHANISMS,
     PIVOT_COUNT,
@@ -35,6 +36,8 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
 from tamias2d.spec.constraint import ENDS
+
+LOOPED, FEW = 24, 1000  # entries of the fill list, for each joint and besides: more is a mesh
 
 
 class JointRow(NamedTuple):
@@ -56,10 +59,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     still = _still(store, rows)
     member = {body: 1 + k for k, body in enumerate([*sum(nodes, []), *still])}
     plans = [
-        eliminated(
-            [member[body] - 1 for body in own],
-            _pairs(store, (rows[k] for k in mechanism), member),
-        )
+        _plan(store, [member[body] - 1 for body in own], [rows[k] for k in mechanism], member)
         for own, mechanism in zip(nodes, mechanisms, strict=True)
     ]
     edges = sum(len(plan.edges) for plan in plans)
@@ -88,6 +88,14 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))
     store.world.touching.counts[[ARRANGED, ISLANDS_KNOWN]] = 0
     return places
+
+
+def _plan(
+    store: Store, nodes: list[int], rows: Sequence[JointRow], member: dict[int, int]
+) -> Elimination:
+    """Return how a mechanism is eliminated; a mesh is not, and its plan has no edges."""
+    found = eliminated(nodes, _pairs(store, rows, member), LOOPED * len(rows) + FEW)
+    return found or Elimination(nodes, {}, [[] for _ in nodes], [0] * len(nodes))
 
 
 def kept_apart(store: Store) -> set[tuple[int, int]]:
@@ -137,6 +145,7 @@ def _write_joints(
                 for end, body in zip(ENDS, row.ends, strict=True)
             ]
             joints.mechanisms[n, M_TIED] |= STANDS_STILL in nodes
+            joints.mechanisms[n, M_MESHED] |= not plan.edges and nodes[0] >= 0 and nodes[1] >= 0
             joints.joints[j, J_MEMBER : J_MEMBER + 3] = own
             joints.joints[j, J_NODE : J_NODE + 3] = nodes
             joints.joints[j, J_EDGE : J_EDGE + 3] = [

@@ -7,23 +7,27 @@ Cost: a visit to each joint and a substitution for each iteration.
 """
 
 from tamias2d.engine.direct.cholesky import substitute
+from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
 from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, place_members
 from tamias2d.engine.tables import (
     CHANGE,
     I_NODE,
-    INVERSE_INERTIA,
+    HELD_INVERSE_INERTIA,
     INVERSE_MASS,
     J_AIM,
     J_ERROR,
     J_FIRMNESS,
+    J_IMPULSE,
     J_KIND,
     J_MEMBER,
     J_NODE,
+    J_PULL,
     J_ROW,
     J_ROWS,
     J_TOTAL,
     JOINED_SLOT,
     M_JOINT,
+    M_MESHED,
     SPIN,
     SUBSTEP_START,
     VX,
@@ -111,22 +115,32 @@ def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
 
 def solve_joint_errors(n: int, bodies: Bodies, joints: Joints) -> None:
     """Give a mechanism the impulses that take the errors of its rows away."""
+    if joints.mechanisms[n, M_MESHED] == 1:
+        iterate_mesh(n, bodies, joints)
+    else:
+        solve_directly(n, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
+
+
+def solve_directly(n: int, joints: Joints) -> None:
+    """Find the impulses of a mechanism by its factored matrix."""
     factors = joints.factors
     for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
         factors[node, CHANGE] = factors[node, CHANGE + 1] = factors[node, CHANGE + 2] = 0.0
     first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
     for j in range(first, last):
+        numbers = joints.numbers[j]
         for r in range(joints.joints[j, J_ROWS]):
-            impulse = row_impulse(joints.numbers[j, J_ERROR + r], joints.numbers[j, J_FIRMNESS + r])
+            impulse = row_impulse(numbers[J_ERROR + r], numbers[J_FIRMNESS + r])
             add_to_ends(j, r, impulse, joints)
     substitute(n, joints.sparse, factors)
     for j in range(first, last):
+        numbers = joints.numbers[j]
         for r in range(joints.joints[j, J_ROWS]):
-            rate = joints.numbers[j, J_ERROR + r] + change_of_rate(j, r, joints)
-            joints.numbers[j, J_ERROR + r] = row_impulse(rate, joints.numbers[j, J_FIRMNESS + r])
-    for j in range(first, last):
-        for r in range(joints.joints[j, J_ROWS]):
-            apply_joint_impulse(j, r, joints.numbers[j, J_ERROR + r], bodies, joints)
+            rate = numbers[J_ERROR + r] + change_of_rate(j, r, joints)
+            numbers[J_IMPULSE + r] = row_impulse(rate, numbers[J_FIRMNESS + r])
 
 
 def add_to_ends(j: int, r: int, impulse: float, joints: Joints) -> None:
@@ -144,25 +158,13 @@ def add_to_ends(j: int, r: int, impulse: float, joints: Joints) -> None:
             )
 
 
-def change_of_rate(j: int, r: int, joints: Joints) -> float:
-    """Return by how much the solution changes the rate of a row, m/s."""
-    ends, numbers = joints.joints[j], joints.numbers[j]
-    rate = 0.0
-    for end in range(ENDS_OF_JOINT):
-        node, at = ends[J_NODE + end], J_ROW + ROW * r + 1 + 3 * end
-        if node >= 0:
-            change = joints.factors[node]
-            slope, velocity = (numbers[at], numbers[at + 1]), (change[CHANGE], change[CHANGE + 1])
-            rate += row_rate(slope, numbers[at + 2], velocity, change[CHANGE + 2])
-    return rate
-
-
 def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: Joints) -> None:
     """Give the bodies of a joint the impulse of a row, and add it to those of the step.
 
     It is not what contacts have done, and so it also changes with what the substep began.
     """
     ends, numbers = joints.joints[j], joints.numbers[j]
+    numbers[J_PULL + r] += impulse
     for end in range(ENDS_OF_JOINT):
         i, at = joints.members[ends[J_MEMBER + end], JOINED_SLOT], J_ROW + ROW * r + 1 + 3 * end
         slope, turning, to = (numbers[at], numbers[at + 1]), numbers[at + 2], J_TOTAL + 3 * end
@@ -174,9 +176,8 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
             inverse_mass = bodies.properties[i, INVERSE_MASS]
             now, state = bodies.motion[i], bodies.substep_state[i]
             by_x, by_y = velocity_later((0.0, 0.0), impulse, slope, inverse_mass)
-            turn = angular_velocity_later(
-                0.0, impulse, turning, bodies.properties[i, INVERSE_INERTIA]
-            )
+            held = joints.places[ends[J_MEMBER + end], HELD_INVERSE_INERTIA]
+            turn = angular_velocity_later(0.0, impulse, turning, held)
             now[VX], now[VY], now[SPIN] = now[VX] + by_x, now[VY] + by_y, now[SPIN] + turn
             state[SUBSTEP_START] += by_x
             state[SUBSTEP_START + 1] += by_y

@@ -16,6 +16,7 @@ from tamias2d.engine.tables import (
     I_NODE,
     IN_CONTACT,
     INCREMENT,
+    J_PULL,
     J_TOTAL,
     JOINED_BODY,
     JOINED_SLOT,
@@ -29,6 +30,7 @@ from tamias2d.engine.tables import (
     SLABS,
     S_TREE,
     SUBSTEP_START,
+    SUBSTEPS,
     Bodies,
     Islands,
     Joints,
@@ -63,10 +65,6 @@ def note_mechanisms(world: World) -> None:
         if asleep != (joints.mechanisms[n, M_STATUS] == ASLEEP):
             joints.mechanisms[n, M_STATUS] = ASLEEP if asleep else FREE_OF_CONTACTS
             world.touching.counts[ARRANGED] = 0
-        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-            for k in range(9):
-                if not asleep:
-                    joints.numbers[j, J_TOTAL + k] = 0.0
 
 
 def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
@@ -103,17 +101,26 @@ def join_slabs(tree_count: int, world: World) -> None:
         list_all(world.bodies, world.touching, constraints)
 
 
-def begin_joints(world: World) -> None:
+def begin_joints(substep: float, world: World) -> None:
     """Begin a step: find the rows, and let velocities lag half a substep behind free of contacts."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            note_node_masses(n, bodies, joints)
+            share = 1.0 / world.control.counts[SUBSTEPS]
+            note_node_masses(n, substep, share, bodies, joints)
+            forget_impulses(n, joints)
             linearise(n, bodies, joints)
             if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
                 kick_half(n, False, bodies, joints)
+
+
+def forget_impulses(n: int, joints: Joints) -> None:
+    """Begin to add up the impulses of a mechanism's joints."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for k in range(J_TOTAL, J_PULL + 3):
+            joints.numbers[j, k] = 0.0
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:
