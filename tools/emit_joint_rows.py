@@ -6,13 +6,13 @@ and all kinds of joints behind one function, because compiled code knows no tabl
 
 import re
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from tamias2d.spec.chapter import Item
 from tamias2d.spec.check import infer
 from tamias2d.spec.constraint import COORDINATES, ENDS, Constraint, Values, table_with
 from tamias2d.spec.constraint_items import constraint_of
-from tamias2d.spec.expression import names
+from tamias2d.spec.expression import Node, names
 from tamias2d.spec.python import PythonPrinter
 from tamias2d.spec.specification import Specification
 from tamias2d.spec.symbols import SymbolTable
@@ -36,9 +36,14 @@ ROW = {row}  # numbers of a row
 MOST_ROWS = {most}  # rows of a joint
 MOST_PARAMETERS = {parameters}  # numbers that a joint is given
 '''
+_ARGUMENTS = ("given", *ENDS, "row")
 _ROW = 1 + 3 * len(ENDS)
 _PARTS = ("values", "rows", "bends")
-_LAYOUT = {"values": (_ROW, range(1)), "rows": (_ROW, range(_ROW)), "bends": (len(ENDS), range(1, 4))}
+_LAYOUT = {
+    "values": (_ROW, range(1)),
+    "rows": (_ROW, range(_ROW)),
+    "bends": (len(ENDS), range(1, 4)),
+}
 """Numbers from a row to the next, and the columns that are written of each."""
 
 
@@ -52,7 +57,9 @@ def emit(specification: Specification) -> str:
     """Source of the module, not yet formatted."""
     items, table = specification.of_kind("constraint"), specification.table
     helpers: set[str] = set()
-    bodies = [text for item in items for text in _functions(item, table, helpers)]
+    made = {name: one for item in items for name, one in _functions(item, table, helpers)}
+    arguments = {name: taken for name, (taken, _) in made.items()}
+    bodies = [text for _, text in made.values()]
     counts = {item.id: _row_count(constraint_of(item, table)) for item in items}
     titles = "; ".join(item.title for item in items)
     head = HEADER.format(
@@ -66,10 +73,10 @@ def emit(specification: Specification) -> str:
     kinds = f"KINDS = ({', '.join(repr(item.id) for item in items)},)"
     rows = f"ROWS_OF_KIND = ({', '.join(str(counts[item.id]) for item in items)},)"
     tables = [f'{kinds}\n"""By which number of a kind."""\n{rows}\n']
-    return "\n\n".join([head, *tables, *bodies, *map(_choice(items), _PARTS)])
+    return "\n\n".join([head, *tables, *bodies, *map(_choice(items, arguments), _PARTS)])
 
 
-def _choice(items: list[Item]):  # type: ignore[no-untyped-def]
+def _choice(items: Sequence[Item], arguments: Mapping[str, Sequence[str]]) -> Callable[[str], str]:
     """Return what prints the function that chooses by the kind of a joint."""
 
     def printed(part: str) -> str:
@@ -83,25 +90,30 @@ def _choice(items: list[Item]):  # type: ignore[no-untyped-def]
         lines.append(f'    """{says[part]}"""')
         for number, item in enumerate(items):
             lines.append(f"    {'el' if number else ''}if kind == {number}:")
-            lines.append(f"        {item.id}_{part}(given, a, b, c, row)")
+            taken = ", ".join(arguments[f"{item.id}_{part}"])
+            lines.append(f"        {item.id}_{part}({taken})")
         return "\n".join(lines) + "\n"
 
     return printed
 
 
-def _functions(item: Item, table: SymbolTable, helpers: set[str]) -> Iterator[str]:
+def _functions(
+    item: Item, table: SymbolTable, helpers: set[str]
+) -> Iterator[tuple[str, tuple[list[str], str]]]:
+    """The functions of a joint by their names: their arguments and their texts."""
     constraint = constraint_of(item, table)
-    yield _function(item, "values", {0: constraint.values()}, table, helpers)
+    found = {"values": {0: constraint.values()}}
     slopes = {1 + 3 * ENDS.index(end): constraint.slopes(end) for end in constraint.bodies}
-    yield _function(item, "rows", {0: constraint.values(), **slopes}, table, helpers)
-    bends = {1 + ENDS.index(end): constraint.bends(end) for end in constraint.bodies}
-    yield _function(item, "bends", bends, table, helpers)
+    found["rows"] = {0: constraint.values(), **slopes}
+    found["bends"] = {1 + ENDS.index(end): constraint.bends(end) for end in constraint.bodies}
+    for part, columns in found.items():
+        yield f"{item.id}_{part}", _function(item, part, columns, table, helpers)
 
 
 def _function(
     item: Item, part: str, found: dict[int, Values], table: SymbolTable, helpers: set[str]
-) -> str:
-    """The function that writes some columns of the rows of a joint: those that begin at places."""
+) -> tuple[list[str], str]:
+    """The function that writes some columns of the rows of a joint: its arguments and its text."""
     where = {name: tree for values in found.values() for name, tree in values.where}
     known = table_with(table, tuple(where.items()))
     printer = _Printer(known)
@@ -128,16 +140,21 @@ def _function(
         "rows": f"{item.title}: its rows with their slopes.",
         "bends": f"{item.title}: second derivatives of its rows by orientations.",
     }[part]
-    head = [
-        f"def {item.id}_{part}(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:",
-        *docstring([lead, "", f"Source: {item.id}, {item.file}:{item.line}."]),
+    body = [
         *_parameters(item, used, table),
         *_places(used, printer.turned, "\n".join(body)),
+        *body,
     ]
-    return "\n".join([*head, *body])
+    text = "\n".join(body)
+    taken = [name for name in _ARGUMENTS if re.search(rf"\b{name}\[", text)]
+    head = [
+        f"def {item.id}_{part}({', '.join(f'{name}: Any' for name in taken)}) -> None:",
+        *docstring([lead, "", f"Source: {item.id}, {item.file}:{item.line}."]),
+    ]
+    return taken, "\n".join([*head, *body])
 
 
-def _trees(values: Values) -> Iterator[object]:
+def _trees(values: Values) -> Iterator[Node]:
     yield from values.rows
     yield from (tree for _, tree in values.where)
 

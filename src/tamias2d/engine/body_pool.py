@@ -249,7 +249,7 @@ class BodyPool:
         slots = world.buffers.pairs[side, :size, SLOT_A : SLOT_B + 1]
         return world.state.body_of_slot[slots].astype(np.int64)
 
-    def _drop(self, left: NDArray[np.bool_]) -> None:
+    def _drop(self, left: NDArray[np.bool_] | np.bool_) -> None:
         """Take contacts (k,) out of the list, and wake their bodies."""
         counts, buffers = self.store.world.broad_phase.counts, self.store.world.buffers
         side, size = counts[BUFFER], counts[CONTACTS]

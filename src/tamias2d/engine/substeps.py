@@ -9,6 +9,7 @@ from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.stages import (
     begin_joints,
     end_joints,
+    relax_in_turns,
     relax_joints,
     solve_joints,
 )
@@ -160,11 +161,11 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     slabs = constraints.slabs
     first, last = bodies_of_stage(slab, constraints)
     integrate_positions(substep, first, last, bodies, world.touching)
-    relax_joints(False, world)
+    relax_joints(world)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(True, tree, tree_end, substep, bodies, constraints, world.direct)
     relax(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
-    relax_joints(True, world)
+    relax_in_turns(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], substep, world)
 
 
 @inlined

@@ -669,6 +669,7 @@ _joint_counts = Columns()
 JOINTS = _joint_counts()
 MECHANISMS = _joint_counts()
 MECHANISMS_AWAKE = _joint_counts()  # in this step
+MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts
 
 _mechanisms = Columns()
 M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
@@ -693,7 +694,8 @@ J_AIM = _joint_numbers(3)  # m or rad, to which a substep brings each row
 J_ERROR = _joint_numbers(3)  # m/s or rad/s, rate of each row beyond what is wanted
 J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over the step
 J_PULL = _joint_numbers(3)  # N s, impulse of each row over the step
-J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved; of a mesh, kept for the next time
+J_WARM = _joint_numbers(3)  # N s, impulse of each row in the last substep; of meshes only
+J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved
 J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
 J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about

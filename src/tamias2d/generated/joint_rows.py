@@ -38,7 +38,7 @@ ROWS_OF_KIND = (
 )
 
 
-def revolute_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def revolute_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Revolute joint: how far each row is from holding.
 
     Source: revolute, srs/models/joints.md:147.
@@ -65,7 +65,7 @@ def revolute_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[10] = span_y
 
 
-def revolute_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def revolute_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Revolute joint: its rows with their slopes.
 
     Source: revolute, srs/models/joints.md:147.
@@ -110,7 +110,7 @@ def revolute_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[19] = 0.0
 
 
-def revolute_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def revolute_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Revolute joint: second derivatives of its rows by orientations.
 
     Source: revolute, srs/models/joints.md:147.
@@ -135,7 +135,7 @@ def revolute_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[5] = 0.0
 
 
-def distance_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def distance_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Distance joint: how far each row is from holding.
 
     Source: distance, srs/models/joints.md:161.
@@ -163,7 +163,7 @@ def distance_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[0] = distance - joint_length
 
 
-def distance_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def distance_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Distance joint: its rows with their slopes.
 
     Source: distance, srs/models/joints.md:161.
@@ -200,7 +200,7 @@ def distance_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[9] = 0.0
 
 
-def distance_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def distance_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Distance joint: second derivatives of its rows by orientations.
 
     Source: distance, srs/models/joints.md:161.
@@ -239,7 +239,7 @@ def distance_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[2] = 0.0
 
 
-def weld_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def weld_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Weld: how far each row is from holding.
 
     Source: weld, srs/models/joints.md:178.
@@ -270,7 +270,7 @@ def weld_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[20] = orientation_b - orientation_a - joint_angle
 
 
-def weld_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def weld_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Weld: its rows with their slopes.
 
     Source: weld, srs/models/joints.md:178.
@@ -328,7 +328,7 @@ def weld_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[29] = 0.0
 
 
-def weld_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def weld_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Weld: second derivatives of its rows by orientations.
 
     Source: weld, srs/models/joints.md:178.
@@ -356,7 +356,7 @@ def weld_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[8] = 0.0
 
 
-def prismatic_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def prismatic_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Prismatic joint: how far each row is from holding.
 
     Source: prismatic, srs/models/joints.md:191.
@@ -391,7 +391,7 @@ def prismatic_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[10] = orientation_b - orientation_a - joint_angle
 
 
-def prismatic_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def prismatic_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Prismatic joint: its rows with their slopes.
 
     Source: prismatic, srs/models/joints.md:191.
@@ -444,7 +444,7 @@ def prismatic_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[19] = 0.0
 
 
-def prismatic_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def prismatic_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Prismatic joint: second derivatives of its rows by orientations.
 
     Source: prismatic, srs/models/joints.md:191.
@@ -485,7 +485,7 @@ def prismatic_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[5] = 0.0
 
 
-def groove_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def groove_values(given: Any, a: Any, b: Any, row: Any) -> None:
     """Groove: how far each row is from holding.
 
     Source: groove, srs/models/joints.md:208.
@@ -516,7 +516,7 @@ def groove_values(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[0] = (-guide_y) * span_x + (guide_x) * span_y
 
 
-def groove_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def groove_rows(given: Any, a: Any, b: Any, row: Any) -> None:
     """Groove: its rows with their slopes.
 
     Source: groove, srs/models/joints.md:208.
@@ -556,7 +556,7 @@ def groove_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[9] = 0.0
 
 
-def groove_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def groove_bends(given: Any, a: Any, b: Any, row: Any) -> None:
     """Groove: second derivatives of its rows by orientations.
 
     Source: groove, srs/models/joints.md:208.
@@ -633,7 +633,7 @@ def gear_rows(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     row[9] = -1 + gear_ratio
 
 
-def gear_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
+def gear_bends(row: Any) -> None:
     """Gear: second derivatives of its rows by orientations.
 
     Source: gear, srs/models/joints.md:224.
@@ -835,15 +835,15 @@ def pulley_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
 def joint_values(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Write how far each row of a joint of a kind is from holding."""
     if kind == 0:
-        revolute_values(given, a, b, c, row)
+        revolute_values(given, a, b, row)
     elif kind == 1:
-        distance_values(given, a, b, c, row)
+        distance_values(given, a, b, row)
     elif kind == 2:
-        weld_values(given, a, b, c, row)
+        weld_values(given, a, b, row)
     elif kind == 3:
-        prismatic_values(given, a, b, c, row)
+        prismatic_values(given, a, b, row)
     elif kind == 4:
-        groove_values(given, a, b, c, row)
+        groove_values(given, a, b, row)
     elif kind == 5:
         gear_values(given, a, b, c, row)
     elif kind == 6:
@@ -853,15 +853,15 @@ def joint_values(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> Non
 def joint_rows(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Write the rows of a joint of a kind with their slopes."""
     if kind == 0:
-        revolute_rows(given, a, b, c, row)
+        revolute_rows(given, a, b, row)
     elif kind == 1:
-        distance_rows(given, a, b, c, row)
+        distance_rows(given, a, b, row)
     elif kind == 2:
-        weld_rows(given, a, b, c, row)
+        weld_rows(given, a, b, row)
     elif kind == 3:
-        prismatic_rows(given, a, b, c, row)
+        prismatic_rows(given, a, b, row)
     elif kind == 4:
-        groove_rows(given, a, b, c, row)
+        groove_rows(given, a, b, row)
     elif kind == 5:
         gear_rows(given, a, b, c, row)
     elif kind == 6:
@@ -871,16 +871,16 @@ def joint_rows(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
 def joint_bends(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Write the second derivatives of a joint of a kind by orientations."""
     if kind == 0:
-        revolute_bends(given, a, b, c, row)
+        revolute_bends(given, a, b, row)
     elif kind == 1:
-        distance_bends(given, a, b, c, row)
+        distance_bends(given, a, b, row)
     elif kind == 2:
-        weld_bends(given, a, b, c, row)
+        weld_bends(given, a, b, row)
     elif kind == 3:
-        prismatic_bends(given, a, b, c, row)
+        prismatic_bends(given, a, b, row)
     elif kind == 4:
-        groove_bends(given, a, b, c, row)
+        groove_bends(given, a, b, row)
     elif kind == 5:
-        gear_bends(given, a, b, c, row)
+        gear_bends(row)
     elif kind == 6:
         pulley_bends(given, a, b, c, row)

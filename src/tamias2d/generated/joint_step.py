@@ -169,40 +169,21 @@ def angular_momentum_later(
     return angular_momentum + row_impulse * turning_slope
 
 
-def coupled_mass_x(slope_a: Vector, slope_b: Vector, firmness: Scalar) -> Vector:
-    """Impulse along x at B for velocities of A, by a firm row (kg).
+def coupled_mass(slope_a: Vector, slope_along: Scalar, firmness: Scalar) -> Vector:
+    """Impulse along an axis at B for velocities of A, by a firm row (kg).
 
-    coupled_mass_x = firmness*x(slope_b)*slope_a
+    coupled_mass = firmness*slope_along*slope_a
 
     Args:
         slope_a: How a row's value changes with the place of a body; of body A, 1
-        slope_b: How a row's value changes with the place of a body; of body B, 1
+        slope_along: Part of a slope along one axis, 1
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
     Source: DD57, srs/models/joint_step.md:51.
     """
     slope_a_x, slope_a_y = slope_a
-    slope_b_x, slope_b_y = slope_b
-    return (firmness * slope_b_x * slope_a_x, firmness * slope_b_x * slope_a_y)
-
-
-def coupled_mass_y(slope_a: Vector, slope_b: Vector, firmness: Scalar) -> Vector:
-    """Impulse along y at B for velocities of A, by a firm row (kg).
-
-    coupled_mass_y = firmness*y(slope_b)*slope_a
-
-    Args:
-        slope_a: How a row's value changes with the place of a body; of body A, 1
-        slope_b: How a row's value changes with the place of a body; of body B, 1
-        firmness: Mass with which a firm contact resists the velocity that its row is not to
-            have, kg
-
-    Source: DD57, srs/models/joint_step.md:52.
-    """
-    slope_a_x, slope_a_y = slope_a
-    slope_b_x, slope_b_y = slope_b
-    return (firmness * slope_b_y * slope_a_x, firmness * slope_b_y * slope_a_y)
+    return (firmness * slope_along * slope_a_x, firmness * slope_along * slope_a_y)
 
 
 def coupled_moment(turning_slope_a: Scalar, slope_b: Vector, firmness: Scalar) -> Vector:
@@ -216,7 +197,7 @@ def coupled_moment(turning_slope_a: Scalar, slope_b: Vector, firmness: Scalar) -
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:53.
+    Source: DD57, srs/models/joint_step.md:52.
     """
     slope_b_x, slope_b_y = slope_b
     return (firmness * turning_slope_a * slope_b_x, firmness * turning_slope_a * slope_b_y)
@@ -233,7 +214,7 @@ def coupled_lever(slope_a: Vector, turning_slope_b: Scalar, firmness: Scalar) ->
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:54.
+    Source: DD57, srs/models/joint_step.md:53.
     """
     slope_a_x, slope_a_y = slope_a
     return (firmness * turning_slope_b * slope_a_x, firmness * turning_slope_b * slope_a_y)
@@ -250,7 +231,7 @@ def coupled_inertia(turning_slope_a: Scalar, turning_slope_b: Scalar, firmness: 
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:55.
+    Source: DD57, srs/models/joint_step.md:54.
     """
     return firmness * turning_slope_b * turning_slope_a
 
@@ -264,7 +245,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:102.
+    Source: IM15, srs/models/joint_step.md:100.
     """
     return (1 - removed_share) * row_value
 
@@ -279,7 +260,7 @@ def leaning(row_impulse: Scalar, row_bend: Scalar, time_step: Scalar) -> Scalar:
         row_bend: Second derivative of a row's value by the orientation of a body, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:103.
+    Source: IM15, srs/models/joint_step.md:101.
     """
     return (-row_impulse) * row_bend / time_step
 
@@ -294,7 +275,7 @@ def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
         leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:104.
+    Source: IM15, srs/models/joint_step.md:102.
     """
     return largest(inertia, time_step * time_step * leaning)
 
@@ -307,7 +288,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:105.
+    Source: IM15, srs/models/joint_step.md:103.
     """
     return sqrt(kick_decay)
 
@@ -321,7 +302,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:106.
+    Source: IM15, srs/models/joint_step.md:104.
     """
     return kick_gain / (1 + half_decay)
 
@@ -336,7 +317,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:107.
+    Source: IM15, srs/models/joint_step.md:105.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -351,7 +332,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:108.
+    Source: IM15, srs/models/joint_step.md:106.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -365,6 +346,6 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:109.
+    Source: IM15, srs/models/joint_step.md:107.
     """
     return largest(kinetic_energy_start + work, 0.0)

@@ -1815,23 +1815,22 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1151,
     ),
-    "coupled_mass_x": Symbol(
-        "coupled_mass_x",
-        "kg",
-        "impulse along x at B for velocities of A, by a firm row",
-        shape="vector",
-        tex="\\boldsymbol{m}_x",
+    "slope_along": Symbol(
+        "slope_along",
+        "1",
+        "part of a slope along one axis",
+        tex="g_\\parallel",
         file="srs/symbols.md",
         line=1155,
     ),
-    "coupled_mass_y": Symbol(
-        "coupled_mass_y",
+    "coupled_mass": Symbol(
+        "coupled_mass",
         "kg",
-        "impulse along y at B for velocities of A, by a firm row",
+        "impulse along an axis at B for velocities of A, by a firm row",
         shape="vector",
-        tex="\\boldsymbol{m}_y",
+        tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1160,
+        line=1159,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -1840,7 +1839,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1165,
+        line=1164,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -1849,7 +1848,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1170,
+        line=1169,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -1857,7 +1856,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1175,
+        line=1174,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -1865,7 +1864,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1179,
+        line=1178,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -1873,7 +1872,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1183,
+        line=1182,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -1882,7 +1881,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1187,
+        line=1186,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -1890,7 +1889,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1192,
+        line=1191,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -1899,6 +1898,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1196,
+        line=1195,
     ),
 }

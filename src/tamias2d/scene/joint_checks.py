@@ -109,9 +109,7 @@ def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
         raise RuleError(f"{of}: it holds no body that moves (TM7). Name one that does.", "between")
 
 
-def _fitted(
-    joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, *, at_rest: bool
-) -> Joint:
+def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, *, at_rest: bool) -> Joint:
     """Return the joint with all its parameters; what is not given is as at the start."""
     known = {name: value for name, value in kind.given.items() if value is not None}
     joint = _with(joint, known)

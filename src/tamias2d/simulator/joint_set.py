@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.rows import JointRow
 from tamias2d.engine.saved_checks import require
-from tamias2d.engine.tables import ABSENT, BOUNDING_RADIUS, DYNAMIC, J_IMPULSE, J_TOTAL, KINEMATIC
+from tamias2d.engine.tables import ABSENT, BOUNDING_RADIUS, DYNAMIC, J_TOTAL, J_WARM, KINEMATIC
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
 from tamias2d.scene.bodies import Body
@@ -25,7 +25,7 @@ from tamias2d.scene.springs import arm
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
-_KEPT = J_IMPULSE + MOST_ROWS - J_TOTAL  # numbers of a joint that a step leaves to the next
+_KEPT = J_WARM + MOST_ROWS - J_TOTAL  # numbers of a joint that a step leaves to the next
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -396,7 +396,11 @@ class Simulator(Views):
             InputError: a body is not there, a value breaks a rule (R4), the joint moves nothing or
                 does not hold where the bodies are, or it is one of its own equation.
         """
-        ends = (self._end(first), self._end(second), (0.0, 0.0) if third is None else self._end(third))
+        ends = (
+            self._end(first),
+            self._end(second),
+            (0.0, 0.0) if third is None else self._end(third),
+        )
         anchors = (anchor, other_anchor, third_anchor)
         standing: Any = Standing(self._engine, self._names)
         joint = self._joints.add(kind, ends, anchors, name, collide, standing)
@@ -426,7 +430,9 @@ class Simulator(Views):
         """Return a body by its row, or a point of the plane."""
         if isinstance(end, str | int | np.integer) and not isinstance(end, bool):
             return int(self._rows(end)[0])  # type: ignore[arg-type]
-        return vector(end, "position", "a joint", "Give a body, or a point (x, y) in m.", at=("end",))
+        return vector(
+            end, "position", "a joint", "Give a body, or a point (x, y) in m.", at=("end",)
+        )
 
     def index(self, name: str) -> int:
         """Return the index of a body of the scene by its name; raise `InputError` if none."""

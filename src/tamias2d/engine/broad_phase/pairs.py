@@ -8,8 +8,8 @@ from tamias2d.engine.broad_phase.comoving_frame import choose_frame
 from tamias2d.engine.broad_phase.contact_list import replace_contacts
 from tamias2d.engine.broad_phase.fat_bounds import fatten_all_bounds
 from tamias2d.engine.broad_phase.fat_box import fatten_box
-from tamias2d.engine.broad_phase.update import update_incrementally
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
+from tamias2d.engine.broad_phase.update import update_incrementally
 from tamias2d.engine.tables import (
     ARRANGED,
     CONTACTS,

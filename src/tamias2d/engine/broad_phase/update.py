@@ -20,8 +20,8 @@ from tamias2d.engine.broad_phase.fat_box import (
     note_centre,
     reaches_half_plane,
 )
-from tamias2d.engine.broad_phase.vertices import turn_shape
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
+from tamias2d.engine.broad_phase.vertices import turn_shape
 from tamias2d.engine.tables import (
     ABSENT,
     FAT,

@@ -9,6 +9,7 @@ from tamias2d.engine.joints.stages import (
     end_joints,
     join_slabs,
     note_mechanisms,
+    relax_in_turns,
     relax_joints,
     solve_joints,
 )
@@ -24,6 +25,7 @@ JOINT_STAGES = (
     join_slabs,
     note_joined_support,
     note_mechanisms,
+    relax_in_turns,
     relax_joints,
     solve_joints,
     support_joined,

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 
 class Elimination(NamedTuple):
-    """Pivots and edges of a mechanism; an edge is a pair of nodes, the one eliminated first first."""
+    """Pivots and edges of a mechanism; an edge is a pair of nodes in the order of elimination."""
 
     order: list[int]
     """Nodes as they are eliminated."""

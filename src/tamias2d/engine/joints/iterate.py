@@ -5,10 +5,11 @@ the last time. Cost: three visits to each joint in an iteration.
 Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps.
 """
 
+from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, FIRM
 from tamias2d.engine.tables import (
     CHANGE,
-    I_NODE,
     HELD_INVERSE_INERTIA,
+    I_NODE,
     INVERSE_MASS,
     J_ERROR,
     J_FIRMNESS,
@@ -25,12 +26,11 @@ from tamias2d.engine.tables import (
     Bodies,
     Joints,
 )
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, FIRM
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import angular_velocity_later, row_rate, velocity_later
 
-MOST_ITERATIONS_OF_MESH = 12
-MESH_ACCURACY = 1e-3  # of the first residual
+MOST_ITERATIONS_OF_MESH = 16
+MESH_ACCURACY = 1e-3  # of the errors of the rows, without the impulses of the last time
 
 
 def iterate_mesh(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -40,17 +40,18 @@ def iterate_mesh(n: int, bodies: Bodies, joints: Joints) -> None:
     for j in range(first, last):
         for r in range(joints.joints[j, J_ROWS]):
             give_to_nodes(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
+    whole = size = 0.0
     for j in range(first, last):
         numbers = joints.numbers[j]
         for r in range(joints.joints[j, J_ROWS]):
-            numbers[J_RESIDUAL + r] = -numbers[J_ERROR + r] - change_of_rate(j, r, joints)
+            error = numbers[J_ERROR + r]
+            numbers[J_RESIDUAL + r] = -error - change_of_rate(j, r, joints)
             numbers[J_SEARCH + r] = 0.0
+            whole += error * error * numbers[J_FIRMNESS + r] / FIRM
     clear_nodes(n, VELOCITY_START, joints)
-    size = start = 0.0
     for k in range(MOST_ITERATIONS_OF_MESH):
         before, size = size, sweep_both_ways(n, bodies, joints)
-        start = size if k == 0 else start
-        if not size > MESH_ACCURACY * MESH_ACCURACY * start:
+        if not size > MESH_ACCURACY * MESH_ACCURACY * whole:
             return
         step_along(n, size, size / before if k > 0 else 0.0, joints)
 
@@ -87,7 +88,7 @@ def sweep_both_ways(n: int, bodies: Bodies, joints: Joints) -> float:
 
 
 def step_along(n: int, size: float, kept: float, joints: Joints) -> None:
-    """Take a step of conjugate gradients: along what was tried, and a share of the direction before."""
+    """Take a step of conjugate gradients: what was tried, and a share of the last direction."""
     first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
     for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
         row = joints.factors[node]

@@ -15,8 +15,8 @@ from tamias2d.engine.tables import (
     DX,
     DY,
     E_NODE_A,
-    I_NODE,
     HELD_INVERSE_INERTIA,
+    I_NODE,
     INVERSE_INERTIA,
     INVERSE_MASS,
     J_EDGE,
@@ -52,8 +52,7 @@ from tamias2d.generated.joint_rows import ROW, joint_bends, joint_rows
 from tamias2d.generated.joint_step import (
     coupled_inertia,
     coupled_lever,
-    coupled_mass_x,
-    coupled_mass_y,
+    coupled_mass,
     coupled_moment,
     firmness,
     inertia_held,
@@ -138,8 +137,8 @@ def add_coupling(early: int, late: int, firm: float, numbers: Array, e: Array) -
     """Add a row to the block of an edge, with its slopes at the earlier and at the later node."""
     slope, turning = (numbers[early], numbers[early + 1]), numbers[early + 2]
     slope_late, turning_late = (numbers[late], numbers[late + 1]), numbers[late + 2]
-    x_x, x_y = coupled_mass_x(slope, slope_late, firm)
-    y_x, y_y = coupled_mass_y(slope, slope_late, firm)
+    x_x, x_y = coupled_mass(slope, slope_late[0], firm)
+    y_x, y_y = coupled_mass(slope, slope_late[1], firm)
     x_turn, y_turn = coupled_moment(turning, slope_late, firm)
     turn_x, turn_y = coupled_lever(slope, turning_late, firm)
     e[OFF_DIAGONAL] += x_x

@@ -1,7 +1,7 @@
 """Joints as rows of the engine's arrays: which bodies they hold, and how these form mechanisms."""
 
 from collections.abc import Iterable, Sequence
-from itertools import combinations
+from itertools import chain, combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -57,7 +57,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     mechanisms = _mechanisms(store, rows)
     nodes = [_moving(store, [rows[k] for k in mechanism]) for mechanism in mechanisms]
     still = _still(store, rows)
-    member = {body: 1 + k for k, body in enumerate([*sum(nodes, []), *still])}
+    member = {body: 1 + k for k, body in enumerate([*chain(*nodes), *still])}
     plans = [
         _plan(store, [member[body] - 1 for body in own], [rows[k] for k in mechanism], member)
         for own, mechanism in zip(nodes, mechanisms, strict=True)
@@ -131,6 +131,7 @@ def _write_joints(
     places = [0] * len(rows)
     j = first_edge = 0
     for n, (mechanism, plan) in enumerate(zip(mechanisms, plans, strict=True)):
+        joints.mechanisms[n, M_MESHED] = not plan.edges and len(plan.order) > 1
         for k in mechanism:
             row = rows[k]
             number = KINDS.index(row.kind)
@@ -145,7 +146,6 @@ def _write_joints(
                 for end, body in zip(ENDS, row.ends, strict=True)
             ]
             joints.mechanisms[n, M_TIED] |= STANDS_STILL in nodes
-            joints.mechanisms[n, M_MESHED] |= not plan.edges and nodes[0] >= 0 and nodes[1] >= 0
             joints.joints[j, J_MEMBER : J_MEMBER + 3] = own
             joints.joints[j, J_NODE : J_NODE + 3] = nodes
             joints.joints[j, J_EDGE : J_EDGE + 3] = [

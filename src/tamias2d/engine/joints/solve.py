@@ -11,8 +11,8 @@ from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
 from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, place_members
 from tamias2d.engine.tables import (
     CHANGE,
-    I_NODE,
     HELD_INVERSE_INERTIA,
+    I_NODE,
     INVERSE_MASS,
     J_AIM,
     J_ERROR,
@@ -25,6 +25,7 @@ from tamias2d.engine.tables import (
     J_ROW,
     J_ROWS,
     J_TOTAL,
+    J_WARM,
     JOINED_SLOT,
     M_JOINT,
     M_MESHED,
@@ -60,8 +61,19 @@ def aim_joints(n: int, joints: Joints) -> None:
             numbers[J_AIM + r] = row_aim(numbers[J_ROW + ROW * r], REMOVED_BY_JOINTS)
 
 
-def keep_positions(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Change the velocities of a mechanism so that a substep, s, leads to what its rows aim at."""
+def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a mechanism so that a substep, s, leads to what its rows aim at.
+
+    Again, they have changed little. A mesh is solved once only: what is left of its rows is made
+    up for in the next substep.
+    """
+    if joints.mechanisms[n, M_MESHED] == 1:
+        find_position_errors(n, substep, bodies, joints)
+        start_impulses(n, 0.0 if again else 1.0, joints)
+        solve_joint_errors(n, bodies, joints)
+        if not again:
+            keep_impulses(n, joints)
+        return
     first = before = 0.0
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
@@ -75,18 +87,38 @@ def keep_positions(n: int, substep: float, bodies: Bodies, joints: Joints) -> No
         before = size
 
 
-def keep_velocities(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Take the rates of its rows from the velocities of a mechanism."""
-    for _ in range(2):
+def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of its rows from the velocities of a mechanism.
+
+    Of a mesh, the impulses are about so many times those of the last substep.
+    """
+    start_impulses(n, warm, joints)
+    for _ in range(1 if joints.mechanisms[n, M_MESHED] == 1 else 2):
         for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
             for r in range(joints.joints[j, J_ROWS]):
                 joints.numbers[j, J_ERROR + r] = rate_of_row(j, r, bodies, joints)
         solve_joint_errors(n, bodies, joints)
 
 
+def start_impulses(n: int, share: float, joints: Joints) -> None:
+    """Let a mesh start from a share of the impulses of the last substep."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            joints.numbers[j, J_IMPULSE + r] = share * joints.numbers[j, J_WARM + r]
+
+
+def keep_impulses(n: int, joints: Joints) -> None:
+    """Keep the impulses of a mesh for the next substep."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            joints.numbers[j, J_WARM + r] = joints.numbers[j, J_IMPULSE + r]
+
+
 def find_position_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
     """Write the rate that each row of a mechanism has too much; return a measure of all, J."""
-    place_members(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1, substep, bodies, joints)
+    place_members(
+        joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1, substep, bodies, joints
+    )
     size = 0.0
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
@@ -182,4 +214,3 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
             state[SUBSTEP_START] += by_x
             state[SUBSTEP_START + 1] += by_y
             state[SUBSTEP_START + 2] += turn
-

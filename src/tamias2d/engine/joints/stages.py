@@ -8,6 +8,9 @@ ends of each substep; one that is touched is solved before and after the contact
 from tamias2d.engine.joints.energy import bound_mechanism
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
+from tamias2d.engine.solver.lanes import relax
+from tamias2d.engine.solver.slabs import list_all
+from tamias2d.engine.springs.substep import activate
 from tamias2d.engine.tables import (
     ARRANGED,
     ASLEEP,
@@ -16,8 +19,8 @@ from tamias2d.engine.tables import (
     I_NODE,
     IN_CONTACT,
     INCREMENT,
-    J_PULL,
     J_TOTAL,
+    J_WARM,
     JOINED_BODY,
     JOINED_SLOT,
     JOINTS,
@@ -25,10 +28,11 @@ from tamias2d.engine.tables import (
     M_STATUS,
     MECHANISMS,
     MECHANISMS_AWAKE,
+    MECHANISMS_TOUCHED,
     N_BODY,
-    SLEEP_ID,
-    SLABS,
     S_TREE,
+    SLABS,
+    SLEEP_ID,
     SUBSTEP_START,
     SUBSTEPS,
     Bodies,
@@ -36,14 +40,14 @@ from tamias2d.engine.tables import (
     Joints,
     World,
 )
-from tamias2d.engine.solver.slabs import list_all
-from tamias2d.engine.springs.substep import activate
 from tamias2d.generated.joint_step import (
     half_decay,
     half_gain,
     kick_velocity_later,
     kick_velocity_start,
 )
+
+TURNS = 2  # of joints and contacts, when their velocities are relaxed, besides the first
 
 
 def clear_of_joints(clear: bool, world: World) -> bool:
@@ -76,7 +80,7 @@ def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
 def activate_joined(world: World) -> None:
     """Make the bodies of mechanisms active, and note which mechanisms contacts touch."""
     joints, bodies = world.joints, world.bodies
-    awake = 0
+    awake = touched_ones = 0
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
             first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
@@ -85,7 +89,8 @@ def activate_joined(world: World) -> None:
                 touched += bodies.moved[joints.members[m, JOINED_SLOT]]
             joints.mechanisms[n, M_STATUS] = IN_CONTACT if touched > 0 else FREE_OF_CONTACTS
             awake += 1
-    joints.counts[MECHANISMS_AWAKE] = awake
+            touched_ones += touched > 0
+    joints.counts[MECHANISMS_AWAKE], joints.counts[MECHANISMS_TOUCHED] = awake, touched_ones
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
             for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
@@ -102,7 +107,7 @@ def join_slabs(tree_count: int, world: World) -> None:
 
 
 def begin_joints(substep: float, world: World) -> None:
-    """Begin a step: find the rows, and let velocities lag half a substep behind free of contacts."""
+    """Begin a step: find the rows; free of contacts, velocities go back by half a substep."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
@@ -119,7 +124,7 @@ def begin_joints(substep: float, world: World) -> None:
 def forget_impulses(n: int, joints: Joints) -> None:
     """Begin to add up the impulses of a mechanism's joints."""
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for k in range(J_TOTAL, J_PULL + 3):
+        for k in range(J_TOTAL, J_WARM):
             joints.numbers[j, k] = 0.0
 
 
@@ -133,20 +138,36 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
         if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
             if not again:
                 aim_joints(n, joints)
-            keep_positions(n, substep, bodies, joints)
+            keep_positions(n, again, substep, bodies, joints)
 
 
-def relax_joints(again: bool, world: World) -> None:
+def relax_joints(world: World) -> None:
     """Find the rows where bodies are, and let the velocities of touched mechanisms fit them."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            if not again:
-                linearise(n, bodies, joints)
-            if joints.mechanisms[n, M_STATUS] == IN_CONTACT:
-                keep_velocities(n, bodies, joints)
+            linearise(n, bodies, joints)
+    fit_velocities(bodies, joints)
+
+
+def relax_in_turns(block: int, last: int, substep: float, world: World) -> None:
+    """Relax touched mechanisms and the contacts, in blocks of lanes, in turns: joints come last."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0 or joints.counts[MECHANISMS_TOUCHED] == 0:
+        return
+    for _ in range(TURNS):
+        fit_velocities(bodies, joints)
+        relax(block, last, bodies, world.constraints, substep)
+    fit_velocities(bodies, joints)
+
+
+def fit_velocities(bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of their rows from the velocities of touched mechanisms."""
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] == IN_CONTACT:
+            keep_velocities(n, 0.0, bodies, joints)
 
 
 def end_joints(world: World) -> None:
@@ -157,7 +178,7 @@ def end_joints(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
-            keep_velocities(n, bodies, joints)
+            keep_velocities(n, 0.5, bodies, joints)
             bound_mechanism(n, world.control, bodies, joints, world.islands)
 
 
