@@ -66,7 +66,7 @@ def free_rods(rng: random.Random, count: int) -> Scene:
     velocity = np.array([rng.gauss(0, 1), rng.gauss(0, 1)])
     for k in range(count):
         spin = rng.gauss(0, 2)
-        velocity = velocity + (0.0, 0.5 * spin)
+        velocity[1] += 0.5 * spin
         scene.add_body(
             None,
             mass=rng.uniform(0.5, 5.0),
@@ -75,7 +75,7 @@ def free_rods(rng: random.Random, count: int) -> Scene:
             velocity=tuple(velocity.tolist()),
             angular_velocity=spin,
         )
-        velocity = velocity + (0.0, 0.5 * spin)
+        velocity[1] += 0.5 * spin
         if k:
             scene.add_joint(Revolute(), k - 1, k, anchor=(0.5, 0.0), other_anchor=(-0.5, 0.0))
     return scene
@@ -344,7 +344,7 @@ def test_order_of_building_does_not_matter() -> None:
         place = {}
         for k in order:
             place[k] = scene.add_body(
-                t2.Disc(radius=0.2 + 0.01 * k), mass=1.0 + k, position=(float(k), 0.0)
+                t2.Disc(radius=0.2 + 0.01 * k), mass=1.0 + k, position=(float(k), 0.0), restitution=0.0
             )
         for k in sorted(range(3), reverse=place[0] != 0):
             scene.add_joint(

@@ -19,7 +19,7 @@ from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError
 from tamias2d.scene import Scene, scene_text
 from tamias2d.scene.joint_kinds import Kind
-from tamias2d.scene.joints import End
+from tamias2d.scene.joints import End, kept_apart
 from tamias2d.scene.rules import RuleError, VectorLike, shown, vector
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
@@ -120,7 +120,8 @@ class Simulator(Views):
         batch = scene_batch(scene)
         names = [f"'{body.name}'" for body in scene.bodies]
         known = scene.restitution_of_pairs
-        refuse_missing_restitution(engine, batch, names.__getitem__, known)
+        apart = dict.fromkeys(kept_apart(scene.joints), 0.0)
+        refuse_missing_restitution(engine, batch, names.__getitem__, {**apart, **known})
         engine.add(batch)
         engine.override_pairs(scene.friction_of_pairs, known)
         self._begin(engine)

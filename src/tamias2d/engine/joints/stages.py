@@ -47,7 +47,7 @@ from tamias2d.generated.joint_step import (
     kick_velocity_start,
 )
 
-TURNS = 2  # of joints and contacts, when their velocities are relaxed, besides the first
+RELAXING_ROUNDS = 2  # of joints and contacts, when their velocities are relaxed, besides the first
 
 
 def clear_of_joints(clear: bool, world: World) -> bool:
@@ -157,7 +157,7 @@ def relax_in_turns(block: int, last: int, substep: float, world: World) -> None:
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0 or joints.counts[MECHANISMS_TOUCHED] == 0:
         return
-    for _ in range(TURNS):
+    for _ in range(RELAXING_ROUNDS):
         fit_velocities(bodies, joints)
         relax(block, last, bodies, world.constraints, substep)
     fit_velocities(bodies, joints)
