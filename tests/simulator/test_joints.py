@@ -344,7 +344,10 @@ def test_order_of_building_does_not_matter() -> None:
         place = {}
         for k in order:
             place[k] = scene.add_body(
-                t2.Disc(radius=0.2 + 0.01 * k), mass=1.0 + k, position=(float(k), 0.0), restitution=0.0
+                t2.Disc(radius=0.2 + 0.01 * k),
+                mass=1.0 + k,
+                position=(float(k), 0.0),
+                restitution=0.0,
             )
         for k in sorted(range(3), reverse=place[0] != 0):
             scene.add_joint(

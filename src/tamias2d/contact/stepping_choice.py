@@ -14,9 +14,9 @@ def steps_because(scene: Scene, duration: float) -> str | None:
     """Return why a scene is stepped through its contacts for a duration in s, or None (R12).
 
     A scene is stepped where impacts cannot be located at all, and where more than a hundred moving
-    bodies can meet. One with joints is not: only located impacts know them.
+    bodies can meet. One with a joint of its own equation is not: steps do not know it.
     """
-    if scene.joints:
+    if any(joint.equations for joint in scene.joints):
         return None
     for body in scene.bodies:
         if what := beyond_location(body):
