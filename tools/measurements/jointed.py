@@ -20,7 +20,7 @@ from tools.measurements.arena.chipmunk import Chipmunk
 
 _STEP = 1 / 60
 _TURN = 60  # steps
-_SURFACE: dict[str, float] = {"friction": 0.6, "restitution": 0.0}
+_SURFACE: dict[str, Any] = {"friction": 0.6, "restitution": 0.0}
 
 
 def options(parser: argparse.ArgumentParser) -> None:
