@@ -44,6 +44,7 @@ from tamias2d.engine.tables import (
     VX,
     VY,
     Bodies,
+    Integers,
     Joints,
     X,
     Y,
@@ -71,7 +72,8 @@ def linearise(n: int, bodies: Bodies, joints: Joints) -> bool:
     """Write the rows of a mechanism where its bodies are, and factor its matrix."""
     first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
     place_members(first + 1, last + 1, 0.0, bodies, joints)
-    for pivot in range(first, last):
+    meshed = joints.mechanisms[n, M_MESHED] == 1
+    for pivot in range(first, first if meshed else last):
         clear_pivot(pivot, joints.sparse, joints.factors)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
@@ -79,10 +81,10 @@ def linearise(n: int, bodies: Bodies, joints: Joints) -> bool:
         place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
         joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
         for r in range(ends[J_ROWS]):
-            add_joint_row(j, r, bodies, joints)
-    if joints.mechanisms[n, M_MESHED] == 1:
-        return True
-    return factor(n, joints.sparse, joints.factors)
+            numbers[J_FIRMNESS + r] = firmness_of(r, ends, numbers, bodies, joints)
+            if not meshed:
+                add_joint_row(r, ends, numbers, joints)
+    return True if meshed else factor(n, joints.sparse, joints.factors)
 
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
@@ -96,17 +98,13 @@ def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: J
         place[PLACE_COSINE], place[PLACE_SINE] = cosine_sine(place[PLACE_ANGLE])
 
 
-def add_joint_row(j: int, r: int, bodies: Bodies, joints: Joints) -> None:
-    """Find how firm a row of a joint is, and add it to the blocks of its nodes and edges."""
-    ends, numbers = joints.joints[j], joints.numbers[j]
-    firm = firmness_of(r, ends, numbers, bodies, joints)
-    numbers[J_FIRMNESS + r] = firm
+def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> None:
+    """Add a row of a joint to the blocks of its nodes and edges."""
+    firm = numbers[J_FIRMNESS + r]
     for end in range(ENDS_OF_JOINT):
-        at, i = J_ROW + ROW * r + 1 + 3 * end, joints.members[ends[J_MEMBER + end], JOINED_SLOT]
         if ends[J_NODE + end] >= 0:
+            at = J_ROW + ROW * r + 1 + 3 * end
             slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]
-            if bodies.properties[i, INVERSE_INERTIA] == 0.0:
-                turning = numbers[at + 2] = 0.0
             add_diagonal(ends[J_NODE + end], firm, slope, turning, joints.factors)
     for pair in range(ENDS_OF_JOINT):
         edge = ends[J_EDGE + pair]
@@ -118,14 +116,19 @@ def add_joint_row(j: int, r: int, bodies: Bodies, joints: Joints) -> None:
             add_coupling(at + 3 * one, at + 3 * other, firm, numbers, joints.factors[edge])
 
 
-def firmness_of(r: int, ends: Array, numbers: Array, bodies: Bodies, joints: Joints) -> float:
-    """Return how firm a row is: by how much it yields, kg; 0 for one that nothing moves."""
+def firmness_of(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints: Joints) -> float:
+    """Return how firm a row is: by how much it yields, kg; 0 for one that nothing moves.
+
+    A body that does not turn gets no slopes for turning.
+    """
     yielding = 0.0
     for end in range(ENDS_OF_JOINT):
         at, member = J_ROW + ROW * r + 1 + 3 * end, ends[J_MEMBER + end]
         if ends[J_NODE + end] >= 0:
             inverse_mass = bodies.properties[joints.members[member, JOINED_SLOT], INVERSE_MASS]
             slope, inverse = (numbers[at], numbers[at + 1]), joints.places[member]
+            if inverse[HELD_INVERSE_INERTIA] == 0.0:
+                numbers[at + 2] = 0.0
             yielding += row_yield(
                 slope, numbers[at + 2], inverse_mass, inverse[HELD_INVERSE_INERTIA]
             )
