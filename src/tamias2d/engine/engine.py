@@ -1,6 +1,7 @@
 """The engine: bodies that can be added, changed and asked for, and the steps that are taken."""
 
 from collections.abc import Mapping, Sequence
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,7 +77,7 @@ class Engine(Store):
 
     def begin(self, rank: NDArray[np.int64]) -> None:
         """Find out what the arrays hold; bodies have ranks (n,), -1 where absent."""
-        self._library = functions(CONTACT, compiled=self.compiled)
+        self._library: SimpleNamespace | None = None  # what steps are taken with, once they are
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
         self._steps_per_call, self._ballistic_steps_per_call = StepsPerCall(), StepsPerCall()
@@ -166,7 +167,7 @@ class Engine(Store):
         them, what it knows of contacts fits them already.
         """
         places = set_joints(self, rows)
-        self._library = functions(JOINTED if rows else CONTACT, compiled=self.compiled)
+        self._library = None
         if not restored:
             self._pool.drop_pairs(kept_apart(self))
             self.forget_pairs()
@@ -241,14 +242,22 @@ class Engine(Store):
         world = self.world
         return bool(world.springs.counts[SPRINGS] or world.joints.counts[JOINTS])
 
+    @property
+    def _entries(self) -> SimpleNamespace:
+        """The compiled functions, found when a step is taken: joints have to be known by then."""
+        if self._library is None:
+            jointed = self.world.joints.counts[JOINTS] > 0
+            self._library = functions(JOINTED if jointed else CONTACT, compiled=self.compiled)
+        return self._library
+
     def _ballistic_steps(self, count: int, timed: bool) -> int:
         """Take up to some steps while all bodies are alone; return how many."""
         if not self._course_known:
-            self._library.note_course(self.argument)
+            self._entries.note_course(self.argument)
             self._course_known = True
         if timed:
             self._ballistic_steps_per_call.begin()
-        taken: int = self._library.integrate_ballistic(self.argument, count)
+        taken: int = self._entries.integrate_ballistic(self.argument, count)
         if timed:
             self._ballistic_steps_per_call.end(taken)
         return taken
@@ -272,7 +281,7 @@ class Engine(Store):
 
     def _call(self) -> int:
         try:
-            status: int = self._library.step(self.argument)
+            status: int = self._entries.step(self.argument)
         except (ValueError, OverflowError, ZeroDivisionError):
             if self.compiled:
                 raise
