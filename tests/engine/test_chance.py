@@ -140,13 +140,13 @@ def test_free_bodies_keep_their_momentum_and_never_gain_energy(chance: Chance) -
 
 @settings(max_examples=15)
 @given(chances(100, speed=0.3))
-def test_slow_bodies_keep_their_angular_momentum_as_seen_where_a_step_began(
+def test_slow_bodies_keep_their_angular_momentum_as_seen_where_they_meet(
     chance: Chance,
 ) -> None:
-    """Arms are those of the start of a step: with its places, angular momentum is exact.
+    """Arms are those of the start of a step, or of the instant at which bodies will meet.
 
-    With those of its end it differs by the momentum across the way of the step, of first order in
-    the time step. Slow: what flies far meets on its way.
+    With the places of the start, angular momentum differs by no more than the momentum that bodies
+    give each other across their way until they meet, of first order in the time step.
     """
     crowd = Crowd(chance, pull=0.0, thin=False)
     for _ in range(20):
@@ -159,8 +159,11 @@ def test_slow_bodies_keep_their_angular_momentum_as_seen_where_a_step_began(
             continue
         after = crowd.angular_momentum(place)
         apart = np.abs(crowd.place - place).sum(axis=1) / crowd.sim.time_step
+        # overlaps of 1e-3 sizes push, and relaxing takes that back: both are rounded
+        apart += 1e-3 * chance.scale / crowd.sim.time_step
         size = max(np.abs(before).sum(), np.abs(after).sum()) + crowd.mass @ apart * crowd.width
-        assert after.sum() == pytest.approx(before.sum(), abs=float(ROUNDING * size))
+        across = (crowd.mass * apart) @ way
+        assert after.sum() == pytest.approx(before.sum(), abs=float(ROUNDING * size + across))
 
 
 FALLING = (
@@ -202,9 +205,11 @@ def test_what_falls_gains_no_more_than_gravity_gives(chance: Chance, pull: float
         crowd.step()
         fallen = np.maximum(place[:, 1] - crowd.place[:, 1], 0.0)
         given_by = before + float(weight @ fallen)
-        if np.abs(crowd.place - place).max() > 0.05 * chance.scale:
-            # what flies goes along straight lines, which differ from parabolas in second order
-            given_by += float(crowd.mass.sum()) * (pull * chance.scale * crowd.sim.time_step) ** 2
+        gained = pull * chance.scale * crowd.sim.time_step
+        if np.abs(crowd.place - place).max() > gained * crowd.sim.time_step:
+            # what meets goes along straight lines, which differ from parabolas in second order;
+            # only what is faster than gravity makes it in a step meets on its way
+            given_by += float(crowd.mass.sum()) * gained**2
         # a place is known to 1e-16 of its distance from the origin
         known = float(weight.sum()) * crowd.width * 1e-15
         assert crowd.energy <= given_by * (1 + 10 * ROUNDING) + known

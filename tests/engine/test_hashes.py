@@ -1,7 +1,6 @@
 """The same bits on any day: the digest of each scene of many contacts after some steps is stored.
 
-Where the engine is meant to change, `python -m tests.engine.test_hashes` stores them anew. They
-are those of one C library: sine and cosine are its own.
+Where the engine is meant to change, `python -m tests.engine.test_hashes` stores them anew.
 """
 
 import json

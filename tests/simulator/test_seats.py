@@ -67,8 +67,8 @@ def test_who_comes_and_goes_in_another_order_has_the_same_bits(seed: int) -> Non
             one.step()
             other.step()
         assert_alike(one, first, other, second)
-        met = max(met, len(one.contacts))
-    assert met > 5
+        met += len(one.contacts)
+    assert met > 10
     rows = [(first[name], second[name]) for name in first]
     assert any(mine != theirs for mine, theirs in rows)
 

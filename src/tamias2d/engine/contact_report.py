@@ -14,6 +14,7 @@ from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     BUFFER,
     CONTACTS,
+    FINEST,
     GAP,
     IMPACT_NORMAL,
     IS_TOUCHING,
@@ -82,7 +83,8 @@ def contact_report(store: Store) -> Touching:
     bits = flags[:, TOUCHES]
     now, before = (np.unique(code[bits & bit != 0]) for bit in (IS_TOUCHING, WAS_TOUCHING))
     count = flags[:, POINT_COUNT]
-    pushed = _pushed(found, count, bits)
+    split = store.world.control.counts[FINEST] > 0
+    pushed = _pushed(found, np.full_like(count, 2) if split else np.maximum(count, 1), bits)
     sensed = np.setdiff1d(np.flatnonzero(bits & IS_TOUCHING), pushed.pair)
     points = _Points(
         np.concatenate((pushed.pair, sensed)),
@@ -103,9 +105,12 @@ def contact_report(store: Store) -> Touching:
 
 
 def _pushed(touch: Array, count: IntArray, bits: IntArray) -> _Points:
-    """Return all points that were pushed, in the order of the pairs; in flight a pair has one."""
+    """Return all points that were pushed, in the order of the pairs.
+
+    In flight a pair has one; where parts of a step add up, a point may be gone by its end.
+    """
     total = touch[:, [TOTAL_IMPULSE, TOTAL_IMPULSE + POINT]]
-    there = np.arange(2) < np.maximum(count, 1)[:, None]
+    there = np.arange(2) < count[:, None]
     pair, number = np.nonzero(there & (total > 0.0) & (bits & IS_TOUCHING != 0)[:, None])
     return _Points(pair, number, total[pair, number])
 

@@ -21,6 +21,7 @@ from tamias2d.engine.tables import (
     CHECKED,
     CLEAR,
     DONE,
+    FINEST,
     FRICTION,
     GRAVITY_X,
     GRAVITY_Y,
@@ -28,12 +29,18 @@ from tamias2d.engine.tables import (
     INVERSE_INERTIA,
     INVERSE_MASS,
     JOINTS,
+    LEAST_LEVEL,
     MORE_BLOCKS,
     MORE_CANDIDATES,
     MORE_CONTACTS,
     MORE_SPARSE,
+    N_LOSES,
+    N_MEMBER,
+    NETWORKS,
+    NEXT_LEVEL,
     OVERFLOWED,
     RESTITUTION,
+    RETAKEN,
     ROWS_NEEDED,
     SLEEP_ID,
     SLEEP_STEPS,
@@ -42,6 +49,7 @@ from tamias2d.engine.tables import (
     STEPS_LEFT,
     STEPS_TAKEN,
     SUBSTEPS,
+    TICK,
     TIME_STEP,
 )
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
@@ -137,6 +145,20 @@ class Engine(Store):
     def steps(self) -> int:
         """How many steps were taken since the start."""
         return int(self.world.control.counts[STEPS_TAKEN])
+
+    @property
+    def parts(self) -> int:
+        """In how many parts the last step was taken where it was finest."""
+        return 1 << int(self.world.control.counts[FINEST])
+
+    @property
+    def lossy_springs(self) -> int:
+        """The row of a body whose springs could not be solved in some step, or -1."""
+        springs = self.world.springs
+        for n in range(int(springs.counts[NETWORKS])):
+            if springs.networks[n, N_LOSES] > 0:
+                return int(springs.body[springs.networks[n, N_MEMBER]])
+        return -1
 
     # -- changes
 
@@ -260,6 +282,8 @@ class Engine(Store):
         taken: int = self._entries.integrate_ballistic(self.argument, count)
         if timed:
             self._ballistic_steps_per_call.end(taken)
+        if taken:
+            self.world.control.counts[FINEST] = 0
         return taken
 
     def _solved_steps(self, count: int, checked: int, timed: bool) -> int:
@@ -299,7 +323,10 @@ class Engine(Store):
     def _forget_contacts(self) -> None:
         """Give up a step, and forget all that is known of contacts."""
         world = self.world
-        world.control.counts[STAGE] = AT_START
+        counts = world.control.counts
+        counts[STAGE] = AT_START
+        counts[TICK] = counts[RETAKEN] = counts[LEAST_LEVEL] = 0
+        world.broad_phase.counts[NEXT_LEVEL] = 0
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
             *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),

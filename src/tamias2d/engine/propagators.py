@@ -5,18 +5,19 @@ from itertools import count
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.engine.parts import part_substeps
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ANGULAR,
     DECAY,
     GAIN,
     LIFT,
+    MOST_LEVEL,
     ONE_SUBSTEP,
     PROPAGATOR,
     SUBSTEPS,
     TIME_STEP,
     WHOLE_STEP,
-    Control,
 )
 from tamias2d.generated import drag
 from tamias2d.state import Array
@@ -61,21 +62,26 @@ class Propagators:
         self._store.resize(propagators=len(rates))
         world = self._store.world
         world.state.drag_rates[:] = rates
-        world.bodies.propagators[:] = propagators(rates, world.control)
+        settings, counts = world.control.settings, world.control.counts
+        for level in range(MOST_LEVEL + 1):
+            substeps = part_substeps(int(counts[SUBSTEPS]), level)
+            world.bodies.propagators_of_level[level] = propagators(
+                rates, settings[TIME_STEP] / 2**level, substeps
+            )
+        world.bodies.propagators[:] = world.bodies.propagators_of_level[0]
 
     def _note_rows(self) -> None:
         rates = self._store.world.state.drag_rates.tolist()
         self._row = {tuple(pair): k for k, pair in enumerate(rates)}
 
 
-def propagators(rates: Array, control: Control) -> Array:
-    """Return (k, 12), how bodies move in a step and in a substep, for rates (k, 2), 1/s."""
+def propagators(rates: Array, time: float, substeps: int) -> Array:
+    """Return (k, 12), how bodies move in a time, s, and in a substep, for rates (k, 2), 1/s."""
     found = np.zeros((len(rates), 12))
-    whole = control.settings[TIME_STEP]
     one, none = (1.0, 0.0), (0.0, 0.0)
-    for start, time in ((WHOLE_STEP, whole), (ONE_SUBSTEP, whole / control.counts[SUBSTEPS])):
+    for start, length in ((WHOLE_STEP, time), (ONE_SUBSTEP, time / substeps)):
         for at, rate in ((start, rates[:, 0]), (start + ANGULAR, rates[:, 1])):
-            found[:, at + DECAY] = drag.velocity(one, none, rate, time)[0]
-            found[:, at + GAIN] = drag.position(none, one, none, rate, time)[0]
-            found[:, at + LIFT] = drag.position(none, none, one, rate, time)[0]
+            found[:, at + DECAY] = drag.velocity(one, none, rate, length)[0]
+            found[:, at + GAIN] = drag.position(none, one, none, rate, length)[0]
+            found[:, at + LIFT] = drag.position(none, none, one, rate, length)[0]
     return found

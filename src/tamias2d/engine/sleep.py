@@ -28,6 +28,7 @@ from tamias2d.engine.tables import (
     ISLAND_SLOW_STEPS,
     JOINED_SLOT,
     MECHANISMS,
+    PART_TIME,
     POINT_COUNT,
     REST_GRAVITY,
     REST_LOAD,
@@ -41,7 +42,6 @@ from tamias2d.engine.tables import (
     SLOW_STEPS,
     SPIN,
     SUPPORT_KIND,
-    TIME_STEP,
     TOUCHES,
     TOUCHING,
     VX,
@@ -215,7 +215,7 @@ def count_slow_step(i: int, control: Control, bodies: Bodies, links: Integers) -
     """Count for how many steps a body has been slow."""
     support, radius = links[i, SUPPORT_KIND], bodies.properties[i, BOUNDING_RADIUS]
     limit = sleep_speed_squared(control.settings, radius) if support == SUPPORTED_AT_REST else 0.0
-    slow = is_slow(control.settings[TIME_STEP], limit, bodies.motion[i], radius)
+    slow = is_slow(control.progress[PART_TIME], limit, bodies.motion[i], radius)
     links[i, SLOW_STEPS] = (
         links[i, SLOW_STEPS] + 1 if slow and support != SUPPORTED_IN_MOTION else 0
     )

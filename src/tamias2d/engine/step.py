@@ -17,10 +17,24 @@ from tamias2d.engine.broad_phase.fat_bounds import left_by_frame, mark_out_of_bo
 from tamias2d.engine.broad_phase.pairs import rebuild_pairs, update_pairs
 from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
-from tamias2d.engine.continuous.event_loop import MOST_UPDATES, solve_continuous
-from tamias2d.engine.joints.stages import clear_of_joints, note_mechanisms
+from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
+from tamias2d.engine.continuous.prediction import foresee
+from tamias2d.engine.joints.stages import (
+    clear_of_joints,
+    keep_joint_impulses,
+    note_mechanisms,
+)
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
+from tamias2d.engine.parts import (
+    begin_part,
+    end_part,
+    is_last_part,
+    note_start,
+    retake_part,
+    set_level,
+    shorten_part,
+)
 from tamias2d.engine.sleep import (
     fall_asleep,
     hold_sleeping,
@@ -33,6 +47,7 @@ from tamias2d.engine.springs.held import hold_springs, release_springs
 from tamias2d.engine.state import gather_state, scatter_state
 from tamias2d.engine.substeps import solve_contacts
 from tamias2d.engine.tables import (
+    AGAIN,
     ARRIVING,
     AT_START,
     CHECKED,
@@ -40,15 +55,24 @@ from tamias2d.engine.tables import (
     CONTACTS,
     DONE,
     FLOWN,
+    GOES_FAR,
     IN_FLIGHT,
     INVALID,
     KINEMATIC,
+    LEVEL,
     LIST_HOLDS,
+    LOCATED_PAIRS,
     MANIFOLDS_KNOWN,
+    N_LOSES,
+    N_UNSOLVED,
+    NETWORKS,
     OUT_OF_BOUNDS,
     OVERFLOWED,
     PAIRS_KNOWN,
     PAIRS_STALE,
+    PART_TIME,
+    PRESSED_DEEP,
+    RETAKEN,
     SLEEP_STEPS,
     SLEEPING,
     SPRINGS,
@@ -57,9 +81,12 @@ from tamias2d.engine.tables import (
     STEPS_LEFT,
     STEPS_SINCE,
     STEPS_TAKEN,
+    TICK,
     UPDATES_LEFT,
     World,
 )
+
+SHORTEST_FOR_SPRINGS = 6  # level; networks for which that is too long go through the substeps
 
 
 def step(world: World) -> int:
@@ -90,7 +117,20 @@ def step(world: World) -> int:
 
 
 def take_step(world: World) -> int:
-    """Take one step, or return which array is too short; called again, it continues.
+    """Take one step by its parts, or return which array is too short."""
+    ended = False
+    while not ended:
+        status = take_part(world)
+        if status == DONE:
+            keep_joint_impulses(world)
+            ended = end_part(world)
+        elif status != AGAIN:
+            return status
+    return DONE
+
+
+def take_part(world: World) -> int:
+    """Take a part of a step, or return which array is too short; called again, it continues.
 
     The stages stand in one function, because each level of calls is compiled once more.
     """
@@ -98,8 +138,8 @@ def take_step(world: World) -> int:
     broad_phase, buffers, touching = world.broad_phase, world.buffers, world.touching
     counts = control.counts
     if counts[STAGE] == AT_START:
-        if world.springs.counts[SPRINGS] > 0:
-            hold_springs(world)
+        begin_part(world)
+        hold_springs_of_part(world)
         left = find_moved(world)
         counts[STAGE] = PAIRS_KNOWN if update_pairs(left, world) else PAIRS_STALE
     if counts[STAGE] == PAIRS_STALE:
@@ -109,18 +149,24 @@ def take_step(world: World) -> int:
         counts[STAGE] = PAIRS_KNOWN
     contacts = current_contacts(broad_phase, buffers)
     if counts[STAGE] == PAIRS_KNOWN:
-        again = False
-        while not again or (
-            islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands)
-        ):
-            find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
-            again = True
+        length = control.progress[PART_TIME]
+        shorten_part(world, contacts)
+        if control.progress[PART_TIME] != length:
+            release_springs(bodies, world.springs)
+            hold_springs_of_part(world)
+        again = counts[TICK] + counts[RETAKEN] > 0
+        find_touching(again, control, bodies, shapes, broad_phase, contacts, touching, islands)
+        while islands.counts[SLEEPING] > 0 and wake_touched(contacts, touching, islands):
+            find_touching(True, control, bodies, shapes, broad_phase, contacts, touching, islands)
+        foresee(world, contacts)
         counts[STAGE] = MANIFOLDS_KNOWN
     if counts[STAGE] == MANIFOLDS_KNOWN:
         note_mechanisms(world)
         status = arrange(world, contacts)
         if status != DONE:
             return status
+        if counts[GOES_FAR] == 1:
+            note_start(bodies)
         solve_contacts(world, contacts)
         counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:
@@ -136,15 +182,30 @@ def take_step(world: World) -> int:
         flown = solve_continuous(
             control, bodies, shapes, broad_phase, near, world.events, updates, flown
         )
+        if flown == TOO_LONG:
+            release_springs(bodies, world.springs)
+            retake_part(world, near)
+            return AGAIN
         control.progress[FLOWN] = flown
         counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
-    if islands.counts[SLEEP_STEPS] > 0:
+    if islands.counts[SLEEP_STEPS] > 0 and is_last_part(control):
         fall_asleep(control, bodies, islands)
-    if world.springs.counts[SPRINGS] > 0:
-        release_springs(bodies, world.springs)
+    release_springs(bodies, world.springs)
     broad_phase.counts[STEPS_SINCE] += 1
     counts[STAGE] = AT_START
     return DONE
+
+
+def hold_springs_of_part(world: World) -> None:
+    """Hold the loads of springs for a part, which is made so short that these can be found."""
+    solved = hold_springs(world)
+    while not solved and world.control.counts[LEVEL] < SHORTEST_FOR_SPRINGS:
+        release_springs(world.bodies, world.springs)
+        set_level(world.control.counts[LEVEL] + 1, world)
+        solved = hold_springs(world)
+    networks = world.springs.networks
+    for n in range(0 if solved else world.springs.counts[NETWORKS]):
+        networks[n, N_LOSES] = max(networks[n, N_LOSES], networks[n, N_UNSOLVED])
 
 
 def find_moved(world: World) -> int:
@@ -153,7 +214,7 @@ def find_moved(world: World) -> int:
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
         update_sleep(world.control, bodies, broad_phase, contacts, islands)
-    left = mark_out_of_bounds(bodies, broad_phase)
+    left = mark_out_of_bounds(world.control, bodies, broad_phase)
     all_needed = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
     turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
     return left
@@ -170,9 +231,9 @@ def integrate(world: World) -> int:
         keep_touching_flags(broad_phase, contacts, islands)
     far = integrate_free(world.control, bodies)
     move_frame(broad_phase)
-    progress = world.control.progress
+    progress, counts = world.control.progress, world.touching.counts
     progress[FLOWN], progress[UPDATES_LEFT] = 0.0, MOST_UPDATES
-    if not far:
+    if not far and counts[LOCATED_PAIRS] + counts[PRESSED_DEEP] == 0:
         return ARRIVING
     leaving = mark_leaving_bounds(bodies, broad_phase)
     return OUT_OF_BOUNDS if leaving > 0 or left_by_frame(bodies, broad_phase) else IN_FLIGHT

@@ -28,16 +28,18 @@ from tamias2d.engine.tables import (
     BOUNCING,
     GRAVITY_X,
     GRAVITY_Y,
+    IMPULSE_RATIO,
     LANES_FILLED,
     NETWORKS_TOUCHED,
+    PART_SUBSTEPS,
+    PART_TIME,
     PREFETCHED,
     S_BLOCK,
     S_BODY,
     S_CONTACT,
     S_TREE,
     SLABS,
-    SUBSTEPS,
-    TIME_STEP,
+    SUBSTEP,
     TOUCHING,
     Constraints,
     Contacts,
@@ -53,13 +55,16 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     control, constraints = world.control, world.constraints
     if constraints.counts[ACTIVE] == 0:
         return
-    substep = control.settings[TIME_STEP] / control.counts[SUBSTEPS]
+    substep = control.progress[PART_TIME] / control.counts[PART_SUBSTEPS]
+    before = control.settings[SUBSTEP]
+    control.progress[IMPULSE_RATIO] = substep / before if before > 0.0 else 1.0
+    control.settings[SUBSTEP] = substep
     for k in range(len(constraints.energy)):
         constraints.energy[k] = 0.0
     sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
     if sprung:
         begin_springs(substep, world.bodies, world.springs)
-    number, last = constraints.counts[SLABS], 2 * control.counts[SUBSTEPS]
+    number, last = constraints.counts[SLABS], 2 * control.counts[PART_SUBSTEPS]
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
             take_stage(stage, front - stage, substep, world, contacts)
@@ -70,7 +75,7 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
         end_springs(world.bodies, world.springs)
     if constraints.counts[BOUNCING] > 0:
         last = world.touching.counts[TOUCHING]
-        store_impulses(0, last, world.bodies, contacts, world.touching, constraints)
+        store_impulses(0, last, control, world.bodies, contacts, world.touching, constraints)
 
 
 def finish_step(world: World) -> None:
@@ -80,7 +85,7 @@ def finish_step(world: World) -> None:
     settings = world.control.settings
     if constraints.counts[BOUNCING] > 0:
         gravity = abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y])
-        slowest = SLOWEST_IMPACT * settings[TIME_STEP] * gravity
+        slowest = SLOWEST_IMPACT * world.control.progress[PART_TIME] * gravity
         note_before_restitution(bodies, touching, constraints, islands)
         apply_restitution(0, constraints.counts[BLOCKS], bodies, constraints, slowest)
     update_islands(bodies, touching, islands, world.joints)
@@ -100,7 +105,7 @@ def take_stage(stage: int, slab: int, substep: float, world: World, contacts: Co
         solve_slab(stage > 1, slab, substep, world)
     else:
         relax_slab(slab, substep, world)
-        if stage == 2 * world.control.counts[SUBSTEPS]:
+        if stage == 2 * world.control.counts[PART_SUBSTEPS]:
             end_slab(slab, world, contacts)
 
 
@@ -127,7 +132,7 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
     if constraints.counts[LANES_FILLED] == 0:
         clear_lanes(block, block_end, len(bodies.kind) - 1, blocks, lanes)
         fill_lanes(contact, contact_end, bodies, world.shapes, contacts, touching, constraints)
-    fill_blocks(contact, contact_end, bodies, contacts, touching, constraints)
+    fill_blocks(contact, contact_end, world.control, bodies, contacts, touching, constraints)
     prepare_blocks(block, block_end, substep, blocks, lanes)
     prepare_trees(slabs[slab, S_TREE], slabs[slab + 1, S_TREE], bodies, constraints, world.direct)
     warm_start(block, block_end, bodies, constraints)
@@ -142,7 +147,7 @@ def solve_slab(again: bool, slab: int, substep: float, world: World) -> None:
     first, last = bodies_of_stage(slab, constraints)
     apply_forces(again, first, last, bodies, world.touching)
     sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
-    share = 1.0 / world.control.settings[TIME_STEP]
+    share = 1.0 / world.control.progress[PART_TIME]
     if sprung:
         apply_springs(False, substep, share, bodies, world.springs)
     solve_joints(False, substep, world)
@@ -178,4 +183,4 @@ def end_slab(slab: int, world: World, contacts: Contacts) -> None:
     sum_step_energy(first, last, world.control, bodies, touching, constraints.energy)
     if constraints.counts[BOUNCING] == 0:
         first, last = slabs[slab, S_CONTACT], slabs[slab + 1, S_CONTACT]
-        store_impulses(first, last, bodies, contacts, touching, constraints)
+        store_impulses(first, last, world.control, bodies, contacts, touching, constraints)

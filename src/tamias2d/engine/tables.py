@@ -73,7 +73,8 @@ class Saved:
 _settings = Columns()
 GRAVITY_X = _settings()  # m/s^2
 GRAVITY_Y = _settings()  # m/s^2
-TIME_STEP = _settings()  # s
+TIME_STEP = _settings()  # s, of a whole step
+SUBSTEP = _settings()  # s, of the last part that was solved
 
 _control = Columns()
 SUBSTEPS = _control()  # of a step
@@ -82,17 +83,38 @@ CHECKED = _control()  # 1 if the values that users can set have been checked
 STAGE = _control()  # at which the step continues, one of those below
 ROWS_NEEDED = _control()  # by the array that was too short
 STEPS_TAKEN = _control()  # since the start
+TICK = _control()  # at which a part of the step begins; a step has 2**MOST_LEVEL of them
+LEVEL = _control()  # a part is this power of a half of the step
+GOES_FAR = _control()  # 1 if a body goes farther in this part than a fraction of its width
+RETAKEN = _control()  # 1 if the part was begun before, and was too long
+LEAST_LEVEL = _control()  # of the parts of this step: longer ones had too many impacts
+FINEST = _control()  # level of the shortest part of the last step
+PART_SUBSTEPS = _control()  # of a part
 AT_START, PAIRS_STALE, PAIRS_KNOWN, MANIFOLDS_KNOWN, OUT_OF_BOUNDS, IN_FLIGHT, ARRIVING = range(7)
+
+MOST_LEVEL = 10  # a step has up to 1024 parts
 
 _progress = Columns()
 FLOWN = _progress()  # fraction of the step that continuous collision has done
 UPDATES_LEFT = _progress()  # updates of the contact list that continuous collision may still make
+DEPTH_SHARE = _progress()  # of the allowed depth, up to which impacts are not looked for
+PART_TIME = _progress()  # s, of a part of the step
+IMPULSE_RATIO = _progress()  # of the length of a substep to that of the part before
 
 # status of a step: done, an array that is too short, a value that is not valid, done with no
-# contact on the list, or done though a body has numbers that are not finite
-DONE, MORE_CANDIDATES, MORE_CONTACTS, MORE_BLOCKS, INVALID, MORE_SPARSE, CLEAR, OVERFLOWED = range(
-    8
-)
+# contact on the list, done though a body has numbers that are not finite, or a part to be taken
+# again
+(
+    DONE,
+    MORE_CANDIDATES,
+    MORE_CONTACTS,
+    MORE_BLOCKS,
+    INVALID,
+    MORE_SPARSE,
+    CLEAR,
+    OVERFLOWED,
+    AGAIN,
+) = range(9)
 
 
 class Control(NamedTuple):
@@ -101,6 +123,7 @@ class Control(NamedTuple):
     settings: Annotated[Floats, Sized(_settings.width), Saved(numbers="any")]
     counts: Annotated[Ranks, Sized(_control.width)]
     progress: Annotated[Floats, Sized(_progress.width)]
+    wanted: Annotated[Ranks, Sized(MOST_LEVEL + 1)]  # pairs that want a part of each level
 
 
 # -- bodies
@@ -153,7 +176,10 @@ SUPPORTED = (
     _flight()
 )  # 1 if the body had contacts under gravity: its velocity says little of its way
 PATH_LENGTH = _flight()  # m, that some point of the body goes
-PATH_EXCESS = _flight()  # m, by which that is more than its thickness
+
+
+# moved: by the solver, or sleep; with contacts that change nothing; and pressed by overlaps
+UNMOVED, MOVED, UNTOUCHED = range(3)
 
 
 class BodyState(NamedTuple):
@@ -182,9 +208,14 @@ class Bodies(NamedTuple):
     properties: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
     kind: Annotated[Bytes, Sized("slots")]
     propagators: Annotated[FloatRows, Sized("propagators", _propagators.width)]
+    # of each level of parts
+    propagators_of_level: Annotated[
+        FloatBlocks, Sized(MOST_LEVEL + 1, "propagators", _propagators.width)
+    ]
     substep_state: Annotated[FloatRows, Sized("slots", 16)]  # two cache lines; read by the solver
+    start: Annotated[FloatRows, Sized("slots", 6)]  # pose and velocity as a part of the step began
     flight: Annotated[FloatRows, Sized("slots", 8)]  # a cache line; read by continuous collision
-    moved: Annotated[Bytes, Sized("slots")]  # 1 if the solver, or sleep, has moved it in this step
+    moved: Annotated[Bytes, Sized("slots")]  # by the solver, or sleep, in this step: see above
 
 
 # -- shapes
@@ -262,6 +293,7 @@ HORIZON = _broad_phase()  # steps for which the list is made
 STEPS_SINCE = _broad_phase()  # steps since it was made
 LIST_HOLDS = _broad_phase()  # 1 if it holds all pairs that may touch
 FIRST_RUN = _broad_phase()  # contacts of the first sorted run
+NEXT_LEVEL = _broad_phase()  # that the part which begins has at least
 UPDATED = _broad_phase()  # bodies whose bounds were updated since the list was made
 
 _frame = Columns()
@@ -288,7 +320,11 @@ SHAPE_OF_RANK, RANK = range(2)  # rows of canonical
 class BroadPhase(NamedTuple):
     """Which shapes may touch; read by the broad phase, its bounds by continuous collision."""
 
-    counts: Annotated[Ranks, Sized(_broad_phase.width), Saved(2**62)]
+    counts: Annotated[
+        Ranks,
+        Sized(_broad_phase.width),
+        Saved({**dict.fromkeys(range(_broad_phase.width), 2**62), NEXT_LEVEL: MOST_LEVEL + 1}),
+    ]
     frame: Annotated[Floats, Sized(_frame.width), Saved()]
     fat_bounds: Annotated[FloatRows, Sized("slots", _fat_bounds.width), Saved(numbers="infinite")]
     left: Annotated[Bytes, Sized("slots")]  # 1 if the body has left its bounds
@@ -317,6 +353,7 @@ PRELOAD = _manifolds()  # m
 TOTAL_IMPULSE = _manifolds()  # N s, along the normal in the last step
 WORLD_POINT = _manifolds(2)  # m, where it was
 AXIS_CACHE = _manifolds(4)  # cached separating axis
+FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
 POINT = 16  # columns from a point to the next
 IMPACT_NORMAL = 30  # of an impact in flight, two columns
 MANIFOLD = 32
@@ -326,6 +363,9 @@ POINT_COUNT = _flags()
 FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
+LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
+MOST_LOCATED = 4  # LOCATED of a contact that meets in this part
+SPENT = 15  # LOCATED of a contact that has had its share of these impacts
 IS_TOUCHING, WAS_TOUCHING = 1, 2  # bits of TOUCHES: in this step, in the last one
 
 
@@ -347,7 +387,7 @@ class Contacts(NamedTuple):
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),
-        Saved({POINT_COUNT: 3, TOUCHES: 4, CACHED_AXIS: 2**31}),
+        Saved({POINT_COUNT: 3, TOUCHES: 4, CACHED_AXIS: 2**31, LOCATED: 16}),
     ]
 
 
@@ -355,12 +395,19 @@ _touching = Columns()
 TOUCHING = _touching()  # contacts that touch
 ARRANGED = _touching()  # 1 if slabs, blocks and trees are those of these contacts
 ISLANDS_KNOWN = _touching()  # 1 if islands are
+MEETING = _touching()  # contacts on the list that are apart and meet in this part
+PRESSED_DEEP = _touching()  # 1 if there is a deep overlap
+LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
+
+
+ALL, HOLDING = range(2)  # columns of near: contacts that touch or will, those with an impulse
 
 
 class Touching(NamedTuple):
     """The contacts that touch, in canonical order; read by the solvers and by sleep."""
 
     counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
+    near: Annotated[IndexRows, Sized("slots", 2)]  # numbers of contacts of each body, see above
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
     body_a: Annotated[Places, Sized("contacts")]  # slot
     body_b: Annotated[Places, Sized("contacts")]  # slot
@@ -611,7 +658,8 @@ _networks = Columns()
 N_MEMBER = _networks()  # where its members begin
 N_SPRING = _networks()  # where its springs begin
 N_STATUS = _networks()  # whether contacts act on it, and how it is solved, one of those below
-N_UNSOLVED = _networks()  # 1 if no loads were found that can be held
+N_UNSOLVED = _networks()  # 1 if no loads were found that can be held in this part of a step
+N_LOSES = _networks()  # 1 if that was so in any part so far: the network has lost energy
 ALONE, TOUCHED, TOUCHED_SOFT, TOUCHED_STIFF = range(4)
 
 MEMBER_A, MEMBER_B = range(2)  # ends of a spring; of B, -1 for a point of the plane
@@ -692,9 +740,11 @@ J_ROW = _joint_numbers(30)  # value and slopes of each row
 J_FIRMNESS = _joint_numbers(3)  # kg, of each row
 J_AIM = _joint_numbers(3)  # m or rad, to which a substep brings each row
 J_ERROR = _joint_numbers(3)  # m/s or rad/s, rate of each row beyond what is wanted
-J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over the step
-J_PULL = _joint_numbers(3)  # N s, impulse of each row over the step
+J_STEP_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over the step
+J_FORCE = _joint_numbers(3)  # N, of each row in the last part of a step
 J_WARM = _joint_numbers(3)  # N s, impulse of each row in the last substep; of meshes only
+J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this part
+J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
 J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved
 J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
@@ -746,6 +796,7 @@ class Events(NamedTuple):
     # where the contacts of each body begin; these contacts; a tournament tree of events
     queue: Annotated[IndexRows, Sized(3, "queue")]
     scratch: Annotated[FloatRows, Sized("clip", MANIFOLD)]  # a manifold, vertices of two shapes
+    together: Annotated[Places, Sized("slots")]  # the next of the bodies that go on together
 
 
 # -- ballistic motion

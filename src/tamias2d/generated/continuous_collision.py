@@ -1,12 +1,12 @@
-"""Continuous collision: Line of a body through a step; Bound of motion; Passing of two circles;
-Conservative advancement; Least second derivative of a gap; Gap of two shapes that turn; Way
-along another body.
+"""Continuous collision: Line of a body through a step; Bend of a path through a step; Bound of
+motion; Bound of closing; Passing of two circles; Conservative advancement; Least second
+derivative of a gap; Gap of two shapes that turn; Way that bodies share; Way along another body.
 
 Generated from srs/models/continuous_collision.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, least, sqrt
+from tamias2d.spec.functions import Scalar, Vector, largest, least, sqrt
 
 
 def position_later(position: Vector, shift: Vector, fraction: Scalar) -> Vector:
@@ -119,6 +119,43 @@ def turn_redirected(turn: Scalar, turn_change: Scalar) -> Scalar:
     return turn + turn_change
 
 
+def coordinate_bend(
+    coordinate_velocity_gain: Scalar, time_step: Scalar, fraction: Scalar
+) -> Scalar:
+    """How far a body is beside the chord of its path, along one axis (m).
+
+    coordinate_bend = -coordinate_velocity_gain*time_step*fraction*(1 - fraction)/2
+
+    Args:
+        coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
+            step, m/s
+        time_step: Length of one step of a stepped scheme, s
+        fraction: Part of a step that has passed, 1
+
+    Source: DD61, srs/models/continuous_collision.md:71.
+    """
+    return (-coordinate_velocity_gain) * time_step * fraction * (1 - fraction) / 2
+
+
+def coordinate_rest_gain(
+    coordinate_velocity_gain: Scalar, time_step: Scalar, fraction: Scalar
+) -> Scalar:
+    """What the chord of the rest of a step goes farther than that of the whole step, along one
+    axis, if it were followed through a whole step (m).
+
+    coordinate_rest_gain = coordinate_velocity_gain*time_step*fraction/2
+
+    Args:
+        coordinate_velocity_gain: What an acceleration adds to a velocity along one axis in a
+            step, m/s
+        time_step: Length of one step of a stepped scheme, s
+        fraction: Part of a step that has passed, 1
+
+    Source: DD61, srs/models/continuous_collision.md:73.
+    """
+    return coordinate_velocity_gain * time_step * fraction / 2
+
+
 def motion_bound(shift: Vector, turn: Scalar, extent: Scalar) -> Scalar:
     """How far any point of a body goes in a step, at most (m).
 
@@ -130,7 +167,7 @@ def motion_bound(shift: Vector, turn: Scalar, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD44, srs/models/continuous_collision.md:72.
+    Source: DD44, srs/models/continuous_collision.md:112.
     """
     shift_x, shift_y = shift
     return abs(shift_x) + abs(shift_y) + abs(turn) * extent
@@ -150,9 +187,45 @@ def distance_bound(
         fraction: Part of a step that has passed, 1
         motion_bound: How far any point of a body goes in a step, at most, m
 
-    Source: DD44, srs/models/continuous_collision.md:73.
+    Source: DD44, srs/models/continuous_collision.md:113.
     """
     return distance + extent + fraction * motion_bound
+
+
+def closing_bound(
+    separation_change: Scalar,
+    turn_a: Scalar,
+    extent_a: Scalar,
+    turn_b: Scalar,
+    extent_b: Scalar,
+    width: Scalar,
+    distance: Scalar,
+) -> Scalar:
+    """How far any points of two bodies come together in a step, at most (m).
+
+    closing_bound = max(0, -separation_change) + abs(turn_b - turn_a)*width + (abs(turn_a) +
+    abs(turn_b))*distance + (turn_a**2*extent_a + turn_b**2*extent_b)/2
+
+    Args:
+        separation_change: Distance between two bodies, negative where they overlap; by which it
+            changes, m
+        turn_a: How far a body has turned since the step began; of body A, rad
+        extent_a: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does; of body A, m
+        turn_b: How far a body has turned since the step began; of body B, rad
+        extent_b: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does; of body B, m
+        width: Extent of a box along its own x axis, m
+        distance: Distance between two places, m
+
+    Source: DD63, srs/models/continuous_collision.md:133.
+    """
+    return (
+        largest(0, -separation_change)
+        + abs(turn_b - turn_a) * width
+        + (abs(turn_a) + abs(turn_b)) * distance
+        + (turn_a * turn_a * extent_a + turn_b * turn_b * extent_b) / 2
+    )
 
 
 def miss_distance(span: Vector, shift: Vector) -> Scalar:
@@ -164,7 +237,7 @@ def miss_distance(span: Vector, shift: Vector) -> Scalar:
         span: Vector from one place to another, m
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD45, srs/models/continuous_collision.md:94.
+    Source: DD45, srs/models/continuous_collision.md:165.
     """
     span_x, span_y = span
     shift_x, shift_y = shift
@@ -180,7 +253,7 @@ def fraction_closest(span: Vector, shift: Vector) -> Scalar:
         span: Vector from one place to another, m
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD45, srs/models/continuous_collision.md:95.
+    Source: DD45, srs/models/continuous_collision.md:166.
     """
     span_x, span_y = span
     shift_x, shift_y = shift
@@ -198,7 +271,7 @@ def half_interval(extent: Scalar, miss_distance: Scalar, shift: Vector) -> Scala
         miss_distance: Distance at which one of two centres passes the other, m
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD45, srs/models/continuous_collision.md:96.
+    Source: DD45, srs/models/continuous_collision.md:167.
     """
     shift_x, shift_y = shift
     return sqrt(extent * extent - miss_distance * miss_distance) / sqrt(
@@ -218,7 +291,7 @@ def discriminant(
         separation_rate: Rate of change of a gap, m/s
         gap_acceleration_least: Second derivative of a gap; the least that there can be, m/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:133.
+    Source: DD46, srs/models/continuous_collision.md:204.
     """
     return separation_rate * separation_rate - 2 * gap_acceleration_least * separation
 
@@ -235,7 +308,7 @@ def advance_opening(
         gap_acceleration_least: Second derivative of a gap; the least that there can be, m/s^2
         discriminant: What has to be positive for a gap to close, m^2/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:134.
+    Source: DD46, srs/models/continuous_collision.md:205.
     """
     return (separation_rate + sqrt(discriminant)) / (-gap_acceleration_least)
 
@@ -250,7 +323,7 @@ def advance_closing(separation: Scalar, separation_rate: Scalar, discriminant: S
         separation_rate: Rate of change of a gap, m/s
         discriminant: What has to be positive for a gap to close, m^2/s^2
 
-    Source: DD46, srs/models/continuous_collision.md:136.
+    Source: DD46, srs/models/continuous_collision.md:207.
     """
     return 2 * separation / (sqrt(discriminant) - separation_rate)
 
@@ -265,7 +338,7 @@ def circling(angular_speed: Scalar, angular_acceleration: Scalar) -> Scalar:
         angular_speed: Size of the angular velocity, at most, rad/s
         angular_acceleration: Rate of change of the angular velocity, rad/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:164.
+    Source: DD47, srs/models/continuous_collision.md:235.
     """
     return angular_speed * angular_speed + angular_acceleration
 
@@ -284,7 +357,7 @@ def centre_acceleration_least(
         normal: Unit normal of a contact, from body A to body B, 1
         deviation: How far the relative acceleration is from the given one, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:165.
+    Source: DD47, srs/models/continuous_collision.md:236.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     acceleration_b_x, acceleration_b_y = acceleration_b
@@ -317,7 +390,7 @@ def centre_acceleration_turning(
         speed: Size of the velocity, m/s
         acceleration_size: Size of the relative acceleration of two bodies, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:167.
+    Source: DD47, srs/models/continuous_collision.md:238.
     """
     return -(circling * distance + 2 * angular_speed * speed + acceleration_size)
 
@@ -346,7 +419,7 @@ def gap_acceleration_least(
         circling_b: Acceleration of a point of a body that turns, at most, for one unit of its
             distance from the centre; of body B, 1/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:169.
+    Source: DD47, srs/models/continuous_collision.md:240.
     """
     return centre_acceleration_least - extent_a * circling_a - extent_b * circling_b
 
@@ -361,7 +434,7 @@ def normal_turned(normal: Vector, turn: Scalar, fraction: Scalar) -> Vector:
         turn: How far a body has turned since the step began, rad
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:202.
+    Source: DD48, srs/models/continuous_collision.md:273.
     """
     normal_x, normal_y = normal
     return (normal_x + fraction * turn * normal_y, normal_y - fraction * turn * normal_x)
@@ -378,7 +451,7 @@ def gap_change(shift: Vector, normal: Vector, turn: Scalar, span: Vector) -> Sca
         turn: How far a body has turned since the step began, rad
         span: Vector from one place to another, m
 
-    Source: DD48, srs/models/continuous_collision.md:203.
+    Source: DD48, srs/models/continuous_collision.md:274.
     """
     shift_x, shift_y = shift
     normal_x, normal_y = normal
@@ -396,7 +469,7 @@ def arc_bend(turn: Scalar, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD48, srs/models/continuous_collision.md:204.
+    Source: DD48, srs/models/continuous_collision.md:275.
     """
     return turn * turn * extent
 
@@ -424,10 +497,32 @@ def separation_least(
         arc_bend: Second derivative of a gap from corners that circle, with time in steps, m
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:205.
+    Source: DD48, srs/models/continuous_collision.md:276.
     """
     return (
         base_gap + corner_gap_a + corner_gap_b + fraction * (gap_change - fraction * arc_bend / 2)
+    )
+
+
+def shift_shared(mass_a: Scalar, shift_a: Vector, mass_b: Scalar, shift_b: Vector) -> Vector:
+    """How far the centre of mass has moved since the step began; of bodies that go on together
+    (m).
+
+    shift_shared = (mass_a*shift_a + mass_b*shift_b)/(mass_a + mass_b)
+
+    Args:
+        mass_a: Mass of a body; of body A, kg
+        shift_a: How far the centre of mass has moved since the step began; of body A, m
+        mass_b: Mass of a body; of body B, kg
+        shift_b: How far the centre of mass has moved since the step began; of body B, m
+
+    Source: DD62, srs/models/continuous_collision.md:405.
+    """
+    shift_a_x, shift_a_y = shift_a
+    shift_b_x, shift_b_y = shift_b
+    return (
+        (mass_a * shift_a_x + mass_b * shift_b_x) / (mass_a + mass_b),
+        (mass_a * shift_a_y + mass_b * shift_b_y) / (mass_a + mass_b),
     )
 
 
@@ -441,7 +536,7 @@ def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
         fraction: Part of a step that has passed, 1
         arc: Angle by which a wall turns before a body that it carries meets it again, rad
 
-    Source: DD49, srs/models/continuous_collision.md:300.
+    Source: DD49, srs/models/continuous_collision.md:420.
     """
     return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
 
@@ -458,7 +553,7 @@ def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scala
         inward_share: Part of its distance by which a carried body comes nearer to its carrier,
             1
 
-    Source: DD49, srs/models/continuous_collision.md:301.
+    Source: DD49, srs/models/continuous_collision.md:421.
     """
     shift_x, shift_y = shift
     span_x, span_y = span

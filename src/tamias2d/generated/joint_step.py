@@ -250,19 +250,18 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
     return (1 - removed_share) * row_value
 
 
-def leaning(row_impulse: Scalar, row_bend: Scalar, time_step: Scalar) -> Scalar:
+def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
     """By how much less a joint's pull turns a body that has turned by a radian (N*m).
 
-    leaning = -row_impulse*row_bend/time_step
+    leaning = -row_force*row_bend
 
     Args:
-        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
-        time_step: Length of one step of a stepped scheme, s
 
     Source: IM15, srs/models/joint_step.md:101.
     """
-    return (-row_impulse) * row_bend / time_step
+    return (-row_force) * row_bend
 
 
 def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:

@@ -1232,6 +1232,22 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=804,
     ),
+    "coordinate_bend": Symbol(
+        "coordinate_bend",
+        "m",
+        "how far a body is beside the chord of its path, along one axis",
+        tex="b_k",
+        file="srs/symbols.md",
+        line=809,
+    ),
+    "coordinate_rest_gain": Symbol(
+        "coordinate_rest_gain",
+        "m",
+        "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
+        tex="w_k'",
+        file="srs/symbols.md",
+        line=813,
+    ),
     "motion_bound": Symbol(
         "motion_bound",
         "m",
@@ -1239,7 +1255,15 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=809,
+        line=819,
+    ),
+    "closing_bound": Symbol(
+        "closing_bound",
+        "m",
+        "how far any points of two bodies come together in a step, at most",
+        tex="c_{\\max}",
+        file="srs/symbols.md",
+        line=824,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1248,7 +1272,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=814,
+        line=828,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1256,7 +1280,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=819,
+        line=833,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1265,7 +1289,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=823,
+        line=837,
     ),
     "advance": Symbol(
         "advance",
@@ -1274,7 +1298,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=828,
+        line=842,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1282,7 +1306,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=833,
+        line=847,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1290,7 +1314,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=837,
+        line=851,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1298,7 +1322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=841,
+        line=855,
     ),
     "slip": Symbol(
         "slip",
@@ -1306,7 +1330,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=846,
+        line=860,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1314,7 +1338,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=852,
+        line=866,
     ),
     "circling": Symbol(
         "circling",
@@ -1323,7 +1347,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=856,
+        line=870,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1331,7 +1355,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=863,
+        line=877,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1340,7 +1364,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=867,
+        line=881,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1349,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=872,
+        line=886,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1358,7 +1382,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=877,
+        line=891,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1366,7 +1390,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=882,
+        line=896,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1375,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=886,
+        line=900,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1383,7 +1407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=891,
+        line=905,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1391,7 +1415,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=895,
+        line=909,
     ),
     "arc": Symbol(
         "arc",
@@ -1400,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=901,
+        line=915,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1409,7 +1433,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=906,
+        line=920,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1417,7 +1441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=916,
+        line=930,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1425,7 +1449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=920,
+        line=934,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1434,7 +1458,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=924,
+        line=938,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1443,7 +1467,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=929,
+        line=943,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1452,7 +1476,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=934,
+        line=948,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1461,7 +1485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=939,
+        line=953,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1470,7 +1494,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=944,
+        line=958,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1478,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=949,
+        line=963,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1487,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=958,
+        line=972,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1495,7 +1519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=963,
+        line=977,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1504,7 +1528,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=967,
+        line=981,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1512,7 +1536,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=972,
+        line=986,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1520,7 +1544,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=976,
+        line=990,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1529,7 +1553,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=980,
+        line=994,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1538,7 +1562,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=985,
+        line=999,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1547,7 +1571,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=990,
+        line=1004,
     ),
     "work": Symbol(
         "work",
@@ -1555,7 +1579,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=995,
+        line=1009,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1564,7 +1588,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=999,
+        line=1013,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1572,7 +1596,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1004,
+        line=1018,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1581,7 +1605,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1008,
+        line=1022,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1589,7 +1613,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1013,
+        line=1027,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1598,7 +1622,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1018,
+        line=1032,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1607,7 +1631,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1023,
+        line=1037,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1616,7 +1640,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1028,
+        line=1042,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1625,7 +1649,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1035,
+        line=1049,
     ),
     "energy": Symbol(
         "energy",
@@ -1633,7 +1657,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1040,
+        line=1054,
     ),
     "radius": Symbol(
         "radius",
@@ -1642,7 +1666,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1049,
+        line=1063,
     ),
     "length": Symbol(
         "length",
@@ -1651,7 +1675,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1054,
+        line=1068,
     ),
     "width": Symbol(
         "width",
@@ -1660,7 +1684,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1061,
+        line=1075,
     ),
     "height": Symbol(
         "height",
@@ -1669,7 +1693,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1066,
+        line=1080,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1678,7 +1702,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1071,
+        line=1085,
     ),
     "center": Symbol(
         "center",
@@ -1687,7 +1711,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1076,
+        line=1090,
     ),
     "offset": Symbol(
         "offset",
@@ -1695,7 +1719,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1081,
+        line=1095,
     ),
     "area": Symbol(
         "area",
@@ -1704,7 +1728,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1085,
+        line=1099,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1713,7 +1737,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1090,
+        line=1104,
     ),
     "row_value": Symbol(
         "row_value",
@@ -1721,7 +1745,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1103,
+        line=1117,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -1729,7 +1753,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1107,
+        line=1121,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -1738,7 +1762,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1111,
+        line=1125,
     ),
     "slope": Symbol(
         "slope",
@@ -1747,7 +1771,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1116,
+        line=1130,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -1755,7 +1779,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1121,
+        line=1135,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -1763,7 +1787,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1125,
+        line=1139,
     ),
     "row_error": Symbol(
         "row_error",
@@ -1771,7 +1795,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1129,
+        line=1143,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -1780,7 +1804,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1133,
+        line=1147,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -1788,7 +1812,15 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1138,
+        line=1152,
+    ),
+    "row_force": Symbol(
+        "row_force",
+        "N",
+        "force of a row of a joint, for slopes of length one",
+        tex="\\lambda_g",
+        file="srs/symbols.md",
+        line=1156,
     ),
     "leaning": Symbol(
         "leaning",
@@ -1796,7 +1828,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1142,
+        line=1160,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -1805,7 +1837,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1146,
+        line=1164,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -1813,7 +1845,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1151,
+        line=1169,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -1821,7 +1853,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1155,
+        line=1173,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -1830,7 +1862,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1159,
+        line=1177,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -1839,7 +1871,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1164,
+        line=1182,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -1848,7 +1880,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1169,
+        line=1187,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -1856,7 +1888,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1174,
+        line=1192,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -1864,7 +1896,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1178,
+        line=1196,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -1872,7 +1904,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1182,
+        line=1200,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -1881,7 +1913,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1186,
+        line=1204,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -1889,7 +1921,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1191,
+        line=1209,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -1898,6 +1930,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1195,
+        line=1213,
     ),
 }

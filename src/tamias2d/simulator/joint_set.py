@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.rows import JointRow
 from tamias2d.engine.saved_checks import require
-from tamias2d.engine.tables import ABSENT, BOUNDING_RADIUS, DYNAMIC, J_TOTAL, J_WARM, KINEMATIC
+from tamias2d.engine.tables import ABSENT, BOUNDING_RADIUS, DYNAMIC, J_STEP_TOTAL, J_WARM, KINEMATIC
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
 from tamias2d.scene.bodies import Body
@@ -25,7 +25,8 @@ from tamias2d.scene.springs import arm
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
-_KEPT = J_WARM + MOST_ROWS - J_TOTAL  # numbers of a joint that a step leaves to the next
+_KEPT = slice(J_STEP_TOTAL, J_WARM + MOST_ROWS)  # numbers of a joint that a step leaves to the next
+_COUNT = _KEPT.stop - _KEPT.start
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,7 +128,7 @@ class JointSet:
         for k, place in zip(order, places, strict=True):
             self._places[k] = place
         if self._saved is not None and self._restored:
-            engine.world.joints.numbers[self._places, J_TOTAL : J_TOTAL + _KEPT] = self._saved
+            engine.world.joints.numbers[self._places, _KEPT] = self._saved
         self.new = self._restored = False
 
     def forget_report(self) -> None:
@@ -141,9 +142,9 @@ class JointSet:
         """
         if self._saved is not None:
             return self._saved
-        found = np.zeros((len(self._joints), _KEPT))
+        found = np.zeros((len(self._joints), _COUNT))
         if not self.new:
-            found[:] = engine.world.joints.numbers[self._places, J_TOTAL : J_TOTAL + _KEPT]
+            found[:] = engine.world.joints.numbers[self._places, _KEPT]
         return found
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
@@ -198,7 +199,7 @@ class JointSet:
         own = cls(joints)
         if joints:
             fits = totals is not None and totals.dtype == np.float64
-            require(fits and totals.shape == (len(joints), _KEPT), name, "have no impulses")  # type: ignore[union-attr]
+            require(fits and totals.shape == (len(joints), _COUNT), name, "have no impulses")  # type: ignore[union-attr]
             require(np.isfinite(cast(Array, totals)), name, "must be numbers")
             own._saved, own._restored = cast(Array, totals).copy(), True
         return own

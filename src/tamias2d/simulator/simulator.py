@@ -6,6 +6,7 @@ from copy import deepcopy
 from pathlib import Path
 from threading import Lock
 from typing import Any
+from warnings import warn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,7 @@ from tamias2d.engine.engine import Engine
 from tamias2d.engine.saved_checks import UnfitError
 from tamias2d.engine.saved_state import restored_engine, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
-from tamias2d.errors import RecordingError
+from tamias2d.errors import RecordingError, StepWarning
 from tamias2d.scene import Scene, scene_text
 from tamias2d.scene.joint_kinds import Kind
 from tamias2d.scene.joints import End, kept_apart
@@ -44,6 +45,7 @@ from tamias2d.simulator.views import Views
 from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
+_LOSSY = "springs"  # under which a warning of them is kept
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
@@ -146,7 +148,8 @@ class Simulator(Views):
             SimulationError: a force that varies has no finite value.
 
         Warns:
-            StepWarning: the time step is too long for a force that varies; once for each.
+            StepWarning: the time step is too long for a force that varies, once for each; or for
+                springs, once.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
@@ -170,6 +173,13 @@ class Simulator(Views):
         """Take some steps, or raise `RuleError`."""
         if (invalid := self._engine.step(count)) is not None:
             raise invalid_state(invalid, self._engine.kind, self._name_of)
+        if self._warned.get(_LOSSY) is None and (row := self._engine.lossy_springs) >= 0:
+            self._warned[_LOSSY] = (
+                f"springs of {self._name_of(row)}, before {self.time:.6g} s: in the shortest parts "
+                f"of a time step of {self._time_step:.6g} s, too, they turn too far to be solved, "
+                "and lose energy (IM14). Give a shorter step."
+            )
+            warn(self._warned[_LOSSY], StepWarning, stacklevel=3)
 
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
@@ -226,8 +236,17 @@ class Simulator(Views):
         return self._substeps
 
     @property
+    def parts(self) -> int:
+        """In how many parts the last step was taken where it was finest: 1 unless crowds go far.
+
+        A step in which many bodies go farther than they are thick towards others is taken in parts,
+        so that none passes another or stands still; each costs about as much as a step (IM12).
+        """
+        return self._engine.parts
+
+    @property
     def warnings(self) -> tuple[str, ...]:
-        """What was warned of so far: each force for which the time step is too long."""
+        """What was warned of so far: each force, and springs, for which the step is too long."""
         return tuple(self._warned.values())
 
     # -- pushing

@@ -57,6 +57,8 @@ class Stepper:
         self.met: list[Met] = []
         self.deepest: Overlap | None = None
         """The deepest overlap of all steps."""
+        self.split, self.most_parts = 0, 1
+        """Steps that were taken in parts, and in how many at most."""
         self.last: Overlap | None = None
         """The deepest overlap as the last step began."""
         self._tell(self._state(), self._state(), 0.0)
@@ -72,6 +74,8 @@ class Stepper:
             before = self._state()
             self._sim.step()
             self.steps += 1
+            self.split += self._sim.parts > 1
+            self.most_parts = max(self.most_parts, self._sim.parts)
             self._tell(before, self._state(), self._sim.time)
             self._look(before, min(self._sim.time, duration))
             told(self._sim.time)

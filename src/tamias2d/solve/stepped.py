@@ -48,6 +48,7 @@ def _reached(plan: Plan, stepper: Stepper) -> Run:
     notes = (
         f"contacts: told at the ends of steps; over all steps, {stepper.contacts} had an impulse",
         _overlap(stepper.deepest, names),
+        *_parts(stepper),
         f"energy: {run.energy[0]:.6g} J at first, {run.energy[-1]:.6g} J at last, "
         f"never more than {run.energy.max():.6g} J",
         "error: not bounded; `certify` finds how much shorter steps change",
@@ -64,6 +65,15 @@ def _overlap(deepest: Overlap | None, names: Sequence[str]) -> str:
     return (
         f"overlap: at most {deepest.share:.2g} of the size of the smaller body, "
         f"{deepest.depth:.2g} m of '{a}' and '{b}' at {deepest.time:.4g} s"
+    )
+
+
+def _parts(stepper: Stepper) -> tuple[str, ...]:
+    if not stepper.split:
+        return ()
+    return (
+        f"parts: {stepper.split} of {stepper.steps} steps, in which many bodies went farther than "
+        f"they are thick, were taken in up to {stepper.most_parts} parts",
     )
 
 

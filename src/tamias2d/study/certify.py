@@ -20,6 +20,7 @@ from tamias2d.study.perturbed import LOST, MOVED, growth, horizon, rounding_spre
 from tamias2d.suggestions import suggests
 
 _EPSILON = 2.0**-52
+_GAP = 2.0**-41  # of the larger size: four times what an impact in a step leaves between bodies
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
 _SPREADS = 3.0  # times as far as runs perturbed by one rounding the exact answer may be
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (after Roache's index)
@@ -188,6 +189,12 @@ def rounding(run: Run) -> float:
     return _EPSILON * float(worst[moving].max(initial=0.0))
 
 
+def _gaps(run: Run) -> float:
+    """Return the gaps at which impacts within steps are found, added up, m."""
+    moving = [k for k, body in enumerate(run.scene.bodies) if body.dynamic]
+    return _GAP * float(radii(run.scene)[moving].max(initial=0.0)) * len(run.impacts)
+
+
 def _step_doubling(run: Run, _: Array | None) -> _Bound:
     """Bound the error from grids of twice and four times the step.
 
@@ -226,7 +233,7 @@ def _shorter_steps(run: Run, _: Array | None) -> _Bound:
     step = run.time_step or run.duration
     half, quarter = (_companion(run, time_step=step / k) for k in (2, 4))
     changed = max(_difference(run, half), _difference(run, quarter))
-    rounded = rounding(run) * 4 * run.duration / step  # no step shorter than a quarter
+    rounded = rounding(run) * 4 * run.duration / step + _gaps(run)  # no step under a quarter
     if _difference(half, quarter) > max(changed, rounded):
         raise _NoBoundError("steps half as long bring the results no nearer to each other")
     how = f"steps of {step:.4g} s, of a half and of a quarter of that"

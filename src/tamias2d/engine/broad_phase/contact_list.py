@@ -11,6 +11,7 @@ from tamias2d.engine.tables import (
     CONTACTS,
     FIRST_RUN,
     ISLANDS_KNOWN,
+    LOCATED,
     MANIFOLD,
     POINT,
     POINT_COUNT,
@@ -157,13 +158,14 @@ def keep_new_candidates(total: int, broad_phase: BroadPhase, contacts: Contacts)
 
 
 def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
-    """Copy a contact; its manifold only if it has points or touched."""
+    """Copy a contact; its manifold only if it has points, touched, or will."""
     for k in range(4):
         following.pairs[new, k] = contacts.pairs[old, k]
-    if contacts.flags[old, POINT_COUNT] > 0 or contacts.flags[old, TOUCHES] != 0:
+    touches = contacts.flags[old, TOUCHES] + contacts.flags[old, LOCATED] != 0
+    if contacts.flags[old, POINT_COUNT] > 0 or touches:
         for k in range(POINT if contacts.flags[old, POINT_COUNT] == 1 else MANIFOLD):
             following.manifolds[new, k] = contacts.manifolds[old, k]
-        for k in range(6):
+        for k in range(contacts.flags.shape[1]):
             following.flags[new, k] = contacts.flags[old, k]
     else:
         clear_flags(new, following.flags)
@@ -181,5 +183,5 @@ def begin_contact(
 
 def clear_flags(p: int, flags: Integers) -> None:
     """Let nothing be known of a contact: without features, points have no impulses."""
-    for k in range(6):
+    for k in range(flags.shape[1]):
         flags[p, k] = 0

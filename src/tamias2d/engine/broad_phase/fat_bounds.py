@@ -21,32 +21,43 @@ from tamias2d.engine.tables import (
     FRAME_VY,
     FRAME_X,
     FRAME_Y,
+    GOES_FAR,
     HIGH_X,
     HIGH_Y,
     KINEMATIC,
     LOW_X,
     LOW_Y,
+    MIN_EXTENT,
+    PART_TIME,
     SPIN,
     STATIC,
     VX,
     VY,
     Bodies,
     BroadPhase,
+    Control,
     Integers,
     X,
     Y,
 )
+from tamias2d.generated.continuous_collision import motion_bound
 from tamias2d.state import Array
 
+FAST = 0.35  # of half its width: a body that goes farther in a step needs continuous collision
 AABB_MARGIN = 0.1  # of the bounding radius, or of the mean one if that is less
 
 
-def mark_out_of_bounds(bodies: Bodies, broad_phase: BroadPhase) -> int:
-    """Mark the bodies that have left their bounds; return how many."""
-    left = 0
+def mark_out_of_bounds(control: Control, bodies: Bodies, broad_phase: BroadPhase) -> int:
+    """Mark the bodies that have left their bounds, or will within a time, s; return how many."""
+    time, left, far = control.progress[PART_TIME], 0, 0
     for i in range(len(bodies.kind)):
-        broad_phase.left[i] = 1 if is_out_of_bounds(i, bodies, broad_phase) else 0
+        out = is_out_of_bounds(i, bodies, broad_phase)
+        if will_go_far(i, time, bodies):
+            far = 1
+            out = out or will_leave(i, time, bodies, broad_phase)
+        broad_phase.left[i] = 1 if out else 0
         left += broad_phase.left[i]
+    control.counts[GOES_FAR] = far
     return left
 
 
@@ -57,6 +68,21 @@ def is_out_of_bounds(i: int, bodies: Bodies, broad_phase: BroadPhase) -> bool:
     inside = within_bounds(x, y, bounds)
     inside = inside & (abs(pose[ANGLE] - bounds[BASE_ANGLE]) <= bounds[ANGLE_MARGIN])
     return bool((not inside) & (bodies.kind[i] != ABSENT))
+
+
+def will_go_far(i: int, time: float, bodies: Bodies) -> bool:
+    """Return whether a body goes farther in a time, s, than a fraction of its width."""
+    motion, properties = bodies.motion[i], bodies.properties[i]
+    speed = motion_bound((motion[VX], motion[VY]), motion[SPIN], properties[CORE_RADIUS])
+    return bool(time * speed > FAST * properties[MIN_EXTENT])
+
+
+def will_leave(i: int, time: float, bodies: Bodies, broad_phase: BroadPhase) -> bool:
+    """Return whether a body leaves its bounds in a time, s, at its velocity."""
+    pose, motion, frame = bodies.pose[i], bodies.motion[i], broad_phase.frame
+    x = pose[X] - frame[FRAME_X] + time * (motion[VX] - frame[FRAME_VX])
+    y = pose[Y] - frame[FRAME_Y] + time * (motion[VY] - frame[FRAME_VY])
+    return not within_bounds(x, y, broad_phase.fat_bounds[i])
 
 
 def within_bounds(x: float, y: float, bounds: Array) -> bool:

@@ -21,10 +21,10 @@ from tamias2d.engine.tables import (
     MORE_CANDIDATES,
     MORE_CONTACTS,
     OUT_OF_BOUNDS,
+    PART_TIME,
     ROWS_NEEDED,
     STAGE,
     STEPS_SINCE,
-    TIME_STEP,
     UPDATED,
     Integers,
     World,
@@ -63,7 +63,7 @@ def rebuild_pairs(world: World) -> int:
     counts = broad_phase.counts
     choose_horizon(len(shapes.slot), counts)
     choose_frame(control, bodies, broad_phase, world.touching)
-    fatten_all_bounds(bodies, broad_phase, counts[HORIZON] * control.settings[TIME_STEP])
+    fatten_all_bounds(bodies, broad_phase, counts[HORIZON] * control.progress[PART_TIME])
     for s in range(len(shapes.slot)):
         fatten_box(s, bodies, shapes, tree, broad_phase)
     total = find_candidates(bodies, shapes, tree, broad_phase)

@@ -29,7 +29,7 @@ from tamias2d.engine.tables import (
     HORIZON,
     LEAF,
     LEAVES,
-    TIME_STEP,
+    PART_TIME,
     UPDATED,
     Bodies,
     BroadPhase,
@@ -73,7 +73,7 @@ def update_incrementally(world: World) -> bool:
 def fatten_left_bounds(control: Control, bodies: Bodies, broad_phase: BroadPhase) -> None:
     """Give the bodies that left their bounds new ones."""
     mean = mean_radius(bodies.kind, bodies.properties)
-    ahead = broad_phase.counts[HORIZON] * control.settings[TIME_STEP]
+    ahead = broad_phase.counts[HORIZON] * control.progress[PART_TIME]
     for i in range(len(bodies.kind)):
         if broad_phase.left[i] == 1:
             fatten_bounds(i, mean, bodies, broad_phase, ahead)

@@ -1,5 +1,6 @@
 """Which bodies go far in a step, and when they leave the bounds in which their pairs are known."""
 
+from tamias2d.engine.broad_phase.fat_bounds import FAST
 from tamias2d.engine.broad_phase.fat_box import SPECULATIVE_MARGIN
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.tables import (
@@ -29,7 +30,6 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.continuous_collision import motion_bound
 from tamias2d.state import Array
 
-FAST = 0.35  # of half its width: a body that goes farther in a step needs continuous collision
 ANY_TURN = 2.0  # rad: with so large an angle margin, pairs are known whichever way the body turns
 
 

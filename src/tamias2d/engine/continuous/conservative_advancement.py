@@ -6,13 +6,14 @@ falls to `NEAR` of the smaller one's size (IM12). Source: Mirtich, Impulse-based
 simulation (1996).
 """
 
-from math import cos, sin, sqrt
+from math import sqrt
 
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED, Sweep, safe_advance
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.collide import collide_cores
 from tamias2d.engine.narrow_phase.core import Core, core_of
+from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import GAP, HALF_PLANE, POINT, Events, Shapes
 from tamias2d.generated.continuous_collision import fraction_closest, half_interval, miss_distance
 from tamias2d.state import Array
@@ -89,7 +90,7 @@ def place_vertices(p: Core, turn: float, vertices: Array, to: int, rows: Array) 
 
     Of a half-plane, whose row holds its offset and its normal, the normal turns alone.
     """
-    c, d = cos(turn), sin(turn)
+    c, d = cosine_sine(turn)
     fixed = p.kind == HALF_PLANE
     for k in range(p.vertex_count):
         v = p.first + k

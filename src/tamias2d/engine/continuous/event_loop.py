@@ -4,13 +4,14 @@ In a step every body goes along a line and turns evenly. Where one goes farther 
 thickness, the instants at which it comes close to others are found. At the first of them the
 impact is resolved: both bodies go on along new paths for the rest of the step, and their events are
 found anew. Where a body leaves its fat bounds, pairs are updated. Bodies that forces press together
-again in the rest of the step stay together. After too many impacts in a step, bodies that meet are
-frozen until the next one.
+again in the rest of the step stay together. After too many impacts in a step, bodies that meet go
+on together until the next one.
 
 Cost: for each impact, the contacts of both bodies. Source: Mirtich, Impulse-based dynamic
 simulation (1996).
 """
 
+from tamias2d.engine.continuous.bend import bend_paths, is_first
 from tamias2d.engine.continuous.bounds import path_length, time_of_leaving
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.event_queue import (
@@ -19,32 +20,41 @@ from tamias2d.engine.continuous.event_queue import (
     update_event,
 )
 from tamias2d.engine.continuous.events import (
-    PUSHED_BACK,
+    MANY,
     SHALLOW,
+    THIN,
+    allowed_depth,
     find_events,
+    goes_little,
     manifold_at,
     next_event,
+    relative_motion,
+    smaller_radius,
     update_events_of,
 )
-from tamias2d.engine.continuous.freeze import cannot_freeze, freeze, freeze_or_carry
-from tamias2d.engine.continuous.gap_bound import UNBOUNDED
+from tamias2d.engine.continuous.freeze import freeze, is_carried, join_or_carry, leave
 from tamias2d.engine.continuous.impact import rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (
+    BOUNDING_RADIUS,
     CONTACTS,
+    DEPTH_SHARE,
     DYNAMIC,
     FORCE_GAIN,
+    GOES_FAR,
     GRAVITY_X,
     GRAVITY_Y,
     HALF_PLANE,
-    MIN_EXTENT,
-    PATH_EXCESS,
+    LEVEL,
+    LOCATED,
+    MOST_LEVEL,
+    PART_TIME,
     PATH_LENGTH,
     REDIRECTED,
     SLOT_A,
     SLOT_B,
+    SPENT,
     SUPPORTED,
-    TIME_STEP,
     TOURNAMENT,
     WINNER,
     Bodies,
@@ -52,11 +62,14 @@ from tamias2d.engine.tables import (
     Contacts,
     Control,
     Events,
+    Integers,
     Shapes,
 )
 
-MOST_IMPACTS, MOST_IMPACTS_OF_PAIR = 64, 4  # in one step: in all, and for every pair that meets
-MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried
+MOST_IMPACTS = 256  # in a step in all
+MOST_IMPACTS_OF_PAIR = 4  # in a part, for a pair that meets; in one of the shortest one
+MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried on
+TOO_LONG = -1.0  # a part of the step that is to be taken in shorter ones
 MOST_UPDATES = 32  # of pairs in one step, and as many for bodies that cannot be frozen
 
 
@@ -78,15 +91,25 @@ def solve_continuous(
     """
     if since == 0.0:
         begin_continuous(control, bodies)
+        for k in range(len(bodies.kind)):
+            events.together[k] = k
+        control.progress[DEPTH_SHARE] = SHALLOW
     body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[CONTACTS]
     for k in range(body_count):
         events.times[k] = MISSED
     found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
+    if found == MANY:
+        control.progress[DEPTH_SHARE] = 1.0
+        for k in range(body_count):
+            events.times[k] = MISSED
+        found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
     if found == 0:
         return MISSED
     list_contacts_by_body(broad_phase, contacts, events, body_count)
     build_tournament(event_count, events.times, events.queue)
-    impacts_left = MOST_IMPACTS + MOST_IMPACTS_OF_PAIR * found
+    level = control.counts[LEVEL]
+    of_pair = MOST_IMPACTS_OF_PAIR if level < MOST_LEVEL else 1
+    impacts_left = (MOST_IMPACTS >> level) + of_pair * found
     last = -MOST_FREEZES * body_count
     while impacts_left > last:
         event = events.queue[TOURNAMENT, WINNER]
@@ -94,26 +117,96 @@ def solve_continuous(
         if now > 1.0:
             return MISSED
         if event < body_count:
-            least = -MOST_UPDATES if cannot_freeze(event, bodies.flight, bodies.kind) else 0
+            least = -MOST_UPDATES if is_carried(event, bodies.flight, bodies.kind) else 0
             if updates_left > least:
                 return now
+            wide = bodies.properties[event, BOUNDING_RADIUS]
+            if may_retake(path_length(event, bodies.motion, bodies.properties), wide, control):
+                return TOO_LONG
             i, j, frozen = event, event, True
-            freeze(i, now, control, bodies)
+            freeze(i, now, control, bodies, events.together)
         else:
             p, frozen = event - body_count, impacts_left <= 0
+            if frozen and pair_may_retake(p, now, control, bodies, shapes, contacts):
+                return TOO_LONG
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
+            count_located(contacts.flags[p])
             if not handle_meeting(p, now, frozen, control, bodies, shapes, contacts, events):
                 update_event(event, event_count, events.times, events.queue)
                 continue
-        for one, other in ((i, -1), (j, i if bodies.kind[i] == DYNAMIC else -1)):
-            events.times[one] = time_of_leaving(one, now, bodies, broad_phase)
-            update_event(one, event_count, events.times, events.queue)
-            update_events_of(
-                one, other, now, SHALLOW if frozen else 0.0,
-                control, bodies, shapes, broad_phase, contacts, events,
-            )  # fmt: skip
+        share = 1.0 if impacts_left <= 0 else control.progress[DEPTH_SHARE]
+        stays = bodies.kind[i] != DYNAMIC or frozen
+        for one, other in ((i, -1), (j, -1 if stays else i)):
+            update_body(
+                one, other, now, share, control, bodies, shapes, broad_phase, contacts, events
+            )
+        if frozen:
+            update_others(i, now, share, control, bodies, shapes, broad_phase, contacts, events)
     return MISSED
+
+
+def update_body(
+    i: int,
+    except_for: int,
+    now: float,
+    share: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    events: Events,
+) -> None:
+    """Find anew when a body leaves its bounds, and when it meets all others but one."""
+    count = len(bodies.kind) + broad_phase.counts[CONTACTS]
+    events.times[i] = time_of_leaving(i, now, bodies, broad_phase)
+    update_event(i, count, events.times, events.queue)
+    update_events_of(
+        i, except_for, now, share, control, bodies, shapes, broad_phase, contacts, events
+    )
+
+
+def update_others(
+    i: int,
+    now: float,
+    share: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    events: Events,
+) -> None:
+    """Find anew what the bodies meet that go on together with one."""
+    k = events.together[i]
+    while k != i:
+        update_body(k, -1, now, share, control, bodies, shapes, broad_phase, contacts, events)
+        k = events.together[k]
+
+
+def may_retake(length: float, deep: float, control: Control) -> bool:
+    """Return whether shorter parts make a way, m, short."""
+    shortest = length / (1 << (MOST_LEVEL - control.counts[LEVEL]))
+    return bool((control.counts[GOES_FAR] == 1) & (length > deep) & (shortest <= deep))
+
+
+def pair_may_retake(
+    p: int, now: float, control: Control, bodies: Bodies, shapes: Shapes, contacts: Contacts
+) -> bool:
+    """Return whether a pair that goes too far does not in shorter parts."""
+    if reaches_little(p, now, bodies, shapes, contacts):
+        return False
+    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    reach = smaller_radius(contacts.pairs[p, 0], contacts.pairs[p, 1], shapes.material)
+    deep = max(allowed_depth(i, j, reach, bodies.properties), THIN * reach)
+    return may_retake(relative_motion(i, j, bodies), deep, control)
+
+
+def count_located(flags: Integers) -> None:
+    """Count an impact of a contact whose impacts are located."""
+    if 0 < flags[LOCATED] < SPENT:
+        flags[LOCATED] = flags[LOCATED] - 1 if flags[LOCATED] > 1 else SPENT
 
 
 def begin_continuous(control: Control, bodies: Bodies) -> None:
@@ -123,11 +216,10 @@ def begin_continuous(control: Control, bodies: Bodies) -> None:
     """
     falls = control.settings[GRAVITY_X] != 0.0 or control.settings[GRAVITY_Y] != 0.0
     for i in range(len(bodies.kind)):
-        flight, wide = bodies.flight[i], bodies.properties[i, MIN_EXTENT]
+        flight = bodies.flight[i]
         held = flight[FORCE_GAIN] == 0.0 and flight[FORCE_GAIN + 1] == 0.0
         length = path_length(i, bodies.motion, bodies.properties)
         flight[REDIRECTED], flight[PATH_LENGTH] = 0.0, length
-        flight[PATH_EXCESS] = length - (PUSHED_BACK * wide if wide <= UNBOUNDED else 0.0)
         flight[SUPPORTED] = 1.0 if falls and held and bodies.kind[i] == DYNAMIC else 0.0
 
 
@@ -147,17 +239,26 @@ def handle_meeting(
     """
     if frozen:
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        later = now
-        changed = freeze_or_carry(i, j, now, control, bodies)
+        if reaches_little(p, now, bodies, shapes, contacts):
+            later, changed = MISSED, False
+        else:
+            later, changed = now, join_or_carry(i, j, now, control, bodies, events.together)
     else:
         later = MISSED
         changed = resolve_impact(p, now, control, bodies, shapes, contacts, events)
         if not changed:
             s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-            later = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+            later = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
     if not changed:  # a pair that meets where it is does not approach
         events.times[len(bodies.kind) + p] = later if later > now else MISSED
     return changed
+
+
+def reaches_little(p: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts) -> bool:
+    """Return whether a pair comes together by no more than what it is pushed back from."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    return goes_little(i, j, now, 1.0, smaller_radius(s, t, shapes.material), bodies)
 
 
 def resolve_impact(
@@ -176,6 +277,8 @@ def resolve_impact(
         s, t = t, s
         sense = -1.0
     i, j = shapes.slot[s], shapes.slot[t]
+    if contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies):
+        now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
     manifold_at(s, t, now, bodies, shapes, events)
     manifold = events.scratch[0]
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
@@ -186,4 +289,6 @@ def resolve_impact(
         recorded, flags = contacts.manifolds[p], contacts.flags[p]
         record_impact(impulse, i, now, sense, bodies, manifold, recorded, flags)
     bodies.flight[i, REDIRECTED] = bodies.flight[j, REDIRECTED] = 1.0
+    leave(i, events.together)
+    leave(j, events.together)
     return True

@@ -8,34 +8,40 @@ from tamias2d.engine.continuous.conservative_advancement import (
     time_of_impact,
 )
 from tamias2d.engine.continuous.event_queue import update_event
-from tamias2d.engine.continuous.gap_bound import UNBOUNDED
 from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.narrow_phase.core import core_of
+from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (
     ANGLE,
     CONTACT_OF_BODY,
     CONTACTS,
     CORE_RADIUS,
     DANGLE,
+    DEPTH_SHARE,
     DX,
     DY,
     DYNAMIC,
     FIRST_OF_BODY,
+    GAP,
     HALF_PLANE,
+    LOCATED,
     MIN_EXTENT,
     NX,
     NY,
-    PATH_EXCESS,
+    PART_TIME,
     PATH_LENGTH,
+    POINT,
     POINT_COUNT,
+    PX,
+    PY,
     REDIRECTED,
     SENSOR,
     SHAPE_RADIUS,
     SLOT_A,
     SLOT_B,
-    TIME_STEP,
+    SPENT,
     Bodies,
     BroadPhase,
     Contacts,
@@ -43,15 +49,27 @@ from tamias2d.engine.tables import (
     Events,
     Integers,
     Shapes,
+    X,
+    Y,
 )
-from tamias2d.generated.continuous_collision import fraction_closest, motion_bound
+from tamias2d.generated.continuous_collision import (
+    closing_bound,
+    fraction_closest,
+    motion_bound,
+)
+from tamias2d.generated.soft_contact import row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 # how far one body may go into another, from where the solver pushes it back, as a fraction of half
-# the widths of both; it is not farther than the smaller bounding radius
+# the width of the thinner one; it is not farther than the smaller bounding radius
 PUSHED_BACK = 0.7
-SHALLOW = 0.5  # of that: how far a frozen body, which is no wall, and another may come together
+THIN = 0.25  # of the smaller radius: for the length of parts thinner bodies are as thick as this
+SHALLOW = 0.3  # of that: how far one goes in before its impact is looked for
+BOUNCY = 0.7  # restitution that gives half of the energy back
+MOST_SHALLOW = 8  # pairs in a part that are looked at for that
+MANY = -1  # more than these
+RESTING = 0.1  # of the limit: how far bodies go in a part that rest in each other
 SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
 
 
@@ -64,8 +82,11 @@ def find_events(
     contacts: Contacts,
     events: Events,
 ) -> int:
-    """Find when pairs meet, from `now` on, that the solver may let through; return how many do."""
-    found = 0
+    """Find when pairs meet, from `now` on, that the solver may let through; return how many do.
+
+    Shallow impacts are looked for if they are few.
+    """
+    found = sought = 0
     body_count = len(bodies.pose)
     for p in range(broad_phase.counts[CONTACTS]):
         events.times[body_count + p] = MISSED
@@ -73,15 +94,27 @@ def find_events(
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         redirected = bodies.flight[i, REDIRECTED] + bodies.flight[j, REDIRECTED] > 0.0
         reach = smaller_radius(s, t, shapes.material)
-        if not redirected and stay_near(bodies.flight[i], bodies.flight[j], reach):
+        located = 0 < contacts.flags[p, LOCATED] < SPENT
+        share = control.progress[DEPTH_SHARE]
+        if not (redirected or located) and stay_near(i, j, share, reach, bodies):
             continue
         if senses(s, t, shapes.filters):
             continue
-        if redirected or may_pass(p, i, j, reach, bodies, contacts):
-            time = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+        if redirected or located or may_pass(p, i, j, share, reach, bodies, contacts):
+            sought += 1
+            if share < 1.0 and sought > MOST_SHALLOW:
+                return MANY
+            time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
             events.times[body_count + p] = time
             found += time <= 1.0
     return found
+
+
+def bounces(p: int, shapes: Shapes, contacts: Contacts) -> bool:
+    """Return whether an impact gives most of its energy back."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    _, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
+    return bool(restitution > BOUNCY)
 
 
 def smaller_radius(s: int, t: int, material: Array) -> float:
@@ -95,7 +128,9 @@ def senses(s: int, t: int, filters: Integers) -> bool:
 
 
 @inlined
-def may_pass(p: int, i: int, j: int, reach: float, bodies: Bodies, contacts: Contacts) -> bool:
+def may_pass(
+    p: int, i: int, j: int, share: float, reach: float, bodies: Bodies, contacts: Contacts
+) -> bool:
     """Return whether the paths of two bodies may lead one through the other.
 
     The solver holds bodies in contact back along the normal: only what goes against it, or turns,
@@ -105,12 +140,41 @@ def may_pass(p: int, i: int, j: int, reach: float, bodies: Bodies, contacts: Con
     by_x, by_y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
     turn = turning_reach(i, j, motion, bodies.properties)
     deep = allowed_depth(i, j, reach, bodies.properties)
-    if abs(by_x) + abs(by_y) + turn <= deep:
-        return False
-    into = UNBOUNDED
-    if contacts.flags[p, POINT_COUNT] > 0:
-        into = max(0.0, -contacts.manifolds[p, NX] * by_x - contacts.manifolds[p, NY] * by_y)
-    return bool(into + turn > max(deep, SWUNG * reach))
+    if contacts.flags[p, POINT_COUNT] == 0:
+        return bool(abs(by_x) + abs(by_y) + turn > share * deep)
+    manifold, limit = contacts.manifolds[p], max(deep, SWUNG * reach)
+    into = max(0.0, -manifold[NX] * by_x - manifold[NY] * by_y) + turn
+    overlap = 0.0
+    for n in range(contacts.flags[p, POINT_COUNT]):
+        overlap = max(overlap, -manifold[GAP + POINT * n])
+    room = max(limit - overlap, RESTING * limit)
+    return bool(into > room and closing_at_points(p, i, j, reach, bodies, contacts) > room)
+
+
+def closing_at_points(
+    p: int, i: int, j: int, reach: float, bodies: Bodies, contacts: Contacts
+) -> float:
+    """Return how far two bodies that touch come together at most, m."""
+    manifold, a, b = contacts.manifolds[p], bodies.motion[i], bodies.motion[j]
+    normal = (manifold[NX], manifold[NY])
+    span_x, span_y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
+    least = 0.0
+    for n in range(contacts.flags[p, POINT_COUNT]):
+        x, y = manifold[PX + POINT * n], manifold[PY + POINT * n]
+        change = row_velocity(
+            (a[DX], a[DY]), a[DANGLE], turning_arm((x, y), normal),
+            (b[DX], b[DY]), b[DANGLE], turning_arm((x - span_x, y - span_y), normal), normal,
+        )  # fmt: skip
+        least = min(least, change)
+    return closing_bound(
+        least,
+        a[DANGLE],
+        bodies.properties[i, CORE_RADIUS],
+        b[DANGLE],
+        bodies.properties[j, CORE_RADIUS],
+        2.0 * reach,
+        abs(b[DX] - a[DX]) + abs(b[DY] - a[DY]),
+    )
 
 
 def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
@@ -122,24 +186,17 @@ def turning_reach(i: int, j: int, motion: Array, properties: Array) -> float:
 
 def allowed_depth(i: int, j: int, reach: float, properties: Array) -> float:
     """Return how far one body may go into another and be pushed back, m."""
-    half = half_widths(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT])
-    return min(PUSHED_BACK * half, reach)
+    thinner = min(properties[i, MIN_EXTENT], properties[j, MIN_EXTENT])
+    return min(PUSHED_BACK * thinner, reach)
 
 
-def half_widths(one: float, other: float) -> float:
-    """Return half the widths of two bodies, m; of a half-plane only the other's counts."""
-    return one if other > UNBOUNDED else other if one > UNBOUNDED else one + other
-
-
-def stay_near(one: Array, other: Array, reach: float) -> bool:
+def stay_near(i: int, j: int, share: float, reach: float, bodies: Bodies) -> bool:
     """Return whether two bodies go too little for one to get far into the other.
 
     This is what follows from how far each goes, and not from where both go.
     """
-    return bool(
-        (one[PATH_EXCESS] + other[PATH_EXCESS] <= 0.0)
-        & (one[PATH_LENGTH] + other[PATH_LENGTH] <= reach)
-    )
+    length: float = bodies.flight[i, PATH_LENGTH] + bodies.flight[j, PATH_LENGTH]
+    return length <= share * allowed_depth(i, j, reach, bodies.properties)
 
 
 def update_events_of(
@@ -170,19 +227,27 @@ def update_events_of(
             continue
         time = MISSED
         reach = smaller_radius(s, t, shapes.material)
-        if not harmless(a, b, now, shallow, reach, bodies):
-            time = next_event(s, t, now, control.settings[TIME_STEP], bodies, shapes, events)
+        located = contacts.flags[p, LOCATED]
+        share = shallow if located == 0 else 1.0 if located == SPENT else 0.0
+        if shallow < 1.0 and bounces(p, shapes, contacts):
+            share = 0.0
+        if not goes_little(a, b, now, share, reach, bodies):
+            time = next_event(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         events.times[body_count + p] = time
         update_event(body_count + p, event_count, events.times, events.queue)
 
 
-def harmless(i: int, j: int, now: float, shallow: float, reach: float, bodies: Bodies) -> bool:
-    """Return whether two bodies of a kind come together by no more than a share of the depth."""
+def goes_little(i: int, j: int, now: float, share: float, reach: float, bodies: Bodies) -> bool:
+    """Return whether two bodies come together by no more than a share of the allowed depth."""
+    deep = allowed_depth(i, j, reach, bodies.properties)
+    return bool(relative_motion(i, j, bodies) * (1.0 - now) <= share * deep)
+
+
+def relative_motion(i: int, j: int, bodies: Bodies) -> float:
+    """Return how far two bodies may come together in a part of a step, m."""
     motion = bodies.motion
     by = abs(motion[j, DX] - motion[i, DX]) + abs(motion[j, DY] - motion[i, DY])
-    by += turning_reach(i, j, motion, bodies.properties)
-    deep = allowed_depth(i, j, reach, bodies.properties)
-    return bool(bodies.kind[i] == bodies.kind[j] and by * (1.0 - now) <= shallow * deep)
+    return float(by + turning_reach(i, j, motion, bodies.properties))
 
 
 def next_event(

@@ -1,6 +1,8 @@
-"""Bodies that meet when a step may have no more impacts: they are frozen until the next step.
+"""Bodies that meet when a part of a step may have no more impacts: they go on together in it.
 
-A body that meets something that cannot be frozen, such as a wall that is driven, is carried along.
+Their centre of mass goes its way. A body that meets something that is driven or stands, such as a
+wall, is carried along. Those that go together are linked in circles. Cost: linear in their number,
+for each that joins them.
 """
 
 from tamias2d.engine.continuous.trajectory import redirect_path, relative_place
@@ -10,13 +12,14 @@ from tamias2d.engine.tables import (
     DX,
     DY,
     DYNAMIC,
+    INVERSE_MASS,
+    PART_TIME,
     REDIRECTED,
-    TIME_STEP,
     Bodies,
     Control,
     Integers,
 )
-from tamias2d.generated.continuous_collision import inward_share, shift_carried
+from tamias2d.generated.continuous_collision import inward_share, shift_carried, shift_shared
 from tamias2d.state import Array, Vector
 
 MOST_ARC = 0.5  # rad: how far a wall turns at most while a body that it carries goes straight
@@ -25,24 +28,25 @@ CARRIED_BY_BODY, CARRIED_BY_WALL, IMMOVABLE = 2.0, 3.0, 4.0
 RISE, RISE_BY_WALL = 1.0 / 8.0, 1.0 / 64.0  # of a rank, each time that a body is carried
 
 
-def freeze_or_carry(i: int, j: int, now: float, control: Control, bodies: Bodies) -> bool:
-    """Freeze two bodies that meet; return whether this changes their paths.
+def join_or_carry(
+    i: int, j: int, now: float, control: Control, bodies: Bodies, together: Integers
+) -> bool:
+    """Let two bodies that meet go on together; return whether this changes their paths.
 
-    A body that meets one that cannot be frozen is carried along. One that is carried by walls is
-    carried by nothing else, and by these not for ever: it may be jammed.
+    A body that meets one that is driven, or carried, is carried along. One that is carried by walls
+    is carried by nothing else, and by these not for ever: it may be jammed.
     """
     rank_i = carrier_rank(i, bodies.flight, bodies.kind)
     rank_j = carrier_rank(j, bodies.flight, bodies.kind)
     if max(rank_i, rank_j) < CARRIED_BY_BODY:
-        freeze(i, now, control, bodies)
-        freeze(j, now, control, bodies)
-        return True
+        return join(i, j, now, control, bodies, together)
     if rank_i < rank_j:
         i, j = j, i
     rank, wall = min(rank_i, rank_j), bodies.kind[i] != DYNAMIC
     if rank >= (IMMOVABLE if wall else CARRIED_BY_WALL):
         return False
     by, turn = displacement_along(i, j, now, bodies)
+    leave(j, together)
     redirect(j, now, by, turn, control, bodies)
     if wall:
         bodies.flight[j, REDIRECTED] = max(rank + RISE_BY_WALL, CARRIED_BY_WALL)
@@ -56,15 +60,58 @@ def carrier_rank(i: int, flight: Array, kind: Integers) -> float:
     return float(flight[i, REDIRECTED]) if kind[i] == DYNAMIC else IMMOVABLE
 
 
-def cannot_freeze(i: int, flight: Array, kind: Integers) -> bool:
+def is_carried(i: int, flight: Array, kind: Integers) -> bool:
     """Return whether a body is immovable, or carried by something that is."""
     return carrier_rank(i, flight, kind) >= CARRIED_BY_BODY
 
 
-def freeze(i: int, now: float, control: Control, bodies: Bodies) -> None:
+def freeze(i: int, now: float, control: Control, bodies: Bodies, together: Integers) -> None:
     """Let a body stay where it is for the rest of the step."""
     if bodies.kind[i] == DYNAMIC:
+        leave(i, together)
         redirect(i, now, (0.0, 0.0), 0.0, control, bodies)
+
+
+def join(i: int, j: int, now: float, control: Control, bodies: Bodies, together: Integers) -> bool:
+    """Let two bodies and those that go with them go the way of their centre of mass, and not turn.
+
+    Returns whether they did not go together yet.
+    """
+    motion = bodies.motion
+    mass_i = mass_j = 0.0
+    k = i
+    while k != i or mass_i == 0.0:
+        mass_i += 1.0 / bodies.properties[k, INVERSE_MASS]
+        k = together[k]
+        if k == j:
+            return False
+    k = j
+    while k != j or mass_j == 0.0:
+        mass_j += 1.0 / bodies.properties[k, INVERSE_MASS]
+        k = together[k]
+    way_i, way_j = (motion[i, DX], motion[i, DY]), (motion[j, DX], motion[j, DY])
+    by = shift_shared(mass_i, way_i, mass_j, way_j)
+    together[i], together[j] = together[j], together[i]
+    take_along(i, now, by, control, bodies)
+    k = together[i]
+    while k != i:
+        take_along(k, now, by, control, bodies)
+        k = together[k]
+    return True
+
+
+def take_along(i: int, now: float, by: Vector, control: Control, bodies: Bodies) -> None:
+    """Let a body go the way that it shares, and not turn."""
+    redirect(i, now, by, 0.0, control, bodies)
+    bodies.flight[i, REDIRECTED] = 1.0
+
+
+def leave(i: int, together: Integers) -> None:
+    """Let a body go alone."""
+    k = i
+    while together[k] != i:
+        k = together[k]
+    together[k], together[i] = together[i], i
 
 
 def displacement_along(i: int, j: int, now: float, bodies: Bodies) -> tuple[Vector, float]:
@@ -84,7 +131,7 @@ def redirect(i: int, now: float, to: Vector, turn: float, control: Control, bodi
 
     But what forces have given it for the part of its path that it does not go is taken back.
     """
-    left, time_step = 1.0 - now, control.settings[TIME_STEP]
+    left, time_step = 1.0 - now, control.progress[PART_TIME]
     before = work_ahead(i, left, control, bodies)
     by = (to[0] - bodies.motion[i, DX], to[1] - bodies.motion[i, DY])
     redirect_path(i, now, by, turn - bodies.motion[i, DANGLE], bodies.pose, bodies.motion)

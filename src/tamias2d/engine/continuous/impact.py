@@ -31,13 +31,13 @@ from tamias2d.engine.tables import (
     IS_TOUCHING,
     NX,
     NY,
+    PART_TIME,
     POINT,
     POINT_COUNT,
     PX,
     PY,
     SPIN,
     SUPPORTED,
-    TIME_STEP,
     TOTAL_IMPULSE,
     TOUCHES,
     WORLD_POINT,
@@ -92,7 +92,7 @@ def rebound(
     Impacts between moving bodies take none of the displacement that both have in all, as masses
     count. But a body whose path leads into one that nothing moves loses a part of its work.
     """
-    time_step, left = control.settings[TIME_STEP], 1.0 - now
+    time_step, left = control.progress[PART_TIME], 1.0 - now
     if bodies.kind[i] == bodies.kind[j]:
         return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
     k, wall = (i, j) if bodies.kind[i] == DYNAMIC else (j, i)

@@ -21,10 +21,10 @@ from tamias2d.engine.tables import (
     INVERSE_MASS,
     J_EDGE,
     J_FIRMNESS,
+    J_FORCE,
     J_KIND,
     J_MEMBER,
     J_NODE,
-    J_PULL,
     J_ROW,
     J_ROWS,
     JOINED_SLOT,
@@ -155,13 +155,13 @@ def add_coupling(early: int, late: int, firm: float, numbers: Array, e: Array) -
     e[OFF_DIAGONAL + 8] += coupled_inertia(turning, turning_late, firm)
 
 
-def note_node_masses(n: int, substep: float, share: float, bodies: Bodies, joints: Joints) -> None:
+def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Note slots and masses of the nodes of a mechanism; 0 for a body that does not turn.
 
-    A body that joints pulled at its arms in the last step, of which a substep is a share, counts
-    with so much inertia that it swings slowly enough for substeps.
+    A body at whose arms joints pull counts with so much inertia that it swings slowly enough for
+    substeps.
     """
-    note_leaning(n, substep / share, joints)
+    note_leaning(n, joints)
     for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
         i, place = joints.members[node + 1, JOINED_SLOT], joints.places[node + 1]
         inverse_inertia = bodies.properties[i, INVERSE_INERTIA]
@@ -174,8 +174,8 @@ def note_node_masses(n: int, substep: float, share: float, bodies: Bodies, joint
             place[HELD_INVERSE_INERTIA] = 1.0 / held
 
 
-def note_leaning(n: int, time_step: float, joints: Joints) -> None:
-    """Note how the pull of joints in the last step leans on the arms of a mechanism's bodies."""
+def note_leaning(n: int, joints: Joints) -> None:
+    """Note how the pull of joints, as it was last, leans on the arms of a mechanism's bodies."""
     for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
         joints.places[m, LEANING] = 0.0
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
@@ -186,5 +186,5 @@ def note_leaning(n: int, time_step: float, joints: Joints) -> None:
         for r in range(ends[J_ROWS]):
             for end in range(ENDS_OF_JOINT):
                 if ends[J_NODE + end] >= 0:
-                    by = leaning(numbers[J_PULL + r], bends[ENDS_OF_JOINT * r + end], time_step)
+                    by = leaning(numbers[J_FORCE + r], bends[ENDS_OF_JOINT * r + end])
                     joints.places[ends[J_MEMBER + end], LEANING] += by

@@ -17,8 +17,12 @@ from tamias2d.engine.tables import (
     DRAG_FACTOR,
     FREE_OF_CONTACTS,
     I_NODE,
+    IMPULSE_RATIO,
     IN_CONTACT,
     INCREMENT,
+    J_FORCE,
+    J_PULL,
+    J_STEP_TOTAL,
     J_TOTAL,
     J_WARM,
     JOINED_BODY,
@@ -30,11 +34,12 @@ from tamias2d.engine.tables import (
     MECHANISMS_AWAKE,
     MECHANISMS_TOUCHED,
     N_BODY,
+    PART_TIME,
     S_TREE,
     SLABS,
     SLEEP_ID,
     SUBSTEP_START,
-    SUBSTEPS,
+    TICK,
     Bodies,
     Islands,
     Joints,
@@ -113,19 +118,36 @@ def begin_joints(substep: float, world: World) -> None:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            share = 1.0 / world.control.counts[SUBSTEPS]
-            note_node_masses(n, substep, share, bodies, joints)
-            forget_impulses(n, joints)
+            note_node_masses(n, substep, bodies, joints)
+            begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
             linearise(n, bodies, joints)
             if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
                 kick_half(n, False, bodies, joints)
 
 
-def forget_impulses(n: int, joints: Joints) -> None:
-    """Begin to add up the impulses of a mechanism's joints."""
+def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
+    """Begin to add up the impulses of a part; those of a mesh count for a substep of this one."""
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for k in range(J_TOTAL, J_WARM):
+        for k in range(J_TOTAL, J_PULL + 3):
             joints.numbers[j, k] = 0.0
+        for k in range(J_WARM, J_WARM + 3):
+            joints.numbers[j, k] *= ratio
+
+
+def keep_joint_impulses(world: World) -> None:
+    """Add the impulses of a part that was taken to those of the step, and note the forces."""
+    joints = world.joints
+    time = world.control.progress[PART_TIME]
+    kept = 0.0 if world.control.counts[TICK] == 0 else 1.0
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+                numbers = joints.numbers[j]
+                for k in range(9):
+                    before = kept * numbers[J_STEP_TOTAL + k]
+                    numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
+                for k in range(3):
+                    numbers[J_FORCE + k] = numbers[J_PULL + k] / time
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:

@@ -4,6 +4,7 @@ A body is moved at the end of the step only, once it is known what it meets.
 """
 
 from tamias2d.engine.continuous.bounds import goes_far
+from tamias2d.engine.solver.energy import unchanged_by_contacts
 from tamias2d.engine.tables import (
     ANGULAR,
     DECAY,
@@ -18,6 +19,9 @@ from tamias2d.engine.tables import (
     KINEMATIC,
     LIFT,
     PROPAGATOR,
+    STEP_START,
+    UNMOVED,
+    UNTOUCHED,
     WHOLE_STEP,
     Bodies,
     Control,
@@ -33,13 +37,19 @@ from tamias2d.state import Array
 
 
 def integrate_free(control: Control, bodies: Bodies) -> bool:
-    """Find the displacements of bodies without contacts (IM1, IM6), and what forces give them.
+    """Find the displacements of bodies that contacts leave alone (IM1, IM6), and what forces give.
 
     Returns whether some body goes so far that it needs continuous collision.
     """
     far = False
     for i in range(len(bodies.kind)):
-        if bodies.kind[i] >= KINEMATIC and bodies.moved[i] == 0:
+        if bodies.moved[i] == UNTOUCHED and unchanged_by_contacts(
+            control, bodies.substep_state[i], bodies.motion[i]
+        ):
+            for n in range(3):
+                bodies.motion[i, n] = bodies.substep_state[i, STEP_START + n]
+            bodies.moved[i] = UNMOVED
+        if bodies.kind[i] >= KINEMATIC and bodies.moved[i] == UNMOVED:
             integrate_body(i, control, bodies)
         bodies.moved[i] = 0
         far = far | goes_far(i, bodies)

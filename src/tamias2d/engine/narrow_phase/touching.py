@@ -5,18 +5,30 @@ from tamias2d.engine.tables import (
     ARRANGED,
     AWAKE,
     CONTACTS,
+    FORESEEN,
     GAP,
+    GRAVITY_X,
+    GRAVITY_Y,
     IS_TOUCHING,
     ISLANDS_KNOWN,
+    LOCATED,
+    MEETING,
+    MOST_LOCATED,
+    NX,
+    NY,
+    PART_SUBSTEPS,
+    PART_TIME,
     POINT,
     POINT_COUNT,
+    PRESSED_DEEP,
+    PX,
+    PY,
     SENSOR,
     SHAPE_RADIUS,
     SLEEPING,
     SLOT_A,
     SLOT_B,
     SPIN,
-    TIME_STEP,
     TOUCHES,
     TOUCHING,
     VX,
@@ -33,12 +45,15 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
+from tamias2d.generated.soft_contact import row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 # fractions of the smaller bounding radius of two shapes
 CLOSE = 0.02  # the gap below which there is a contact already
 AHEAD = 0.1  # the most by which the motion of a step raises that
+GRAZE = 2.0**-12  # the overlap of bodies that have just met
+DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it grows no more
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 
 
@@ -57,11 +72,13 @@ def find_touching(
     Flags of the last step are aged, unless they were found in this step already. If the contacts
     are those of the last step, with as many points, their arrangement holds.
     """
-    total = 0
+    total = marked = 0
+    deep = False
     same = touching.counts[ARRANGED] == 1
     for p in range(broad_phase.counts[CONTACTS]):
         if contacts.flags[p, TOUCHES] != 0 and not again:
             contacts.flags[p, TOUCHES] = WAS_TOUCHING * (contacts.flags[p, TOUCHES] & IS_TOUCHING)
+        contacts.flags[p, LOCATED] = 0
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         if islands.counts[SLEEPING] > 0 and islands.links[i, AWAKE] + islands.links[j, AWAKE] == 0:
@@ -69,22 +86,75 @@ def find_touching(
         x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
         radius_s, radius_t = shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
         smaller = min(radius_s, radius_t)
-        radii = radius_s + radius_t + (CLOSE + AHEAD) * smaller
+        margin = speculative_margin(i, j, s, t, smaller, control, bodies, shapes)
+        radii = radius_s + radius_t + margin
         if x * x + y * y > radii * radii and contacts.flags[p, POINT_COUNT] == 0:
             continue
-        margin = speculative_margin(i, j, s, t, smaller, control, bodies, shapes)
         count = collide(p, s, t, x, y, margin, shapes, contacts)
+        if contacts.manifolds[p, FORESEEN] != 0.0:
+            contacts.manifolds[p, FORESEEN] = 0.0
         if count == 0:
             continue
         if shapes.filters[s, SENSOR] == 0 and shapes.filters[t, SENSOR] == 0:
+            meets = contacts.flags[p, TOUCHES] == 0 and will_meet(
+                p, i, j, count, smaller, control, bodies, contacts
+            )
+            if not meets and smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
+                contacts.flags[p, POINT_COUNT] = 0
+                continue
+            deep = deep | (smallest_gap(contacts.manifolds[p], count) < -DEEP * smaller)
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
             total += 1
+            if meets:
+                contacts.flags[p, LOCATED] = MOST_LOCATED
+                marked += 1
         else:
             mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
     if not same or touching.counts[TOUCHING] != total:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
     touching.counts[TOUCHING] = total
+    touching.counts[MEETING] = marked
+    touching.counts[PRESSED_DEEP] = 1 if deep else 0
+
+
+def smallest_gap(manifold: Array, count: int) -> float:
+    """Return the smallest gap of some points, m."""
+    gap: float = manifold[GAP]
+    return min(gap, manifold[GAP + POINT]) if count == 2 else gap
+
+
+def will_meet(
+    p: int,
+    i: int,
+    j: int,
+    count: int,
+    smaller: float,
+    control: Control,
+    bodies: Bodies,
+    contacts: Contacts,
+) -> bool:
+    """Return whether two bodies that are apart meet in this part, faster than gravity lets them."""
+    manifold, time = contacts.manifolds[p], control.progress[PART_TIME]
+    seen = time + time / control.counts[PART_SUBSTEPS]  # relaxing looks a substep ahead
+    a, b = bodies.motion[i], bodies.motion[j]
+    pull = 0.0
+    if bodies.kind[i] != bodies.kind[j]:
+        pull = time * (abs(control.settings[GRAVITY_X]) + abs(control.settings[GRAVITY_Y]))
+    meets = False
+    for n in range(count):
+        gap = manifold[GAP + n * POINT]
+        if gap <= -GRAZE * smaller:
+            return False
+        x, y = manifold[PX + n * POINT], manifold[PY + n * POINT]
+        dx, dy = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
+        normal = (manifold[NX], manifold[NY])
+        speed = row_velocity(
+            (a[VX], a[VY]), a[SPIN], turning_arm((x, y), normal),
+            (b[VX], b[VY]), b[SPIN], turning_arm((x - dx, y - dy), normal), normal,
+        )  # fmt: skip
+        meets = meets | ((speed < -2.0 * pull) & (gap + (speed - pull) * seen < 0.0))
+    return bool(meets)
 
 
 @inlined
@@ -103,7 +173,7 @@ def speculative_margin(
     It follows the motion of a step, up to a fraction of the smaller radius, and is 0 for a fast
     pair.
     """
-    motion, time_step = bodies.motion, control.settings[TIME_STEP]
+    motion, time_step = bodies.motion, control.progress[PART_TIME]
     speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
     distance = speed * time_step
     turn_a = (
@@ -118,7 +188,7 @@ def speculative_margin(
     )
     if distance + (turn_a + turn_b) * time_step > BULLET * smaller:
         return 0.0
-    return CLOSE * smaller + min(distance, AHEAD * smaller)
+    return CLOSE * smaller + distance
 
 
 @inlined

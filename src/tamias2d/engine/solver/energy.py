@@ -4,28 +4,37 @@ It is a cheap test, and nearly always all that is needed where there is no resti
 """
 
 from tamias2d.engine.tables import (
+    CONTACT_CHANGE,
     DANGLE,
+    DRAG_FACTOR,
     DX,
     DY,
     DYNAMIC,
     FORCE_GAIN,
     GRAVITY_X,
     GRAVITY_Y,
+    INCREMENT,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    MOVED,
+    PART_SUBSTEPS,
     SPIN,
     STEP_START,
+    SUBSTEP,
+    SUBSTEP_START,
     TOTAL_ENERGY_NOW,
     TOTAL_ENERGY_START,
     TOTAL_WORK,
+    UNTOUCHED,
     VX,
     VY,
     Bodies,
     Control,
     Touching,
 )
-from tamias2d.generated.definitions import kinetic_energy
+from tamias2d.generated.definitions import coordinate_velocity_later, kinetic_energy
 from tamias2d.generated.island_energy import kinetic_energy_most, work
+from tamias2d.generated.soft_contact import turn_later
 from tamias2d.state import Array
 
 GRACE = 1e-12  # of the energy, that rounding may add; one impact alone never takes more
@@ -45,6 +54,8 @@ def sum_step_energy(
         if bodies.kind[i] != DYNAMIC:
             energy[TOTAL_WORK] = UNLIMITED
             continue
+        if bodies.moved[i] == MOVED and unchanged_by_contacts(control, then, now):
+            bodies.moved[i] = UNTOUCHED
         mass, inertia = mass_and_inertia(i, bodies.properties)
         velocity = (then[STEP_START], then[STEP_START + 1])
         energy[TOTAL_ENERGY_START] += kinetic_energy(mass, velocity, inertia, then[STEP_START + 2])
@@ -52,6 +63,20 @@ def sum_step_energy(
         energy[TOTAL_ENERGY_NOW] += kinetic_energy(mass, velocity, inertia, now[SPIN])
         force, shift = (load[0], load[1]), (now[DX], now[DY])
         energy[TOTAL_WORK] += work(mass, gravity, force, load[2], shift, now[DANGLE])
+
+
+def unchanged_by_contacts(control: Control, state: Array, motion: Array) -> bool:
+    """Return whether no contact has changed the velocity or the way of a body in its substeps."""
+    same = True
+    for n in range(3):
+        same = same & (state[CONTACT_CHANGE + n] == 0.0) & (motion[n] == state[SUBSTEP_START + n])
+    for n in range(3 if same else 0):
+        free, way = state[STEP_START + n], 0.0
+        for _ in range(control.counts[PART_SUBSTEPS]):
+            free = coordinate_velocity_later(state[DRAG_FACTOR + n], free, state[INCREMENT + n])
+            way = turn_later(way, free, control.settings[SUBSTEP])
+        same = same & (motion[n] == free) & (motion[DX + n] == way)
+    return bool(same)
 
 
 def makes_energy(energy: Array) -> bool:

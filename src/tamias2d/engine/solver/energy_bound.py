@@ -48,6 +48,7 @@ from tamias2d.engine.tables import (
     LANES,
     P_NORMAL_IMPULSE,
     P_TOTAL_IMPULSE,
+    PART_TIME,
     POINT_SIZE,
     POINTS,
     ROOT,
@@ -55,7 +56,6 @@ from tamias2d.engine.tables import (
     SPIN,
     STEP_START,
     SUPPORT,
-    TIME_STEP,
     VX,
     VY,
     WORK,
@@ -141,7 +141,7 @@ def sum_island_energies(
 def work_seen(i: int, velocity: Vector, spin: float, control: Control, bodies: Bodies) -> float:
     """Return the work of forces on a body as seen from the reference, J."""
     gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
-    time_step = control.settings[TIME_STEP]
+    time_step = control.progress[PART_TIME]
     motion, load, mass = bodies.motion[i], bodies.load[i], 1.0 / bodies.properties[i, INVERSE_MASS]
     shift = shift_seen((motion[DX], motion[DY]), velocity, time_step)
     turn = turn_seen(motion[DANGLE], spin, time_step)

@@ -2,8 +2,12 @@
 
 from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import (
+    IMPACT_NORMAL,
     IS_TOUCHING,
+    LEVEL,
     NORMAL_IMPULSE,
+    NX,
+    NY,
     P_NORMAL_IMPULSE,
     P_TANGENT_IMPULSE,
     P_TOTAL_IMPULSE,
@@ -13,12 +17,14 @@ from tamias2d.engine.tables import (
     PY,
     SHARED,
     TANGENT_IMPULSE,
+    TICK,
     TOTAL_IMPULSE,
     TOUCHES,
     WORLD_POINT,
     Bodies,
     Constraints,
     Contacts,
+    Control,
     Touching,
     X,
     Y,
@@ -28,6 +34,7 @@ from tamias2d.engine.tables import (
 def store_impulses(
     first: int,
     last: int,
+    control: Control,
     bodies: Bodies,
     contacts: Contacts,
     touching: Touching,
@@ -35,8 +42,9 @@ def store_impulses(
 ) -> None:
     """Store the impulses of touching contacts, which are listed by slabs, and where they acted.
 
-    A contact with an impulse touched.
+    A contact with an impulse touched. Impulses of the parts of a step add up.
     """
+    adds = control.counts[TICK] > 0
     for place in range(first, last):
         k = touching.by_slab[place]
         p, pose = touching.contact[k], bodies.pose[touching.body_a[k]]
@@ -44,10 +52,14 @@ def store_impulses(
         row, manifold = constraints.blocks[b], contacts.manifolds[p]
         for n in range(points_of(k, touching)):
             at, to = SHARED + n * POINT_SIZE + m, POINT * n
-            manifold[TOTAL_IMPULSE + to] = row[at + P_TOTAL_IMPULSE]
+            total = row[at + P_TOTAL_IMPULSE]
+            manifold[TOTAL_IMPULSE + to] = total + (manifold[TOTAL_IMPULSE + to] if adds else 0.0)
             manifold[WORLD_POINT + to] = pose[X] + manifold[PX + to]
             manifold[WORLD_POINT + to + 1] = pose[Y] + manifold[PY + to]
-            if row[at + P_TOTAL_IMPULSE] > 0.0:
+            if total > 0.0:
                 contacts.flags[p, TOUCHES] |= IS_TOUCHING
+                if control.counts[LEVEL] > 0:  # the next part may part them
+                    manifold[IMPACT_NORMAL] = manifold[NX]
+                    manifold[IMPACT_NORMAL + 1] = manifold[NY]
             manifold[NORMAL_IMPULSE + to] = row[at + P_NORMAL_IMPULSE]
             manifold[TANGENT_IMPULSE + to] = row[at + P_TANGENT_IMPULSE]

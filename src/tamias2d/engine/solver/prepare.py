@@ -6,7 +6,9 @@ Source: Catto (2024), soft step; the softness under a load, and the preload, are
 from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import (
     FIRST_POINT,
+    FORESEEN,
     GAP,
+    IMPULSE_RATIO,
     LANES,
     NORMAL_IMPULSE,
     NX,
@@ -38,6 +40,8 @@ from tamias2d.engine.tables import (
     R_MASS_SHARE,
     R_NX,
     R_NY,
+    R_RADIUS_A,
+    R_RADIUS_B,
     R_RESTITUTION,
     R_SMALLER_RADIUS,
     SECOND_POINT,
@@ -47,6 +51,7 @@ from tamias2d.engine.tables import (
     Bodies,
     Constraints,
     Contacts,
+    Control,
     Integers,
     Touching,
     X,
@@ -62,6 +67,7 @@ from tamias2d.generated.soft_contact import (
     preload_later,
     row_mass,
     row_velocity,
+    separation_later,
     turning_arm,
 )
 from tamias2d.kernels.assembled import inlined
@@ -82,12 +88,14 @@ FASTEST = 0.02  # of the smaller radius: how far an overlap is pushed apart in a
 def fill_blocks(
     first: int,
     last: int,
+    control: Control,
     bodies: Bodies,
     contacts: Contacts,
     touching: Touching,
     constraints: Constraints,
 ) -> None:
     """Write the manifolds of touching contacts, which are listed by slabs."""
+    ratio = control.progress[IMPULSE_RATIO]
     for place in range(first, last):
         k = touching.by_slab[place]
         i, j = touching.body_a[k], touching.body_b[k]
@@ -95,14 +103,48 @@ def fill_blocks(
         row, manifold = constraints.blocks[b], contacts.manifolds[touching.contact[k]]
         row[R_NX + m], row[R_NY + m] = manifold[NX], manifold[NY]
         delta = (bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y])
+        ahead = manifold[FORESEEN]
+        if ahead > 0.0:
+            delta = span_ahead(delta, bodies.substep_state[i], bodies.substep_state[j], ahead)
         for n in range(points_of(k, touching)):
             at = SHARED + n * POINT_SIZE + m
             fill_arms(m, n, delta, manifold, row)
-            fill_impulses(m, n, manifold, row)
+            fill_impulses(m, n, ratio, manifold, row)
+            if ahead > 0.0:
+                row[at + P_GAP] = gap_before(
+                    m, at, row, bodies.substep_state[i], bodies.substep_state[j], ahead
+                )
             if row[R_RESTITUTION + m] > 0.0:
                 row[at + P_APPROACH] = approach_velocity(
                     m, at, row, bodies.substep_state[i], bodies.substep_state[j]
                 )
+
+
+def span_ahead(delta: Vector, a: Array, b: Array, ahead: float) -> Vector:
+    """Return what leads from the centre of A to that of B after a time, s, at their velocities."""
+    start = SUBSTEP_START
+    return (
+        delta[0] + ahead * (b[start] - a[start]),
+        delta[1] + ahead * (b[start + 1] - a[start + 1]),
+    )
+
+
+def gap_before(m: int, at: int, row: Array, a: Array, b: Array, ahead: float) -> float:
+    """Return the gap of a point that has a known one after a time, s, at these velocities."""
+    start = SUBSTEP_START
+    closed = separation_later(
+        0.0,
+        (ahead * a[start], ahead * a[start + 1]),
+        ahead * a[start + 2],
+        row[at + P_NORMAL_ARM_A],
+        row[at + P_TANGENT_ARM_A] - row[R_RADIUS_A + m],
+        (ahead * b[start], ahead * b[start + 1]),
+        ahead * b[start + 2],
+        row[at + P_NORMAL_ARM_B],
+        row[at + P_TANGENT_ARM_B] + row[R_RADIUS_B + m],
+        (row[R_NX + m], row[R_NY + m]),
+    )
+    return float(row[at + P_GAP] - closed)
 
 
 @inlined
@@ -125,7 +167,7 @@ def fill_arms(m: int, n: int, delta: Vector, manifold: Array, row: Array) -> Non
 
 
 @inlined
-def fill_impulses(m: int, n: int, manifold: Array, row: Array) -> None:
+def fill_impulses(m: int, n: int, ratio: float, manifold: Array, row: Array) -> None:
     """Write the gap and the impulses of a point, and learn the preload."""
     at, to, radius = SHARED + n * POINT_SIZE + m, POINT * n, row[R_SMALLER_RADIUS + m]
     gap, preload = manifold[GAP + to], 0.0
@@ -134,8 +176,8 @@ def fill_impulses(m: int, n: int, manifold: Array, row: Array) -> None:
         preload = preload_later(before, gap, LEARNT, ALLOWED * radius, PRELOADED * radius)
     manifold[PRELOAD + to] = preload
     row[at + P_GAP] = gap - preload
-    row[at + P_NORMAL_IMPULSE] = manifold[NORMAL_IMPULSE + to]
-    row[at + P_TANGENT_IMPULSE] = manifold[TANGENT_IMPULSE + to]
+    row[at + P_NORMAL_IMPULSE] = ratio * manifold[NORMAL_IMPULSE + to]
+    row[at + P_TANGENT_IMPULSE] = ratio * manifold[TANGENT_IMPULSE + to]
     row[at + P_TOTAL_IMPULSE] = 0.0
 
 

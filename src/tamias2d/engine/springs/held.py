@@ -41,6 +41,7 @@ from tamias2d.engine.tables import (
     N_SPRING,
     N_UNSOLVED,
     NETWORKS,
+    PART_TIME,
     PROPAGATOR,
     PULL,
     RESIDUAL,
@@ -52,7 +53,6 @@ from tamias2d.engine.tables import (
     SPAN_Y,
     STIFFENING,
     STIFFNESS,
-    TIME_STEP,
     WHOLE_STEP,
     Bodies,
     BodyState,
@@ -80,19 +80,22 @@ from tamias2d.state import Array, Vector
 MOST_ROUNDS = 40
 SOLVED = 1e-12  # of the largest displacement: that by which the last round may change one
 INNER = 1e-3  # accuracy of each round, relative
-ENOUGH = 1e-9  # the same, where rounds end without that
+ENOUGH = 1e-11  # the same, where rounds end without that
 ROUNDED = 1e-15  # of a position: what float64 does not tell apart
 
 
-def hold_springs(world: World) -> None:
-    """Add the loads of all springs to those of the bodies, for one step.
+def hold_springs(world: World) -> bool:
+    """Add the loads of all springs to those of the bodies, for a part of a step.
 
-    A network for which none are found is marked, and taken through the substeps.
+    A network for which none are found is marked, and taken through the substeps. Returns whether
+    there is none.
     """
     springs, bodies = world.springs, world.bodies
+    solved = True
     for n in range(springs.counts[NETWORKS]):
         gather_network(n, world.control, world.state, bodies, springs)
-        found = solve_held(n, world.control.settings[TIME_STEP], bodies, springs)
+        found = solve_held(n, world.control.progress[PART_TIME], bodies, springs)
+        solved = solved and found
         unsolved = 0 if found else 1
         if springs.networks[n, N_UNSOLVED] != unsolved:
             springs.networks[n, N_UNSOLVED] = unsolved
@@ -102,6 +105,7 @@ def hold_springs(world: World) -> None:
         for c in range(3):
             row[HELD_LOAD + c] = row[BASE_LOAD + c] + row[PULL + c]
             load[c] = row[HELD_LOAD + c]
+    return solved
 
 
 def release_springs(bodies: Bodies, springs: Springs) -> None:
@@ -140,7 +144,7 @@ def gather_network(
             row[FREE_SHIFT + c] = row[SHIFT + c] = free
             row[RESISTANCE + c] = (inertia if c == 2 else mass) / lift
     for s in range(springs.networks[n, N_SPRING], springs.networks[n + 1, N_SPRING]):
-        note_spring(s, control.settings[TIME_STEP], bodies, springs)
+        note_spring(s, control.progress[PART_TIME], bodies, springs)
 
 
 def note_spring(s: int, time_step: float, bodies: Bodies, springs: Springs) -> None:

@@ -1,0 +1,78 @@
+"""The parabolas of two bodies through a step, on which their first impact is found (DD61)."""
+
+from tamias2d.engine.continuous.events import manifold_at
+from tamias2d.engine.continuous.impact import normal_line
+from tamias2d.engine.continuous.impulse import speed_along
+from tamias2d.engine.tables import (
+    DX,
+    DYNAMIC,
+    FORCE_GAIN,
+    REDIRECTED,
+    SUPPORTED,
+    Bodies,
+    Events,
+    Shapes,
+)
+from tamias2d.generated.continuous_collision import coordinate_bend, coordinate_rest_gain
+
+MOST_BENDS = 12  # of Newton's method
+CLOSER = 2.0**-30  # than what counts as meeting on lines: gaps here are positive, too
+SETTLED = 2.0**-45  # of the step
+
+
+def is_first(i: int, j: int, bodies: Bodies) -> bool:
+    """Return whether no impact and no contact has changed the paths of two bodies."""
+    flight = bodies.flight
+    return bool(
+        flight[i, REDIRECTED] + flight[i, SUPPORTED] + flight[j, REDIRECTED] + flight[j, SUPPORTED]
+        == 0.0
+    )
+
+
+def bend_paths(
+    s: int, t: int, chord: float, time_step: float, bodies: Bodies, shapes: Shapes, events: Events
+) -> float:
+    """Put two bodies that meet on their chords on their parabolas; return when they meet there.
+
+    From then on their paths are the chords of the rest of the step.
+    """
+    i, j = shapes.slot[s], shapes.slot[t]
+    near = manifold_at(s, t, chord, bodies, shapes, events)
+    start_i = (bodies.pose[i, 0], bodies.pose[i, 1], bodies.pose[i, 2])
+    start_j = (bodies.pose[j, 0], bodies.pose[j, 1], bodies.pose[j, 2])
+    now, target = chord, CLOSER * near
+    for _ in range(MOST_BENDS):
+        place_beside(i, start_i, now, time_step, bodies)
+        place_beside(j, start_j, now, time_step, bodies)
+        gap = manifold_at(s, t, now, bodies, shapes, events)
+        line = normal_line(i, j, now, events.scratch[0], bodies)
+        closing = -time_step * speed_along(line, 1.0 - now, bodies.motion, bodies.flight)
+        later = min(max(now + (gap - target) / closing, 0.0), 1.0) if closing > 0.0 else now
+        if abs(later - now) <= SETTLED:
+            break
+        now = later
+    if not abs(gap) <= near:  # they graze each other: no iteration ends at the gap
+        for n in range(3):
+            bodies.pose[i, n], bodies.pose[j, n] = start_i[n], start_j[n]
+        return chord
+    take_rest(i, now, time_step, bodies)
+    take_rest(j, now, time_step, bodies)
+    return now
+
+
+def place_beside(
+    i: int, start: tuple[float, float, float], now: float, time_step: float, bodies: Bodies
+) -> None:
+    """Let the line of a body lead through where it is on its parabola at a fraction of the step."""
+    for n in range(3):
+        gain = bodies.flight[i, FORCE_GAIN + n] if bodies.kind[i] == DYNAMIC else 0.0
+        bodies.pose[i, n] = start[n] + coordinate_bend(gain, time_step, now)
+
+
+def take_rest(i: int, now: float, time_step: float, bodies: Bodies) -> None:
+    """Turn the line of a body into the chord of the rest of its parabola."""
+    for n in range(3):
+        gain = bodies.flight[i, FORCE_GAIN + n] if bodies.kind[i] == DYNAMIC else 0.0
+        more = coordinate_rest_gain(gain, time_step, now)
+        bodies.motion[i, DX + n] += more
+        bodies.pose[i, n] -= now * more

@@ -1,0 +1,159 @@
+"""Contacts that are apart as a part of a step begins, and meet in it.
+
+Where nothing else acts on two bodies that meet, or where they bounce and nothing holds them, their
+impact is located: continuous collision finds its instant. All others are foreseen: the solver gets
+the manifold that they have when they meet on the paths that they are on, with the gap that closes
+until then, and treats them together with the contacts that touch.
+"""
+
+from tamias2d.engine.continuous.conservative_advancement import place_vertices, time_of_impact
+from tamias2d.engine.continuous.events import bounces
+from tamias2d.engine.continuous.trajectory import RelativePath
+from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
+from tamias2d.engine.narrow_phase.core import Core, core_of
+from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
+from tamias2d.engine.tables import (
+    ALL,
+    ARRANGED,
+    DYNAMIC,
+    FORESEEN,
+    HOLDING,
+    ISLANDS_KNOWN,
+    LOCATED,
+    LOCATED_PAIRS,
+    MEETING,
+    MOST_LOCATED,
+    NORMAL_IMPULSE,
+    PART_TIME,
+    POINT,
+    POINT_COUNT,
+    SHAPE_RADIUS,
+    SPIN,
+    TOUCHING,
+    VX,
+    VY,
+    Bodies,
+    Contacts,
+    Control,
+    Events,
+    Shapes,
+    Touching,
+    World,
+    X,
+    Y,
+)
+
+
+def foresee(world: World, contacts: Contacts) -> None:
+    """Leave lone impacts to continuous collision, and give the solver the others to come."""
+    control, bodies, shapes = world.control, world.bodies, world.shapes
+    touching, events = world.touching, world.events
+    touching.counts[LOCATED_PAIRS] = 0
+    if touching.counts[MEETING] == 0:
+        return
+    count_contacts(contacts, touching)
+    stay, changed = 0, False
+    for k in range(touching.counts[TOUCHING]):
+        p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
+        meets, points = contacts.flags[p, LOCATED] > 0, contacts.flags[p, POINT_COUNT]
+        contacts.flags[p, LOCATED] = 0
+        if is_located(meets, p, i, j, bodies, shapes, contacts, touching):
+            contacts.flags[p, LOCATED], contacts.flags[p, POINT_COUNT] = MOST_LOCATED, 0
+            touching.counts[LOCATED_PAIRS] += 1
+        elif not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events):
+            touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
+            stay += 1
+            changed = changed or contacts.flags[p, POINT_COUNT] != points
+        else:
+            contacts.flags[p, POINT_COUNT] = 0
+    if changed or stay < touching.counts[TOUCHING]:
+        touching.counts[TOUCHING] = stay
+        touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
+
+
+def count_contacts(contacts: Contacts, touching: Touching) -> None:
+    """Count the contacts of each body that has some, and those of them that hold it."""
+    near = touching.near
+    for k in range(touching.counts[TOUCHING]):
+        for n in range(2):
+            near[touching.body_a[k], n] = near[touching.body_b[k], n] = 0
+    for k in range(touching.counts[TOUCHING]):
+        manifold = contacts.manifolds[touching.contact[k]]
+        loaded = manifold[NORMAL_IMPULSE] + manifold[NORMAL_IMPULSE + POINT] > 0.0
+        for i in (touching.body_a[k], touching.body_b[k]):
+            near[i, ALL] += 1
+            near[i, HOLDING] += 1 if loaded else 0
+
+
+def is_located(
+    meets: bool,
+    p: int,
+    i: int,
+    j: int,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    touching: Touching,
+) -> bool:
+    """Return whether continuous collision finds the impact of two bodies.
+
+    Where bodies bounce and nothing holds them, those that touch already may meet, too: one after
+    the other they pass an impact on.
+    """
+    held = holds(i, bodies, touching) + holds(j, bodies, touching)
+    if bounces(p, shapes, contacts) and held == 0:
+        return True
+    return meets and is_alone(i, bodies, touching) and is_alone(j, bodies, touching)
+
+
+def holds(i: int, bodies: Bodies, touching: Touching) -> int:
+    """Return how many contacts hold a body that moves freely."""
+    return touching.near[i, HOLDING] if bodies.kind[i] == DYNAMIC else 0
+
+
+def is_alone(i: int, bodies: Bodies, touching: Touching) -> bool:
+    """Return whether a body has no contact but one, or does not move freely."""
+    return bool((bodies.kind[i] != DYNAMIC) | (touching.near[i, ALL] == 1))
+
+
+def foresee_contact(
+    p: int,
+    i: int,
+    j: int,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
+) -> bool:
+    """Write the manifold of two shapes as they meet; return whether they do, or are close."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    time = control.progress[PART_TIME]
+    path = path_ahead(i, j, time, bodies)
+    at = time_of_impact(s, t, path, shapes, events)
+    margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
+    manifold, flags = contacts.manifolds[p], contacts.flags[p]
+    if at > 1.0:
+        return smallest_gap(manifold, flags[POINT_COUNT]) < margin
+    a, b, rows = core_of(s, shapes), core_of(t, shapes), events.scratch[1:]
+    place_vertices(a, path.turn_a * at, shapes.world_vertices, 0, rows)
+    place_vertices(b, path.turn_b * at, shapes.world_vertices, a.vertex_count, rows)
+    placed_a = Core(a.kind, 0, a.vertex_count, a.radius, 0.0)
+    placed_b = Core(b.kind, a.vertex_count, b.vertex_count, b.radius, 0.0)
+    x, y = path.x + at * path.dx, path.y + at * path.dy
+    first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, rows)
+    manifold[FORESEEN] = at * time
+    return match_impulses(manifold, flags, first, second) > 0
+
+
+def path_ahead(i: int, j: int, time: float, bodies: Bodies) -> RelativePath:
+    """Return the path of body j as seen from i in a time, s, at the velocities that they have."""
+    pose, motion = bodies.pose, bodies.motion
+    return RelativePath(
+        pose[j, X] - pose[i, X],
+        pose[j, Y] - pose[i, Y],
+        time * (motion[j, VX] - motion[i, VX]),
+        time * (motion[j, VY] - motion[i, VY]),
+        time * motion[i, SPIN],
+        time * motion[j, SPIN],
+    )

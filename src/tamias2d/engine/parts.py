@@ -1,0 +1,193 @@
+"""The parts of a step: where a crowd outruns it, it is taken in shorter ones.
+
+A crowd that comes far in a step has unboundedly many impacts in it, one after the other. In parts
+so short that no body of it goes farther than it can be held back from, the solver treats them
+together. Fast bodies that are few are left to continuous collision. Each part begins at a tick and
+is a power of a half of the step; one that is longer than the last begins at a multiple of its
+length. Cost of choosing: a pass over contacts, and the gap of those that are fast.
+"""
+
+from tamias2d.engine.continuous.events import (
+    THIN,
+    allowed_depth,
+    manifold_at,
+    senses,
+    smaller_radius,
+)
+from tamias2d.engine.tables import (
+    AT_START,
+    CONTACTS,
+    CORE_RADIUS,
+    DX,
+    FINEST,
+    FRAME_MOVES,
+    GOES_FAR,
+    LEAST_LEVEL,
+    LEVEL,
+    LIST_HOLDS,
+    MOST_LEVEL,
+    NEXT_LEVEL,
+    PART_SUBSTEPS,
+    PART_TIME,
+    POINT,
+    RETAKEN,
+    SLOT_A,
+    SLOT_B,
+    SPIN,
+    STAGE,
+    SUBSTEPS,
+    TICK,
+    TIME_STEP,
+    TOTAL_IMPULSE,
+    TOUCHES,
+    UNMOVED,
+    VX,
+    VY,
+    WAS_TOUCHING,
+    Bodies,
+    Contacts,
+    Control,
+    World,
+)
+from tamias2d.generated.continuous_collision import motion_bound
+
+FEW, OF_ALL = 3, 64  # pairs that are left to continuous collision: so many, or one of so many
+CHEAP = 5  # a level beyond which twice as many are left for each: their impacts cost less
+LIMIT = 1.5  # depths from which bodies are pushed back: how far a pair may go in a part
+
+
+def begin_part(world: World) -> None:
+    """Give the part that begins its length, which `shorten_part` may reduce."""
+    control, broad_phase = world.control, world.broad_phase
+    counts = control.counts
+    if counts[TICK] + counts[RETAKEN] == 0:
+        counts[FINEST] = 0
+    set_level(broad_phase.counts[NEXT_LEVEL], world)
+
+
+def end_part(world: World) -> bool:
+    """Put the bodies where they are after a part; return whether the step has ended.
+
+    The next part is twice as long where it begins at a multiple of that, if nothing forbids it.
+    """
+    control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
+    counts = control.counts
+    level = counts[LEVEL]
+    counts[TICK] += 1 << (MOST_LEVEL - level)
+    longer = level > counts[LEAST_LEVEL] and counts[TICK] % (1 << (MOST_LEVEL - level + 1)) == 0
+    broad_phase.counts[NEXT_LEVEL] = level - 1 if longer else level
+    counts[RETAKEN], counts[FINEST] = 0, max(counts[FINEST], level)
+    if counts[TICK] == 1 << MOST_LEVEL:
+        counts[TICK] = counts[LEAST_LEVEL] = 0
+        set_level(0, world)
+        return True
+    for i in range(len(bodies.pose)):
+        for n in range(3):
+            bodies.pose[i, n] += bodies.motion[i, DX + n]
+            bodies.motion[i, DX + n] = 0.0
+    return False
+
+
+def is_last_part(control: Control) -> bool:
+    """Return whether the step ends with this part."""
+    counts = control.counts
+    return counts[TICK] + (1 << (MOST_LEVEL - counts[LEVEL])) == 1 << MOST_LEVEL
+
+
+def note_start(bodies: Bodies) -> None:
+    """Note poses and velocities as a part begins that may have to be taken again."""
+    for i in range(len(bodies.pose)):
+        for n in range(3):
+            bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]
+
+
+def retake_part(world: World, contacts: Contacts) -> None:
+    """Put all bodies back to where a part began, which is to be taken again as a shorter one."""
+    control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
+    counts = control.counts
+    for i in range(len(bodies.pose)):
+        bodies.moved[i] = UNMOVED
+        for n in range(3):
+            bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
+            bodies.motion[i, DX + n] = 0.0
+    for p in range(broad_phase.counts[CONTACTS] if counts[TICK] == 0 else 0):
+        contacts.flags[p, TOUCHES] &= WAS_TOUCHING
+    broad_phase.counts[NEXT_LEVEL] = counts[LEAST_LEVEL] = counts[LEVEL] + 1
+    counts[RETAKEN], counts[STAGE] = 1, AT_START
+
+
+def set_level(level: int, world: World) -> None:
+    """Let the part that begins be a power of a half of the step."""
+    control, bodies, broad_phase = world.control, world.bodies, world.broad_phase
+    counts = control.counts
+    control.progress[PART_TIME] = control.settings[TIME_STEP] / (1 << level)
+    counts[PART_SUBSTEPS] = part_substeps(counts[SUBSTEPS], level)
+    if counts[LEVEL] == level:
+        return
+    counts[LEVEL] = level
+    for k in range(len(bodies.propagators)):
+        for n in range(bodies.propagators.shape[1]):
+            bodies.propagators[k, n] = bodies.propagators_of_level[level, k, n]
+    if broad_phase.frame[FRAME_MOVES] != 0.0:
+        broad_phase.counts[LIST_HOLDS] = 0
+
+
+def part_substeps(substeps: int, level: int) -> int:
+    """Return in how many substeps a part is taken, where a whole step takes some."""
+    return (substeps - 1) // (1 << level) + 1
+
+
+def shorten_part(world: World, contacts: Contacts) -> None:
+    """Make a part so short that only few pairs go farther in it than they are held back from."""
+    control, broad_phase = world.control, world.broad_phase
+    counts, wanted = control.counts, control.wanted
+    level = counts[LEVEL]
+    if counts[GOES_FAR] == 0 and level == 0:
+        return
+    find_wanted_levels(world, contacts)
+    longer, highest = 0, MOST_LEVEL
+    few = max(FEW, broad_phase.counts[CONTACTS] // OF_ALL)
+    while highest > level and longer + wanted[highest] <= few << max(highest - CHEAP, 0):
+        longer += wanted[highest]
+        highest -= 1
+    set_level(highest, world)
+    if highest > 0 and counts[TICK] == 0:
+        forget_totals(broad_phase.counts[CONTACTS], contacts)
+
+
+def find_wanted_levels(world: World, contacts: Contacts) -> None:
+    """Count the pairs that want a part of each level, where that is shorter than this one.
+
+    Pairs for which the shortest part is too long want none.
+    """
+    control, bodies, shapes = world.control, world.bodies, world.shapes
+    wanted, level = control.wanted, control.counts[LEVEL]
+    for k in range(len(wanted)):
+        wanted[k] = 0
+    for p in range(world.broad_phase.counts[CONTACTS]):
+        s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+        i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+        far = motion_of_pair(i, j, control.progress[PART_TIME], bodies)
+        reach = smaller_radius(s, t, shapes.material)
+        deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
+        if far > deep and not senses(s, t, shapes.filters):
+            gap = manifold_at(s, t, 0.0, bodies, shapes, world.events)
+            k = level
+            while k < MOST_LEVEL and far > deep and far > gap:
+                k += 1
+                far *= 0.5
+            wanted[k] += 1 if far <= max(deep, gap) else 0
+
+
+def motion_of_pair(i: int, j: int, time: float, bodies: Bodies) -> float:
+    """Return how far two bodies may come together in a time, m."""
+    motion, properties = bodies.motion, bodies.properties
+    by_x, by_y = time * (motion[j, VX] - motion[i, VX]), time * (motion[j, VY] - motion[i, VY])
+    of_i = motion_bound((0.0, 0.0), time * motion[i, SPIN], properties[i, CORE_RADIUS])
+    return of_i + motion_bound((by_x, by_y), time * motion[j, SPIN], properties[j, CORE_RADIUS])
+
+
+def forget_totals(count: int, contacts: Contacts) -> None:
+    """Let the impulses of the parts of a step add up from zero."""
+    for p in range(count):
+        contacts.manifolds[p, TOTAL_IMPULSE] = contacts.manifolds[p, TOTAL_IMPULSE + POINT] = 0.0
