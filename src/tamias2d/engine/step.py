@@ -22,7 +22,6 @@ from tamias2d.engine.continuous.prediction import foresee
 from tamias2d.engine.joints.stages import (
     clear_of_joints,
     keep_joint_impulses,
-    note_mechanisms,
 )
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
@@ -161,7 +160,6 @@ def take_part(world: World) -> int:
         foresee(world, contacts)
         counts[STAGE] = MANIFOLDS_KNOWN
     if counts[STAGE] == MANIFOLDS_KNOWN:
-        note_mechanisms(world)
         status = arrange(world, contacts)
         if status != DONE:
             return status
