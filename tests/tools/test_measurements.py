@@ -7,7 +7,15 @@ import pytest
 
 from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.scene import catalogue
-from tools.measurements import certificates, drift, held_out, kinds, peers, specialisation
+from tools.measurements import (
+    certificates,
+    drift,
+    held_out,
+    jointed,
+    kinds,
+    peers,
+    specialisation,
+)
 
 
 def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
@@ -61,3 +69,10 @@ def test_specialisation(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(specialisation, "_REPEATS", 1)
     _, rows = lines_of(specialisation)
     assert len(rows) == len(specialisation.DEMANDS)
+
+
+def test_jointed() -> None:
+    found = jointed.measure(seconds=1, side=3, ragdolls=1)
+    assert len(found["rows"]) == 3 * 4
+    assert {len(row) for row in jointed.table(found)[1]} == {6}
+    assert all(row["last"] < 1e-3 for row in found["rows"] if row["program"] == "Tamias2D")
