@@ -48,17 +48,20 @@ from tamias2d.generated.joint_step import (
     velocity_later,
 )
 
-REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep
+REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 MOST_ITERATIONS_OF_JOINTS = 5
 SOLVED_RATE = 1e-4  # of the largest error of the first iteration: as good as solved
 
 
-def aim_joints(n: int, joints: Joints) -> None:
-    """Note to which values a substep brings the rows of a mechanism, which were just written."""
+def aim_joints(n: int, length: float, joints: Joints) -> None:
+    """Note to which values a substep brings the rows of a mechanism, which were just written.
+
+    Its length is a share of that of a substep of a whole step: shorter ones remove less.
+    """
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         numbers = joints.numbers[j]
         for r in range(joints.joints[j, J_ROWS]):
-            numbers[J_AIM + r] = row_aim(numbers[J_ROW + ROW * r], REMOVED_BY_JOINTS)
+            numbers[J_AIM + r] = row_aim(numbers[J_ROW + ROW * r], REMOVED_BY_JOINTS * length)
 
 
 def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:

@@ -39,7 +39,9 @@ from tamias2d.engine.tables import (
     SLABS,
     SLEEP_ID,
     SUBSTEP_START,
+    SUBSTEPS,
     TICK,
+    TIME_STEP,
     Bodies,
     Islands,
     Joints,
@@ -155,11 +157,13 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
+    control = world.control
+    length = min(substep * control.counts[SUBSTEPS] / control.settings[TIME_STEP], 1.0)
     for n in range(joints.counts[MECHANISMS]):
         status = joints.mechanisms[n, M_STATUS]
         if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
             if not again:
-                aim_joints(n, joints)
+                aim_joints(n, length, joints)
             keep_positions(n, again, substep, bodies, joints)
 
 
