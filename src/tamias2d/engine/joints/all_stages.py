@@ -5,6 +5,7 @@ from tamias2d.engine.islands import join_islands
 from tamias2d.engine.joints.stages import (
     activate_joined,
     begin_joints,
+    charge_touched,
     clear_of_joints,
     end_joints,
     join_slabs,
@@ -15,11 +16,12 @@ from tamias2d.engine.joints.stages import (
     solve_joints,
 )
 from tamias2d.engine.sleep import note_joined_support
-from tamias2d.engine.solver.support import support_joined
+from tamias2d.engine.solver.support import charge_joined, support_joined
 
 JOINT_STAGES = (
     activate_joined,
     begin_joints,
+    charge_touched,
     clear_of_joints,
     end_joints,
     join_islands,
@@ -30,6 +32,7 @@ JOINT_STAGES = (
     relax_in_turns,
     relax_joints,
     solve_joints,
+    charge_joined,
     support_joined,
     without_kept_apart,
 )

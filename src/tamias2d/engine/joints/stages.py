@@ -42,6 +42,8 @@ from tamias2d.engine.tables import (
     SUBSTEPS,
     TICK,
     TIME_STEP,
+    TOTAL_ENERGY_START,
+    TOTAL_WORK,
     Bodies,
     Islands,
     Joints,
@@ -52,6 +54,7 @@ from tamias2d.generated.joint_step import (
     half_gain,
     kick_velocity_later,
     kick_velocity_start,
+    kinetic_energy_most,
 )
 
 RELAXING_ROUNDS = 2  # of joints and contacts, when their velocities are relaxed, besides the first
@@ -206,6 +209,15 @@ def end_joints(world: World) -> None:
             kick_half(n, True, bodies, joints)
             keep_velocities(n, 0.5, bodies, joints)
             bound_mechanism(n, world.control, bodies, joints, world.islands)
+
+
+def charge_touched(world: World) -> None:
+    """Charge all that moves for what it does against forces, if contacts touch mechanisms."""
+    energy = world.constraints.energy
+    if world.joints.counts[MECHANISMS_AWAKE] > 0 and world.joints.counts[MECHANISMS_TOUCHED] > 0:
+        lost = min(energy[TOTAL_WORK], 0.0)
+        energy[TOTAL_ENERGY_START] = kinetic_energy_most(energy[TOTAL_ENERGY_START], lost)
+        energy[TOTAL_WORK] = max(energy[TOTAL_WORK], 0.0)
 
 
 def kick_half(n: int, ahead: bool, bodies: Bodies, joints: Joints) -> None:

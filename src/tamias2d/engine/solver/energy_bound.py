@@ -17,6 +17,7 @@ from tamias2d.engine.solver.island_damping import (
 )
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
+    charge_joined,
     find_references,
     is_root,
     reference_at,
@@ -106,6 +107,7 @@ def bound_energy(
     find_references(bodies, touching, constraints, islands)
     support_joined(bodies, islands, joints)
     sum_island_energies(control, bodies, touching, constraints, islands)
+    charge_joined(islands, joints)
     if choose_kept_shares(bodies, touching, constraints, islands):
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)

@@ -8,6 +8,7 @@ moved when the step began: there, gravity does no work that contacts could take 
 from tamias2d.engine.tables import (
     ACTIVE,
     DYNAMIC,
+    ENERGY_START,
     I_NODE,
     INVERSE_MASS,
     ISLAND_MASS,
@@ -27,6 +28,7 @@ from tamias2d.engine.tables import (
     TOUCHING,
     VX,
     VY,
+    WORK,
     Bodies,
     Constraints,
     Islands,
@@ -37,6 +39,7 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.generated.definitions import momentum, point_velocity
 from tamias2d.generated.island_energy import velocity_island
+from tamias2d.generated.joint_step import kinetic_energy_most
 from tamias2d.state import Vector
 
 ALIKE = 1e-9  # of their sizes: differences of velocities that are none
@@ -106,6 +109,18 @@ def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
                 if joints.joints[j, J_NODE + end] == STANDS_STILL:
                     support = joints.members[joints.joints[j, J_MEMBER + end], JOINED_SLOT]
                     support_island(support, root, bodies, islands)
+
+
+def charge_joined(islands: Islands, joints: Joints) -> None:
+    """Charge the islands of mechanisms for what they do against gravity and forces (IM15).
+
+    Joints that bring bodies back would otherwise lift them for nothing, again and again.
+    """
+    for n in range(joints.counts[MECHANISMS]):
+        root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
+        row = islands.energy[root]
+        row[ENERGY_START] = kinetic_energy_most(row[ENERGY_START], min(row[WORK], 0.0))
+        row[WORK] = max(row[WORK], 0.0)
 
 
 def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
