@@ -9,6 +9,7 @@ from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.scene import catalogue
 from tools.measurements import (
     certificates,
+    crowds,
     drift,
     held_out,
     jointed,
@@ -37,6 +38,15 @@ def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
     assert [row["scene"] for row in found["rows"]] == ["driven", "throw 0"]
     assert found["left_out"] == ["cradle-touching"]
     assert "cradle-touching" in certificates.notes(found)[0]
+
+
+def test_crowds() -> None:
+    found = crowds.measure(bodies=9, steps=3)
+    assert json.loads(json.dumps(found)) == found
+    heads, rows = crowds.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert len(rows) == 3 * len(crowds.CROWDS)
+    assert crowds.notes(found)
 
 
 def test_drift(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -7,6 +7,7 @@ is a power of a half of the step; one that is longer than the last begins at a m
 length. Cost of choosing: a pass over contacts, and the gap of those that are fast.
 """
 
+from tamias2d.engine.broad_phase.pairs import TOO_CROWDED
 from tamias2d.engine.continuous.events import (
     THIN,
     allowed_depth,
@@ -128,7 +129,8 @@ def set_level(level: int, world: World) -> None:
     for k in range(len(bodies.propagators)):
         for n in range(bodies.propagators.shape[1]):
             bodies.propagators[k, n] = bodies.propagators_of_level[level, k, n]
-    if broad_phase.frame[FRAME_MOVES] != 0.0:
+    crowded = broad_phase.counts[CONTACTS] > TOO_CROWDED * len(world.shapes.slot)
+    if broad_phase.frame[FRAME_MOVES] != 0.0 or crowded:
         broad_phase.counts[LIST_HOLDS] = 0
 
 

@@ -364,7 +364,8 @@ FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
 LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
-MOST_LOCATED = 4  # LOCATED of a contact that meets in this part
+MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
+SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list
 SPENT = 15  # LOCATED of a contact that has had its share of these impacts
 IS_TOUCHING, WAS_TOUCHING = 1, 2  # bits of TOUCHES: in this step, in the last one
 
@@ -395,7 +396,7 @@ _touching = Columns()
 TOUCHING = _touching()  # contacts that touch
 ARRANGED = _touching()  # 1 if slabs, blocks and trees are those of these contacts
 ISLANDS_KNOWN = _touching()  # 1 if islands are
-MEETING = _touching()  # contacts on the list that are apart and meet in this part
+MEETING = _touching()  # contacts that meet, or move much against each other
 PRESSED_DEEP = _touching()  # 1 if there is a deep overlap
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
 
@@ -408,6 +409,7 @@ class Touching(NamedTuple):
 
     counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
     near: Annotated[IndexRows, Sized("slots", 2)]  # numbers of contacts of each body, see above
+    approach: Annotated[Floats, Sized("slots")]  # m/s, at which each body approaches others
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
     body_a: Annotated[Places, Sized("contacts")]  # slot
     body_b: Annotated[Places, Sized("contacts")]  # slot

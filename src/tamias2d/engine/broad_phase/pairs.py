@@ -33,6 +33,7 @@ from tamias2d.engine.tables import (
 LONGEST_HORIZON = 64  # steps
 SHORTEST_HORIZON = 3  # steps, for a list that is crowded
 CROWDED = 3  # contacts to a shape, above which a list is made for fewer steps
+TOO_CROWDED = 16  # contacts to a shape, above which it is made anew for less time
 MOST_UPDATED = 0.125  # of all bodies: if more leave their bounds, the list is rebuilt
 
 
@@ -58,15 +59,15 @@ def update_pairs(left: int, world: World) -> bool:
 
 def rebuild_pairs(world: World) -> int:
     """Make the contact list anew; return DONE, or which array is too short."""
-    bodies, shapes, tree, broad_phase = world.bodies, world.shapes, world.tree, world.broad_phase
+    bodies, shapes, broad_phase = world.bodies, world.shapes, world.broad_phase
     control = world.control
     counts = broad_phase.counts
     choose_horizon(len(shapes.slot), counts)
     choose_frame(control, bodies, broad_phase, world.touching)
-    fatten_all_bounds(bodies, broad_phase, counts[HORIZON] * control.progress[PART_TIME])
-    for s in range(len(shapes.slot)):
-        fatten_box(s, bodies, shapes, tree, broad_phase)
-    total = find_candidates(bodies, shapes, tree, broad_phase)
+    total = find_ahead(world)
+    while total > TOO_CROWDED * len(shapes.slot) and counts[HORIZON] > 1:
+        counts[HORIZON] //= 2
+        total = find_ahead(world)
     total = without_kept_apart(total, world.state, broad_phase, world.joints)
     if total > len(broad_phase.candidates):
         control.counts[ROWS_NEEDED] = total
@@ -79,6 +80,16 @@ def rebuild_pairs(world: World) -> int:
     counts[LIST_HOLDS], counts[UPDATED] = 1, 0
     world.touching.counts[ARRANGED] = world.touching.counts[ISLANDS_KNOWN] = 0
     return DONE
+
+
+def find_ahead(world: World) -> int:
+    """Find the pairs that may meet within the horizon; return how many."""
+    bodies, shapes, tree, broad_phase = world.bodies, world.shapes, world.tree, world.broad_phase
+    ahead = broad_phase.counts[HORIZON] * world.control.progress[PART_TIME]
+    fatten_all_bounds(bodies, broad_phase, ahead)
+    for s in range(len(shapes.slot)):
+        fatten_box(s, bodies, shapes, tree, broad_phase)
+    return find_candidates(bodies, shapes, tree, broad_phase)
 
 
 def choose_horizon(shapes: int, counts: Integers) -> None:

@@ -95,14 +95,7 @@ def solve_continuous(
             events.together[k] = k
         control.progress[DEPTH_SHARE] = SHALLOW
     body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[CONTACTS]
-    for k in range(body_count):
-        events.times[k] = MISSED
-    found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
-    if found == MANY:
-        control.progress[DEPTH_SHARE] = 1.0
-        for k in range(body_count):
-            events.times[k] = MISSED
-        found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
+    found = find_all_events(since, control, bodies, shapes, broad_phase, contacts, events)
     if found == 0:
         return MISSED
     list_contacts_by_body(broad_phase, contacts, events, body_count)
@@ -144,6 +137,30 @@ def solve_continuous(
         if frozen:
             update_others(i, now, share, control, bodies, shapes, broad_phase, contacts, events)
     return MISSED
+
+
+def find_all_events(
+    since: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    events: Events,
+) -> int:
+    """Find when bodies leave their bounds and pairs meet; return how many pairs do.
+
+    Shallow impacts are left out where they are many.
+    """
+    for k in range(len(bodies.kind)):
+        events.times[k] = MISSED
+    found = find_events(since, control, bodies, shapes, broad_phase, contacts, events)
+    if found != MANY:
+        return found
+    control.progress[DEPTH_SHARE] = 1.0
+    for k in range(len(bodies.kind)):
+        events.times[k] = MISSED
+    return find_events(since, control, bodies, shapes, broad_phase, contacts, events)
 
 
 def update_body(

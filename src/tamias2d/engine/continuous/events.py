@@ -65,9 +65,9 @@ from tamias2d.state import Array
 # the width of the thinner one; it is not farther than the smaller bounding radius
 PUSHED_BACK = 0.7
 THIN = 0.25  # of the smaller radius: for the length of parts thinner bodies are as thick as this
-SHALLOW = 0.3  # of that: how far one goes in before its impact is looked for
+SHALLOW = 0.12  # of that: how far one goes in before its impact is looked for
 BOUNCY = 0.7  # restitution that gives half of the energy back
-MOST_SHALLOW = 8  # pairs in a part that are looked at for that
+MOST_SHALLOW = 24  # pairs in a part that are looked at for that
 MANY = -1  # more than these
 RESTING = 0.1  # of the limit: how far bodies go in a part that rest in each other
 SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held

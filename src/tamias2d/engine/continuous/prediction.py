@@ -7,7 +7,8 @@ until then, and treats them together with the contacts that touch.
 """
 
 from tamias2d.engine.continuous.conservative_advancement import place_vertices, time_of_impact
-from tamias2d.engine.continuous.events import bounces
+from tamias2d.engine.continuous.events import bounces, smaller_radius
+from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of
@@ -51,8 +52,10 @@ def foresee(world: World, contacts: Contacts) -> None:
     touching.counts[LOCATED_PAIRS] = 0
     if touching.counts[MEETING] == 0:
         return
+    before = touching.counts[TOUCHING]
+    add_secondary_contacts(world, contacts)
     count_contacts(contacts, touching)
-    stay, changed = 0, False
+    stay, changed = 0, touching.counts[TOUCHING] > before
     for k in range(touching.counts[TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
         meets, points = contacts.flags[p, LOCATED] > 0, contacts.flags[p, POINT_COUNT]
@@ -102,7 +105,9 @@ def is_located(
     """
     held = holds(i, bodies, touching) + holds(j, bodies, touching)
     if bounces(p, shapes, contacts) and held == 0:
-        return True
+        s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+        gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, POINT_COUNT])
+        return gap > -CLOSE * smaller_radius(s, t, shapes.material)  # the solver parts others
     return meets and is_alone(i, bodies, touching) and is_alone(j, bodies, touching)
 
 

@@ -108,6 +108,7 @@ def find_touching(
             total += 1
             if meets:
                 contacts.flags[p, LOCATED] = MOST_LOCATED
+            if meets or margin > (CLOSE + AHEAD) * smaller:  # it may change a velocity by much
                 marked += 1
         else:
             mark_sensor(count, contacts.manifolds[p], contacts.flags[p])
@@ -137,7 +138,6 @@ def will_meet(
     """Return whether two bodies that are apart meet in this part, faster than gravity lets them."""
     manifold, time = contacts.manifolds[p], control.progress[PART_TIME]
     seen = time + time / control.counts[PART_SUBSTEPS]  # relaxing looks a substep ahead
-    a, b = bodies.motion[i], bodies.motion[j]
     pull = 0.0
     if bodies.kind[i] != bodies.kind[j]:
         pull = time * (abs(control.settings[GRAVITY_X]) + abs(control.settings[GRAVITY_Y]))
@@ -146,15 +146,20 @@ def will_meet(
         gap = manifold[GAP + n * POINT]
         if gap <= -GRAZE * smaller:
             return False
-        x, y = manifold[PX + n * POINT], manifold[PY + n * POINT]
-        dx, dy = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
-        normal = (manifold[NX], manifold[NY])
-        speed = row_velocity(
-            (a[VX], a[VY]), a[SPIN], turning_arm((x, y), normal),
-            (b[VX], b[VY]), b[SPIN], turning_arm((x - dx, y - dy), normal), normal,
-        )  # fmt: skip
+        speed = opening_speed(n, i, j, bodies, manifold)
         meets = meets | ((speed < -2.0 * pull) & (gap + (speed - pull) * seen < 0.0))
     return bool(meets)
+
+
+def opening_speed(n: int, i: int, j: int, bodies: Bodies, manifold: Array) -> float:
+    """Return how fast the gap of a point opens, m/s."""
+    x, y = manifold[PX + n * POINT], manifold[PY + n * POINT]
+    span_x, span_y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
+    normal, a, b = (manifold[NX], manifold[NY]), bodies.motion[i], bodies.motion[j]
+    return row_velocity(
+        (a[VX], a[VY]), a[SPIN], turning_arm((x, y), normal),
+        (b[VX], b[VY]), b[SPIN], turning_arm((x - span_x, y - span_y), normal), normal,
+    )  # fmt: skip
 
 
 @inlined

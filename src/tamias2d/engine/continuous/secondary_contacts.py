@@ -1,0 +1,138 @@
+"""Contacts that come about in a part of a step because others change velocities.
+
+A body that meets a floor is stopped, and one that follows it meets it there, though the gap between
+them does not close as the part begins. Pairs are added that would meet if contacts took all of the
+velocity from a body at which it approaches others. Cost: a pass over the list of pairs, where a
+body approaches another one faster than gravity lets it.
+"""
+
+from tamias2d.engine.continuous.events import bounces, senses, smaller_radius
+from tamias2d.engine.narrow_phase.collide import collide
+from tamias2d.engine.narrow_phase.touching import BULLET, CLOSE, opening_speed
+from tamias2d.engine.tables import (
+    AWAKE,
+    CONTACTS,
+    DYNAMIC,
+    GAP,
+    GRAVITY_X,
+    GRAVITY_Y,
+    LOCATED,
+    PART_TIME,
+    POINT,
+    POINT_COUNT,
+    SECONDARY,
+    SHAPE_RADIUS,
+    SLEEPING,
+    SLOT_A,
+    SLOT_B,
+    TOUCHING,
+    VX,
+    VY,
+    Bodies,
+    Contacts,
+    Islands,
+    Touching,
+    World,
+    X,
+    Y,
+)
+
+
+def add_secondary_contacts(world: World, contacts: Contacts) -> None:
+    """Put pairs on the list of touching ones that others may drive together."""
+    bodies, touching = world.bodies, world.touching
+    pull = abs(world.control.settings[GRAVITY_X]) + abs(world.control.settings[GRAVITY_Y])
+    slow = 2.0 * world.control.progress[PART_TIME] * pull
+    if not note_approaches(slow, bodies, contacts, touching):
+        return
+    added = 0
+    for p in range(world.broad_phase.counts[CONTACTS]):
+        if contacts.flags[p, POINT_COUNT] == 0 and is_driven(p, contacts, touching, world.islands):
+            found = meets_driven(p, world, contacts)
+            contacts.flags[p, LOCATED] = SECONDARY if found else 0
+            added += 1 if found else 0
+    if added > 0:
+        merge_secondary(added, contacts, touching, world.broad_phase.counts[CONTACTS])
+
+
+def note_approaches(slow: float, bodies: Bodies, contacts: Contacts, touching: Touching) -> bool:
+    """Note how fast each body approaches others that it touches or meets; tell whether one does.
+
+    What is as slow as gravity makes bodies in a part does not count.
+    """
+    for i in range(len(bodies.kind)):
+        touching.approach[i] = 0.0
+    found = False
+    for k in range(touching.counts[TOUCHING]):
+        p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
+        speed = -least_speed(p, i, j, bodies, contacts)
+        if speed > slow:
+            found = True
+            for one in (i, j):
+                if bodies.kind[one] == DYNAMIC:
+                    touching.approach[one] = max(touching.approach[one], speed)
+    return found
+
+
+def least_speed(p: int, i: int, j: int, bodies: Bodies, contacts: Contacts) -> float:
+    """Return how fast the gaps of two bodies open, at the point where they do so least, m/s."""
+    least = 0.0
+    for n in range(contacts.flags[p, POINT_COUNT]):
+        least = min(least, opening_speed(n, i, j, bodies, contacts.manifolds[p]))
+    return least
+
+
+def is_driven(p: int, contacts: Contacts, touching: Touching, islands: Islands) -> bool:
+    """Return whether contacts with others may drive two bodies together that are awake."""
+    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    if touching.approach[i] + touching.approach[j] == 0.0:
+        return False
+    return bool(
+        islands.counts[SLEEPING] == 0 or islands.links[i, AWAKE] + islands.links[j, AWAKE] > 0
+    )
+
+
+def meets_driven(p: int, world: World, contacts: Contacts) -> bool:
+    """Find the manifold of two bodies that contacts drive; return whether they may meet so."""
+    bodies, shapes, touching = world.bodies, world.shapes, world.touching
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    if senses(s, t, shapes.filters) or bounces(p, shapes, contacts):
+        return False
+    a, b, reach = bodies.motion[i], bodies.motion[j], smaller_radius(s, t, shapes.material)
+    driven, time = touching.approach[i] + touching.approach[j], world.control.progress[PART_TIME]
+    way = time * (driven + abs(b[VX] - a[VX]) + abs(b[VY] - a[VY]))
+    x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
+    margin = CLOSE * reach + way
+    radii = shapes.material[s, SHAPE_RADIUS] + shapes.material[t, SHAPE_RADIUS] + margin
+    if way > BULLET * reach or x * x + y * y > radii * radii:
+        return False
+    for n in range(collide(p, s, t, x, y, margin, shapes, contacts)):
+        speed = opening_speed(n, i, j, bodies, contacts.manifolds[p]) - driven
+        if contacts.manifolds[p, GAP + n * POINT] + speed * time < 0.0:
+            return True
+    contacts.flags[p, POINT_COUNT] = 0
+    return False
+
+
+def merge_secondary(added: int, contacts: Contacts, touching: Touching, count: int) -> None:
+    """Put the marked pairs at their places among those that touch, from the last one on."""
+    k = touching.counts[TOUCHING] - 1
+    to = k + added
+    touching.counts[TOUCHING] += added
+    for p in range(count - 1, -1, -1):
+        if to == k:
+            return
+        marked = contacts.flags[p, LOCATED] == SECONDARY
+        if marked:
+            contacts.flags[p, LOCATED] = 0
+            touching.contact[to] = p
+            touching.body_a[to], touching.body_b[to] = (
+                contacts.pairs[p, SLOT_A],
+                contacts.pairs[p, SLOT_B],
+            )
+            to -= 1
+        elif k >= 0 and touching.contact[k] == p:
+            touching.contact[to] = p
+            touching.body_a[to], touching.body_b[to] = touching.body_a[k], touching.body_b[k]
+            k, to = k - 1, to - 1
