@@ -39,6 +39,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         ExplicitEuler as ExplicitEuler,
         ExponentialDrag as ExponentialDrag,
         JointError as JointError,
+        JointEvents as JointEvents,
         Legacy2018 as Legacy2018,
         Reactions as Reactions,
         Reference as Reference,
@@ -63,14 +64,20 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         Gear as Gear,
         Groove as Groove,
         HalfPlane as HalfPlane,
+        JointSpring as JointSpring,
+        Limits as Limits,
+        Motor as Motor,
         Part as Part,
         Polygon as Polygon,
         Prismatic as Prismatic,
         Pulley as Pulley,
+        Ratchet as Ratchet,
         Revolute as Revolute,
+        Rotary as Rotary,
         Scene as Scene,
         Segment as Segment,
         Weld as Weld,
+        Wheel as Wheel,
         catalogue as catalogue,
         load as load,
         needs as needs,
@@ -79,7 +86,8 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.simulate import simulate as simulate
     from tamias2d.simulator import Hits as Hits, Simulator as Simulator
     from tamias2d.study.certify import certify as certify
-    from tamias2d.study.recommend import ToleranceError as ToleranceError, recommend as recommend
+    from tamias2d.study.recommend import recommend as recommend
+    from tamias2d.study.refusal import ToleranceError as ToleranceError
     from tamias2d.trace import trace as trace
     from tamias2d.verify import verify as verify
     from tamias2d.work_limit import WorkLimitError as WorkLimitError
@@ -92,16 +100,18 @@ _HOMES = {
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "StepWarning TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag JointError "
-    "Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler StabilityError StepSizeError "
-    "Stepped VelocityVerlet Yoshida4",
+    "JointEvents Legacy2018 Reactions Reference RungeKutta4 SemiImplicitEuler StabilityError "
+    "StepSizeError Stepped VelocityVerlet Yoshida4",
     "run": "Run",
     "run_data": "Impacts",
-    "scene": "Body Box Capsule Compound Disc Distance Equation Gear Groove HalfPlane Part Polygon "
-    "Prismatic Pulley Revolute Scene Segment Weld catalogue load needs scene_text",
+    "scene": "Body Box Capsule Compound Disc Distance Equation Gear Groove HalfPlane JointSpring "
+    "Limits Motor Part Polygon Prismatic Pulley Ratchet Revolute Rotary Scene Segment Weld Wheel "
+    "catalogue load needs scene_text",
     "simulate": "simulate",
     "simulator": "Hits Simulator",
     "study.certify": "certify",
-    "study.recommend": "ToleranceError recommend",
+    "study.recommend": "recommend",
+    "study.refusal": "ToleranceError",
     "trace": "trace",
     "verify": "verify",
     "work_limit": "WorkLimitError",

@@ -151,6 +151,12 @@ def run(
         str | None,
         typer.Option(metavar="ERROR", help="Such as 1e-6: the cheapest method and step within it."),
     ] = None,
+    quality: Annotated[
+        str | None,
+        typer.Option(
+            metavar="SHARE", help="Such as 0.01: overlap and energy from nothing, in piles too."
+        ),
+    ] = None,
     certify: Annotated[
         bool, typer.Option("--certify", help="Bound the error, which takes a few runs more.")
     ] = False,
@@ -171,6 +177,7 @@ def run(
         method=method,
         time_step=time_step,
         tolerance=tolerance,
+        quality=quality,
         certified=certify,
         record=record,
         plot=plot,

@@ -1,7 +1,7 @@
 """The numbers of a run: the history of a scene, its impacts and its balance."""
 
 import hashlib
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 
 import numpy as np
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tamias2d.certificate import Certificate
 from tamias2d.cost import Cost
-from tamias2d.motion import Method, Reactions, reactions_of
+from tamias2d.motion import JointEvents, Method, Reactions, joint_events, reactions_of
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History
 
@@ -74,6 +74,8 @@ class RunData:
     """Which method was taken and why; which bodies came to rest on which, and when."""
     cost: Cost | None = None
     """What it cost; None if it was not simulated but read from a recording."""
+    joint_events: JointEvents = field(default_factory=joint_events)
+    """Limits of joints that were reached, motors that gave way, joints that broke."""
     certificate: Certificate | None = None
     """How wrong it is at most; None until it is certified."""
 
@@ -81,15 +83,18 @@ class RunData:
     def reactions(self) -> Reactions:
         """What the joints exert at each sample, and how well they hold (TM7)."""
         states = (self.position, self.orientation, self.velocity, self.angular_velocity)
-        return reactions_of(self.scene, self.times, History(*states))
+        return reactions_of(self.scene, self.times, History(*states), self.joint_events)
 
     def digest(self) -> str:
         """Return the SHA-256 of all numbers of the run: equal runs have equal digests."""
         total = hashlib.sha256()
-        for part in (self, self.impacts):
-            for field in fields(part):
-                value = getattr(part, field.name)
+        parts: list[RunData | Impacts | JointEvents] = [self, self.impacts]
+        if len(self.joint_events):  # runs without any keep the digest that they had
+            parts.append(self.joint_events)
+        for part in parts:
+            for each in fields(part):
+                value = getattr(part, each.name)
                 if isinstance(value, np.ndarray):
-                    total.update(f"{field.name}{value.shape}".encode())
+                    total.update(f"{each.name}{value.shape}".encode())
                     total.update(np.ascontiguousarray(value).tobytes())
         return total.hexdigest()

@@ -5,6 +5,9 @@ Steps of a length that the user gave are not counted: their number is known befo
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from tamias2d.errors import SimulationError
 
 WORK_LIMIT = 100_000
@@ -70,6 +73,20 @@ class Work:
             left = self._duration - time
             coming = left / time * self._impacts if time > 0 else math.inf
         self._check(time, coming, "impacts", "method=Stepped()")
+
+    def fitting(self, times: NDArray[np.float64]) -> int:
+        """Count impacts at sorted times, s, up to the first that is too much; return how many."""
+        counts = self._impacts + np.arange(1, len(times) + 1)
+        done = self._steps + counts
+        with np.errstate(all="ignore"):
+            left = (self._duration - times) / times * counts
+        coming = np.where(counts >= _SAMPLE, np.where(times > 0, left, math.inf), 0.0)
+        good = (done <= self._limit) & (coming <= self._limit * np.sqrt(self._limit / done))
+        found = len(times) if good.all() else int(np.argmin(good))
+        if found:
+            self._impacts += found
+            self._sampled, self._start = 0, float(times[found - 1])
+        return found
 
     def _check(self, time: float, coming: float, what: str, other: str) -> None:
         done = self._steps + self._impacts

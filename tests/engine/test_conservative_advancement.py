@@ -23,7 +23,8 @@ TURNS = st.one_of(st.just(0.0), st.floats(-4, 4), st.floats(-200, 200))
 def event_arrays() -> Events:
     """Room for the vertices of two shapes."""
     rows = np.zeros((64, MANIFOLD))
-    return Events(np.zeros(1), np.zeros((3, 4), np.int32), rows, np.zeros(1, np.int32))
+    queue, together = np.zeros((3, 4), np.int32), np.zeros(1, np.int32)
+    return Events(np.zeros(1), queue, rows, together, np.zeros((1, 5)))
 
 
 def swept(

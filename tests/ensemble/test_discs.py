@@ -8,7 +8,7 @@ import pytest
 from scipy import stats
 
 import tamias2d as t2
-from tamias2d.ensemble import disc_impacts, discs
+from tamias2d.ensemble import discs
 from tamias2d.ensemble.discs import Followed, followed
 from tamias2d.ensemble.request import request_of
 from tamias2d.ensemble.worlds import worlds_of
@@ -124,10 +124,3 @@ def test_an_ensemble_is_followed_on_threads_and_those_left_over_are_solved() -> 
         run = t2.simulate(t2.world_scene(one, world), duration=1.0, times=(0.3, 1.0))
         moving = [k for k, body in enumerate(run.scene.bodies) if body.dynamic]
         np.testing.assert_array_equal(one.position[world], run.position[:, moving])
-
-
-def test_lengths_are_those_of_the_interpreter() -> None:
-    chance = np.random.default_rng(3)
-    for x, y in (chance.normal(size=(3000, 2)) * 10 ** chance.uniform(-8, 8, (3000, 2))).tolist():
-        assert disc_impacts.hypot(x, y) == math.hypot(x, y)
-    assert disc_impacts.hypot(0.0, 0.0) == 0.0

@@ -163,3 +163,46 @@ def test_gear_follows_from_its_equation(**given: Value) -> None:
 def test_pulley_follows_from_its_equation(**given: Value) -> None:
     """srs/models/joints.md:242."""
     follows(CONSTRAINTS["pulley"], given)
+
+
+@given(
+    joint_angle=values("joint_angle"),
+    position_a=values("position_a"),
+    velocity_a=values("velocity_a"),
+    orientation_a=values("orientation_a"),
+    angular_velocity_a=values("angular_velocity_a"),
+    position_b=values("position_b"),
+    velocity_b=values("velocity_b"),
+    orientation_b=values("orientation_b"),
+    angular_velocity_b=values("angular_velocity_b"),
+    position_c=values("position_c"),
+    velocity_c=values("velocity_c"),
+    orientation_c=values("orientation_c"),
+    angular_velocity_c=values("angular_velocity_c"),
+)
+def test_angle_follows_from_its_equation(**given: Value) -> None:
+    """srs/models/joints.md:274."""
+    follows(CONSTRAINTS["angle"], given)
+
+
+@given(
+    anchor_a=values("anchor_a"),
+    guide_a=values("guide_a"),
+    anchor_b=values("anchor_b"),
+    joint_travel=values("joint_travel"),
+    position_a=values("position_a"),
+    velocity_a=values("velocity_a"),
+    orientation_a=values("orientation_a"),
+    angular_velocity_a=values("angular_velocity_a"),
+    position_b=values("position_b"),
+    velocity_b=values("velocity_b"),
+    orientation_b=values("orientation_b"),
+    angular_velocity_b=values("angular_velocity_b"),
+    position_c=values("position_c"),
+    velocity_c=values("velocity_c"),
+    orientation_c=values("orientation_c"),
+    angular_velocity_c=values("angular_velocity_c"),
+)
+def test_travel_follows_from_its_equation(**given: Value) -> None:
+    """srs/models/joints.md:284."""
+    follows(CONSTRAINTS["travel"], given)

@@ -87,30 +87,6 @@ def test_the_slider_and_crank_of_sundials() -> None:
     assert run.position[1, 1, 0] == pytest.approx(1.023578558980, abs=1e-12)
 
 
-ANDREWS = {
-    "angle": [
-        15.81077119629904, -15.75637105984298, 0.04082224013073101, -0.5347301163226948,
-        0.5244099658805304, 0.5347301163226948, 1.048080741042263,
-    ],
-    "rate": [
-        1139.920302151208, -1424.379294994111, 11.03291221937134, 19.29337464421385,
-        0.5735699284790808, -19.29337464421385, 0.3231791658026955,
-    ],
-}  # fmt: skip
-
-
-def test_a03_andrews_squeezer() -> None:
-    """All 14 values at 30 ms; the published ones have about nine digits."""
-
-    def relative(turns: np.ndarray) -> list[float]:
-        k1, k2, k3, k4, k5, k6, k7 = turns.tolist()
-        return [k1, k2 - k1, k3, k4 - k5, k5, k6 - k7, k7]
-
-    run = final(catalogue.load("andrews"), 0.03)
-    assert relative(run.orientation[-1]) == pytest.approx(ANDREWS["angle"], rel=1e-9, abs=1e-9)
-    assert relative(run.angular_velocity[-1]) == pytest.approx(ANDREWS["rate"], rel=3e-8, abs=3e-8)
-
-
 def test_a02_two_four_bars_pass_the_place_where_they_could_part() -> None:
     """Where all bars lie on one line, at 0.714 s; energy before and after says they went on.
 

@@ -175,9 +175,11 @@ def test_what_float64_cannot_hold_is_refused() -> None:
         t2.simulate(scene, duration=100.0, method=Stepped(), time_step=1.0)
 
 
-def test_a_tolerance_is_refused_where_contacts_are_stepped() -> None:
-    with pytest.raises(t2.ToleranceError, match=r"'belt': it is kinematic.*Leave"):
-        t2.simulate(conveyor(), duration=1.0, tolerance=1e-3)
+def test_a_tolerance_is_met_or_refused_where_contacts_are_stepped() -> None:
+    run = t2.simulate(conveyor(), duration=1.0, tolerance=1e-3)
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    assert run.certificate.bound <= 1e-3
     with pytest.raises(t2.ToleranceError, match="more than 100"):
         t2.recommend(t2.catalogue.load("pyramid-30"), duration=1.0, tolerance=1e-3)
     slope = t2.Scene(gravity=(1, -1))
@@ -219,7 +221,8 @@ def test_a_certificate_bounds_what_the_located_way_shows_to_be_the_error(
     truth = t2.simulate(scene, duration=duration, times=run.times)
     assert truth.method != Stepped()
     error = float(apart(run, truth).max()) / scale(run)
-    assert error <= run.certificate.bound < max(10 * error, 1e-4)
+    # runs of other steps are told along lines between their ends, which is off by g h^2/8
+    assert error <= run.certificate.bound < max(10 * error, 0.05)
 
 
 def test_a_certificate_says_what_steps_leave_open() -> None:

@@ -68,7 +68,7 @@ def test_a_directory_that_cannot_be_written_is_refused_before_the_run(
 
     monkeypatch.setattr(run_command, "simulate", never)
     options: dict[str, Any] = dict.fromkeys(
-        ["duration", "method", "time_step", "tolerance", "plot"]
+        ["duration", "method", "time_step", "tolerance", "quality", "plot"]
     )
     with pytest.raises(t2.RecordingError, match="cannot be written"):
         run_command.run_scene(

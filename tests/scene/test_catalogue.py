@@ -22,7 +22,9 @@ EXPECTED = [
     *("drag-fall", "quadratic-drag", "oscillator", "damped-oscillator", "pendulum", "kepler"),
     *("two-body", "figure-eight", "solar", "spring-chain", "own-law"),
     *("pendulum-a01", "four-bars", "slider-crank", "andrews", "gear-train"),
+    *("windmill", "walker", "bridge", "ball-and-chain"),
 ]
+JOINTED = ["car", "ragdolls", "joint-grid"]
 STEPPED = {
     "pyramid-30": 465,
     "pyramid-100": 5050,
@@ -42,7 +44,18 @@ STEPPED = {
 def test_the_catalogue_is_complete() -> None:
     assert catalogue.names("located") == sorted(EXPECTED)
     assert catalogue.names("stepped") == sorted(STEPPED)
-    assert catalogue.names() == sorted([*EXPECTED, *STEPPED])
+    assert catalogue.names("jointed") == sorted(JOINTED)
+    assert catalogue.names() == sorted([*EXPECTED, *STEPPED, *JOINTED])
+
+
+@pytest.mark.parametrize("name", [*JOINTED, "windmill", "walker", "bridge", "ball-and-chain"])
+def test_a_scene_of_joints_says_what_it_needs(name: str) -> None:
+    scene = catalogue.load(name)
+    assert scene.says
+    assert scene.duration
+    assert "joints (TM7, GD17)" in needs(scene)
+    if len(scene) < 100:  # YAML is read slowly
+        assert scene_text(load(scene_text(scene))) == scene_text(scene)
 
 
 @pytest.mark.parametrize("name", [name for name in STEPPED if name != "pyramid-100"])

@@ -87,7 +87,85 @@ BAD: dict[str, tuple[Callable[[Scene], object], str]] = {
         lambda s: s.add_joint(t2.Equation("orientation_a - 3[rad/s]*time"), "wheel"),
         "the velocities at the start tear it: it is left at -3 rad/s",
     ),
+    "limits that are crossed": (
+        lambda s: hinged(s, limits=t2.Limits(lower=1, upper=-1, restitution=0)),
+        "limits of joint 'joint0': lower 1 is not below upper -1",
+    ),
+    "a start beyond the limits": (
+        lambda s: hinged(s, limits=t2.Limits(lower=0.1, restitution=0)),
+        r"its angle is 0 rad at the start, beyond them \(0.1 to any rad\)",
+    ),
+    "limits of nothing": (
+        lambda s: hinged(s, limits=t2.Limits(restitution=0)),
+        "limits of joint 'joint0': found none",
+    ),
+    "no limits": (lambda s: hinged(s, limits=(0, 1)), r"must be one .*Give Limits\(lower="),
+    "a restitution above one": (
+        lambda s: hinged(s, limits=t2.Limits(lower=-1, restitution=1.5)),
+        "restitution 1.5 of limits of joint 'joint0': must be",
+    ),
+    "a rope of no length": (
+        lambda s: s.add_joint(
+            t2.Distance(limits=t2.Limits(upper=0, restitution=0)), "rod", "wheel"
+        ),
+        "upper 0 m: a distance is positive",
+    ),
+    "a rod with limits": (
+        lambda _: t2.Distance(length=1.5, limits=t2.Limits(upper=2, restitution=0)),
+        "length 1.5 m of a distance joint: what is kept has no limits",
+    ),
+    "a rope whose ends are at one place": (
+        lambda s: s.add_joint(
+            t2.Distance(limits=t2.Limits(upper=1, restitution=0)), "rod", (0.5, 0)
+        ),
+        "no finite derivative at the start",
+    ),
+    "a spring of no stiffness": (
+        lambda s: hinged(s, spring=t2.JointSpring(stiffness=0)),
+        "stiffness 0 N.m/rad of spring of joint 'joint0': must be > 0",
+    ),
+    "a spring of negative damping": (
+        lambda s: hinged(s, spring=t2.JointSpring(stiffness=1, damping=-1)),
+        "damping -1 N.m.s/rad of spring of joint 'joint0': must be >= 0",
+    ),
+    "a motor of no torque": (
+        lambda s: hinged(s, motor=t2.Motor(speed=1, maximum=0)),
+        "maximum 0 N.m of motor of joint 'joint0': must be > 0",
+    ),
+    "a motor without a finite speed": (
+        lambda s: hinged(s, motor=t2.Motor(speed=float("nan"), maximum=1)),
+        "speed of motor of joint 'joint0': found nan: must be finite",
+    ),
+    "an angle of which nothing is said": (
+        lambda s: s.add_joint(t2.Rotary(), "rod", "wheel"),
+        "joint 'joint0': nothing is said of the angle",
+    ),
+    "a ratchet without teeth": (
+        lambda s: s.add_joint(t2.Ratchet(pitch=0, restitution=0), "rod", "wheel"),
+        "pitch 0 rad of joint 'joint0': must be > 0",
+    ),
+    "a joint that bears nothing": (
+        lambda s: hinged(s, bears=0),
+        "break force 0 N of joint 'joint0': must be > 0",
+    ),
+    "a spring in what may break": (
+        lambda s: hinged(s, bears=1, spring=t2.JointSpring(stiffness=1)),
+        "has a spring and may break",
+    ),
+    "an angle of a body without inertia": (
+        lambda s: s.add_joint(t2.Rotary(motor=t2.Motor(speed=1)), "bob", "rod"),
+        "'bob' has no inertia",
+    ),
 }
+
+
+def hinged(made: Scene, *, bears: float | None = None, **said: object) -> None:
+    made.add_joint(
+        t2.Revolute(**said),  # type: ignore[arg-type]
+        *((0, 0), "rod"),
+        other_anchor=(-0.5, 0),
+        break_force=bears,
+    )
 
 
 @pytest.mark.parametrize("what", BAD)
@@ -123,6 +201,21 @@ joints:
             "6:15",
             "'1[s]' is a scalar in s",
         ),
+        (
+            "    anchor",
+            "    limits: {lower: 1 rad, upper: 0 rad, restitution: 0}\n    anchor",
+            "7:21",
+            "lower 1 is not below upper 0",
+        ),
+        ("    anchor", "    motor: {speed: 1 m}\n    anchor", "7:20", "must be in s^-1"),
+        (
+            "    anchor",
+            "    spring: {rest: 0 rad}\n    anchor",
+            "7:5",
+            "key 'stiffness' is missing",
+        ),
+        ("    anchor", "    break_torque: 0 N*m\n    anchor", "7:19", "must be > 0"),
+        ("    anchor", "    limits: {lowest: 0 rad}\n    anchor", "7:14", "lower"),
     ],
 )
 def test_a_bad_joint_in_a_file_has_its_place(old: str, new: str, place: str, message: str) -> None:
@@ -147,6 +240,20 @@ def test_joints_of_all_kinds_come_back_from_their_text_to_the_last_bit() -> None
         t2.Pulley(posts=[(0, 3), (1, 3)], ratio=1.5), "b 1", "b 3", third="b 2", third_anchor=(0, 1)
     )
     made.add_joint(t2.Weld(), "b 3", (1, 0.1))
+    limits = t2.Limits(lower=-1 / 3, upper=2 / 3, restitution=0.1)
+    motor = t2.Motor(speed=1 / 3, maximum=1 / 7)
+    spring = t2.JointSpring(stiffness=1 / 3, damping=1 / 7)
+    made.add_joint(t2.Rotary(limits=limits, motor=motor, spring=spring), "b 0", "b 1")
+    made.add_joint(t2.Distance(limits=t2.Limits(upper=7 / 3, restitution=0)), "b 0", "b 2")
+    made.add_joint(t2.Ratchet(pitch=1 / 3, restitution=0.5), "b 1", "b 2")
+    made.add_joint(
+        t2.Wheel(axis=(0, 1), spring=spring, limits=limits, motor=motor), (2 / 3, 0.1), "b 2"
+    )
+    made.add_joint(
+        t2.Revolute(motor=t2.Motor(speed=0.5, maximum=1)), (0, 0.1), "b 0", break_force=1 / 3,
+        break_torque=1 / 7,
+    )  # fmt: skip
+    made.add_joint(t2.Prismatic(axis=(1, 0), limits=limits), (1, 0.1), "b 3")
     made.add_joint(t2.Equation(["x(point_a - point_b) + 1/3*1[m]"]), "b 0", "b 1", anchor=(0, 0))
     again = t2.load(t2.scene_text(made))
     assert again == made

@@ -1,6 +1,7 @@
 """Every measurement runs to its end, small; no time and no figure is looked at."""
 
 import json
+from functools import partial
 from typing import Any
 
 import pytest
@@ -9,9 +10,11 @@ from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.scene import catalogue
 from tools.measurements import (
     certificates,
+    certified_steps,
     crowds,
     drift,
     held_out,
+    impacts,
     jointed,
     kinds,
     peers,
@@ -31,10 +34,20 @@ def lines_of(module: Any) -> tuple[dict[str, Any], list[tuple[str, ...]]]:
 def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
     names = ["driven", "cradle-touching"]
     new = [scene for scene in held_out.scenes() if scene.name == "throw 0"]
+    steps = [scene for scene in held_out.stepped_scenes() if scene.name == "platform 0"]
     monkeypatch.setattr(certificates, "TOLERANCES", (1e-2,))
-    monkeypatch.setattr(catalogue, "names", lambda *_: names)
+    monkeypatch.setattr(certified_steps, "TOLERANCES", (1e-1, 1e-2))
+    of = {None: names, "located": names, "stepped": ["cradle-touching"]}
+    monkeypatch.setattr(catalogue, "names", lambda contacts=None: of[contacts])
     monkeypatch.setattr(held_out, "scenes", lambda: iter(new))
+    monkeypatch.setattr(held_out, "stepped_scenes", lambda: iter(steps))
     found, _ = lines_of(certificates)
+    by_steps = {row["scene"] for row in found["stepped_rows"]}
+    assert by_steps == {"cradle-touching", "platform 0"}
+    for row in found["stepped_rows"]:
+        assert row["covered"] is not False
+    assert any(row["covered"] for row in found["stepped_rows"])
+    assert "Stepped, held out" in certificates.notes(found)[-1]
     assert [row["scene"] for row in found["rows"]] == ["driven", "throw 0"]
     assert found["left_out"] == ["cradle-touching"]
     assert "cradle-touching" in certificates.notes(found)[0]
@@ -54,6 +67,14 @@ def test_drift(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(drift, "ORBITERS", (RungeKutta4(),))
     _, rows = lines_of(drift)
     assert len(rows) == 3
+
+
+def test_impacts(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(impacts, "_PILOT", 0.005)
+    small = {"counts": [30, 110], "impacts": 100, "steps": 3}
+    monkeypatch.setattr(impacts, "measure", partial(impacts.measure, **small))
+    found, _ = lines_of(impacts)
+    assert [row["discs"] for row in found["rows"]] == [30, 110]
 
 
 def test_kinds(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,8 +5,8 @@ The true error comes from solutions in 40 digits (`exact`) or, where forces have
 from scipy at 1e-13, whose own doubt is what our order 8 at 1e-14 says otherwise. Effectivity is the
 bound over the true error; where that is below rounding (of the largest terms of a place) or below
 the doubt, over these. A bound below the doubt is not judged at all. Scenes whose contacts are
-stepped, and those without a unique answer, have no true answer here; they are named. It takes half
-an hour.
+stepped have another true answer, and tables of their own (`certified_steps`); those that have none
+are named. It takes an hour.
 """
 
 import math
@@ -24,12 +24,13 @@ from tamias2d.state import Array
 from tamias2d.study.certify import certify, rounding
 from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import ToleranceError, recommend, schemes_for, solved
-from tools.measurements import held_out
+from tools.measurements import certified_steps, held_out
 from tools.measurements.exact import NotCoveredError, exact_history
 
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
 _RUNGS = 2**0.5  # of a ladder of steps
 _COARSEST = 4
+_APART = ("held_out", "left_out", "rows", "stepped", "stepped_rows")
 
 
 @dataclass(frozen=True)
@@ -64,19 +65,32 @@ def measure() -> dict[str, Any]:
     """Return shares and medians over the catalogue, those over held-out scenes, and all pairs."""
     known = [(name, catalogue.load(name)) for name in catalogue.names("located")]
     new = [(scene.name, scene) for scene in held_out.scenes()]
+    by_steps = _stepped_parts()
     found = [{name: _pairs(name, scene) for name, scene in part} for part in (known, new)]
     parts = [[pair for pairs in part.values() for pair in pairs] for part in found]
     return {
         **summary(parts[0]),
         "held_out": summary(parts[1]),
         "left_out": [name for part in found for name, pairs in part.items() if not pairs],
+        "stepped": {name: certified_steps.summary(part) for name, part in by_steps.items()},
+        "stepped_rows": [row for part in by_steps.values() for row in certified_steps.rows(part)],
         "rows": [asdict(pair) for part in parts for pair in part],
+    }
+
+
+def _stepped_parts() -> dict[str, list[certified_steps.SteppedPair]]:
+    """Return what came of stepped scenes, of the catalogue and held out."""
+    known = [(name, catalogue.load(name)) for name in catalogue.names("stepped")]
+    new = [(scene.name, scene) for scene in held_out.stepped_scenes()]
+    return {
+        part: [pair for name, scene in scenes for pair in certified_steps.pairs(name, scene)]
+        for part, scenes in (("catalogue", known), ("held out", new))
     }
 
 
 def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
     """Return heads and rows for people: the catalogue, and what was held out."""
-    heads = tuple(key for key in found if key not in ("held_out", "left_out", "rows"))
+    heads = tuple(key for key in found if key not in _APART)
     rows = [
         (name, *(f"{part[key]:.4g}" for key in heads))
         for name, part in (("catalogue", found), ("held out", found["held_out"]))
@@ -85,9 +99,13 @@ def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]
 
 
 def notes(found: dict[str, Any]) -> list[str]:
-    """Return which scenes were left out."""
+    """Return which scenes were left out, and what came of those whose contacts are stepped."""
     names = ", ".join(found["left_out"])
-    return [f"Without a true answer, so left out: {names}."] if names else []
+    lines = [f"Without a true answer, so left out: {names}."] if names else []
+    for part, said in found["stepped"].items():
+        told = ", ".join(f"{key} {value}" for key, value in said.items())
+        lines.append(f"Stepped, {part}: {told}.")
+    return lines
 
 
 def summary(pairs: list[Pair]) -> dict[str, Any]:

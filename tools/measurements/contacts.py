@@ -16,12 +16,12 @@ from typing import Any, TypeAlias
 from rich.console import Console
 from rich.progress import track
 
+from tamias2d.study.engines.box2d import Box2D
+from tamias2d.study.engines.chipmunk import Chipmunk
+from tamias2d.study.engines.engine import Maker
+from tamias2d.study.engines.own import Own
 from tools.measurements.arena import page, picture
-from tools.measurements.arena.box2d import Box2D
-from tools.measurements.arena.chipmunk import Chipmunk
-from tools.measurements.arena.engine import Maker
 from tools.measurements.arena.growth import BODIES, bytes_of_a_body, seconds
-from tools.measurements.arena.own import Own
 from tools.measurements.arena.quality import quality
 from tools.measurements.arena.race import race
 from tools.measurements.arena.reading import share_of_a_step

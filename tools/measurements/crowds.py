@@ -19,11 +19,11 @@ from rich.progress import track
 
 from tamias2d.scene import Box, Capsule, Disc, Scene, Shape
 from tamias2d.state import Array
-from tools.measurements.arena.box2d import Box2D
-from tools.measurements.arena.chipmunk import Chipmunk
-from tools.measurements.arena.engine import Engine, Maker
-from tools.measurements.arena.overlap import worst
-from tools.measurements.arena.own import Own
+from tamias2d.study.engines.box2d import Box2D
+from tamias2d.study.engines.chipmunk import Chipmunk
+from tamias2d.study.engines.engine import Engine, Maker
+from tamias2d.study.engines.overlap import worst
+from tamias2d.study.engines.own import Own
 from tools.measurements.arena.race import TIME_STEP
 
 _ENGINES: tuple[Maker, ...] = (Own, Chipmunk, Box2D)

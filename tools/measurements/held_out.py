@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tamias2d.scene import Disc, HalfPlane, Scene
+from tamias2d.scene import Box, Compound, Disc, HalfPlane, Part, Scene
 
 SEED = 1618  # nothing was tuned on these; 2718 and 31415 showed what had to be mended
 _EACH = 6
@@ -79,3 +79,79 @@ def _bounces(random: np.random.Generator, k: int) -> Scene:
     for normal, offset in walls:
         scene.add_static(HalfPlane(normal=normal, offset=offset), restitution=0.95)
     return scene
+
+
+def stepped_scenes() -> Iterator[Scene]:
+    """Yield slopes, drops and platforms, six of each, whose contacts are stepped."""
+    random = np.random.default_rng(SEED)
+    for make in (_slope, _drop, _platform):
+        for k in range(_EACH):
+            yield make(random, k)
+
+
+def _slope(random: np.random.Generator, k: int) -> Scene:
+    """Boxes of several frictions, one of them made of two parts."""
+    scene = Scene(gravity=_G, name=f"slope {k}", duration=float(random.uniform(1.0, 3.0)))
+    turn = -float(random.uniform(0.1, 0.6))
+    up = (-math.sin(turn), math.cos(turn))
+    scene.add_static(HalfPlane(normal=up, offset=0.0), restitution=0.0, friction=1.0)
+    for i in range(3):
+        shape = _brick(random) if i == 0 else Box(width=1.0, height=float(random.uniform(0.5, 1)))
+        high = 0.5 if isinstance(shape, Compound) else shape.height / 2
+        along = 4.0 * i
+        scene.add_body(
+            shape,
+            mass=float(random.uniform(0.5, 3.0)),
+            position=(along * up[1] + high * up[0], -along * up[0] + high * up[1]),
+            orientation=turn,
+            friction=float(random.uniform(0.0, 1.0)),
+            restitution=0.0,
+        )
+    return scene
+
+
+def _drop(random: np.random.Generator, k: int) -> Scene:
+    """Bodies side by side above a floor, one of them made of two parts."""
+    scene = Scene(gravity=_G, name=f"drop {k}", duration=float(random.uniform(0.8, 1.5)))
+    loss = float(random.uniform(0.0, 0.6))
+    scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), friction=0.5, restitution=loss)
+    for i in range(1 + k % 3):
+        scene.add_body(
+            _brick(random) if i == 0 else Disc(radius=float(random.uniform(0.2, 0.5))),
+            mass=float(random.uniform(0.5, 3.0)),
+            position=(3.0 * i, float(random.uniform(1.0, 2.5))),
+            orientation=float(random.uniform(-0.6, 0.6)),
+            velocity=(float(random.uniform(-0.5, 0.5)), 0.0),
+            friction=float(random.uniform(0.2, 0.9)),
+            restitution=loss,
+        )
+    return scene
+
+
+def _platform(random: np.random.Generator, k: int) -> Scene:
+    """A stack on a platform that moves at a constant velocity."""
+    scene = Scene(gravity=_G, name=f"platform {k}", duration=float(random.uniform(1.0, 3.0)))
+    speed = float(random.uniform(-0.6, 0.6))
+    scene.add_kinematic(
+        Box(width=20.0, height=1.0),
+        position=(0.0, -0.5),
+        velocity=(speed, 0.0),
+        friction=float(random.uniform(0.2, 0.8)),
+        restitution=0.0,
+    )
+    for i in range(1 + k % 3):
+        scene.add_body(
+            Box(width=1.0, height=0.5),
+            mass=float(random.uniform(0.5, 3.0)),
+            position=(0.05 * i, 0.25 + 0.5 * i),
+            friction=float(random.uniform(0.3, 0.9)),
+            restitution=0.0,
+        )
+    return scene
+
+
+def _brick(random: np.random.Generator) -> Compound:
+    """Return two boxes side by side, 1 m high together."""
+    wide = float(random.uniform(0.5, 1.0))
+    half = Box(width=wide, height=1.0)
+    return Compound(parts=[Part(shape=half, position=(s * wide / 2, 0.0)) for s in (-1, 1)])

@@ -21,22 +21,28 @@ from weave.markdown import fence, table
 
 SCENES = {"kepler": 10.0, "quadratic-drag": 3.0, "pendulum": 5.0, "bouncing-disc": 1.5}
 """Names of the catalogue, and how long each is simulated, in s."""
+CONTACTS = {"incline": 1.0, "dominoes": 1.0, "arch": 1.0}
+"""The same of scenes whose contacts are stepped."""
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
 _RUNGS = (16, 64, 256)
 _PHASES = 8
 _LINE = 1e-6  # the tolerance in the pictures
-_SOURCES = ("study", "motion", "contact", "generated")
+_RATES = (30, 120, 480)  # steps in a second through contacts
+_STARTS = 4  # of such a scene
+_LINE_OF_STEPS = 1e-2
+_SOURCES = ("study", "study/engines", "motion", "contact", "generated")
 
 
 def on_builder_inited(app: Sphinx) -> None:
     """Measure the scenes whose results are missing or out of date."""
     folder = _folder(Path(app.srcdir))
     folder.mkdir(parents=True, exist_ok=True)
-    wanted = {folder / _stem(name) for name in SCENES}
+    every = [*SCENES, *CONTACTS]
+    wanted = {folder / _stem(name) for name in every}
     for old in folder.iterdir():
         if old.with_suffix("") not in wanted:
             old.unlink()
-    for name in SCENES:
+    for name in every:
         if not (folder / f"{_stem(name)}.json").is_file():
             _measure(name, folder)
 
@@ -58,12 +64,18 @@ def _stem(name: str) -> str:
 
 def _measure(name: str, folder: Path) -> None:
     from tamias2d.study.plot import plot
-    from tamias2d.study.report import as_json
+    from tamias2d.study.report import as_json, contacts_as_json
 
-    study = _study(name)
+    study: Any
+    if name in CONTACTS:
+        study, line = _contact_study(name), _LINE_OF_STEPS
+        said = contacts_as_json(study, tolerance=line)
+    else:
+        study, line = _study(name), _LINE
+        said = as_json(study, tolerance=line)
     if find_spec("matplotlib"):
-        plot(study, folder / f"{_stem(name)}.png", tolerance=_LINE)
-    text = json.dumps(as_json(study, tolerance=_LINE))
+        plot(study, folder / f"{_stem(name)}.png", tolerance=line)
+    text = json.dumps(said)
     (folder / f"{_stem(name)}.json").write_text(text, encoding="utf-8")
 
 
@@ -87,6 +99,17 @@ def _study(name: str) -> Any:
         impacts=len(impacts),
         points=tuple(point_of(way, scenes, truths, timed=True) for way in _ways(scene)),
         complete=True,
+    )
+
+
+def _contact_study(name: str) -> Any:
+    from tamias2d.study.contact_study import contact_study
+    from tamias2d.study.stepped_plan import stepped_because
+
+    scene, duration = catalogue.load(name), CONTACTS[name]
+    reason = stepped_because(scene, duration) or "as asked"
+    return contact_study(
+        scene, duration=duration, reason=reason, phases_asked=_STARTS, rates=_RATES
     )
 
 

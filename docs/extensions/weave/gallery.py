@@ -11,6 +11,7 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.application import Sphinx
 
+from tamias2d.errors import SimulationError
 from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
@@ -56,7 +57,12 @@ def _draw(name: str, folder: Path) -> None:
     from tamias2d.record.plot import plot
 
     scene = catalogue.load(name)
-    run = simulate(scene, duration=scene.duration or 1.0)
+    try:
+        run = simulate(scene, duration=scene.duration or 1.0)
+    except SimulationError as refusal:  # up to there
+        if not isinstance(refusal.run, Run):
+            return
+        run = refusal.run
     plot(run, folder / _file(name))
     _draw_small(run, folder / _small(name))
 

@@ -59,6 +59,7 @@ def run_scene(
     method: str | None,
     time_step: str | None,
     tolerance: str | None,
+    quality: str | None,
     certified: bool,
     record: Path | None,
     plot: Path | None,
@@ -77,6 +78,7 @@ def run_scene(
             method=chosen,
             time_step=step,
             tolerance=share(tolerance, option="--tolerance"),
+            quality=share(quality, option="--quality"),
             progress=sys.stderr.isatty(),
         )
     except (SimulationError, Interrupted) as stop:

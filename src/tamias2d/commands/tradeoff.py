@@ -4,11 +4,16 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
+from tamias2d.commands.contact_tradeoff import print_contacts
 from tamias2d.commands.names import find_scene, seconds
 from tamias2d.commands.output import error_text, figure, print_json, print_table, say
 from tamias2d.errors import InputError
-from tamias2d.study.report import as_json as report
+from tamias2d.scene import Scene
+from tamias2d.study.contact_study import ContactStudy, contact_study
+from tamias2d.study.report import as_json as report, contacts_as_json
+from tamias2d.study.stepped_plan import stepped_because
 from tamias2d.study.work_precision import ProgressHook, Study, study
 
 
@@ -48,10 +53,11 @@ def show_tradeoff(
             f"SCENE: {name!r}: no body can move, so that nothing can be measured (R5). "
             "Add a dynamic body."
         )
-    with _progress() as told:
-        found = study(scene, duration=time, phases_asked=phases, told=told)
+    found = _studied(scene, time, phases)
     if as_json:
-        print_json(report(found, tolerance=tolerance))
+        print_json(_as_json(found, tolerance))
+    elif isinstance(found, ContactStudy):
+        print_contacts(found, name, tolerance)
     else:
         _print(found, name, tolerance)
     if plot is not None:
@@ -62,6 +68,22 @@ def show_tradeoff(
     if not found.complete:
         print(f"Interrupted: the first {len(found.points)} points are shown.", file=sys.stderr)
     return found.complete
+
+
+def _studied(scene: Scene, time: float, phases: int) -> Study | ContactStudy:
+    """Return the study that suits a scene: of located impacts, or of stepped contacts."""
+    with _progress() as told:
+        if reason := stepped_because(scene, time):
+            return contact_study(
+                scene, duration=time, reason=reason, phases_asked=phases, told=told
+            )
+        return study(scene, duration=time, phases_asked=phases, told=told)
+
+
+def _as_json(found: Study | ContactStudy, tolerance: float | None) -> dict[str, Any]:
+    if isinstance(found, ContactStudy):
+        return contacts_as_json(found, tolerance=tolerance)
+    return report(found, tolerance=tolerance)
 
 
 @contextmanager

@@ -4,7 +4,7 @@ Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impa
 (conservative advancement along separating axes), and in which order one instant is resolved.
 """
 
-from tamias2d.contact.instant import ContactImpulse
+from tamias2d.contact.event_driven_scenes import is_event_driven
 from tamias2d.contact.located import Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
@@ -17,11 +17,11 @@ from tamias2d.contact.refusal import (
     UndecidedContactError,
     UnlocatedContactError,
 )
-from tamias2d.contact.stepping_choice import MEANT_TO_TOUCH, steps_because
+from tamias2d.contact.stepping_choice import MANY, MEANT_TO_TOUCH, steps_because
 
 __all__ = [
+    "MANY",
     "MEANT_TO_TOUCH",
-    "ContactImpulse",
     "FrictionError",
     "LastingContactError",
     "Located",
@@ -31,6 +31,7 @@ __all__ = [
     "SimultaneousImpactsError",
     "UndecidedContactError",
     "UnlocatedContactError",
+    "is_event_driven",
     "refuse_contact",
     "steps_because",
 ]

@@ -138,8 +138,13 @@ def tangential_part(vector: Vector, normals: Sequence[Vector]) -> Vector:
     (nx, ny), *others = normals
     if any(abs(nx * y - ny * x) > _PARALLEL for x, y in others):
         return 0.0, 0.0
-    along = ny * vector[0] - nx * vector[1]
-    return along * ny + 0.0, -along * nx + 0.0  # no negative zero
+    return along_surface(vector, (nx, ny))
+
+
+def along_surface(vector: Vector, normal: Vector) -> Vector:
+    """Return the part of a vector along a surface."""
+    along = normal[1] * vector[0] - normal[0] * vector[1]
+    return along * normal[1] + 0.0, -along * normal[0] + 0.0  # no negative zero
 
 
 def after_force(core: Core, by: Acceleration, arm: Vector, force: Vector) -> Acceleration:

@@ -5,34 +5,54 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 
+import numpy as np
+
 from tamias2d.contact.conservative_advancement import Pair
 from tamias2d.contact.contact_loss import ContactLossWatch
 from tamias2d.contact.core import cores_of, place
+from tamias2d.contact.follower import Follower, Memory
 from tamias2d.contact.gap import EPSILON, slight_opening
 from tamias2d.contact.instant import ContactImpulse, Instant, InstantInputs, PairOf
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.overlap import refuse_overlap
-from tamias2d.contact.refusal import UndecidedContactError, named
+from tamias2d.contact.refusal import LastingContactError, UndecidedContactError, named
 from tamias2d.contact.rest_time import RestTimes
+from tamias2d.contact.stepping_choice import MANY
 from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.swept_aabb import SweptAabbs
 from tamias2d.path import Paths, Piece
 from tamias2d.scene import Scene
-from tamias2d.state import Constraint, State, Vector
+from tamias2d.state import Array, Constraint, State, Vector
 from tamias2d.work_limit import Work
 
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
 
 
 class Located:
-    """A scene in simulation: `go` to a time, then read `tracks` and `contact_impulses`."""
+    """A scene in simulation: `go` to a time, then read `tracks` and `impacts`."""
 
-    def __init__(self, scene: Scene, motion: Paths, work: Work) -> None:
-        """Take a scene, what makes the paths of its bodies, and what counts its impacts."""
+    def __init__(
+        self,
+        scene: Scene,
+        motion: Paths,
+        work: Work,
+        follower: Follower | None = None,
+        *,
+        alone: bool = True,
+    ) -> None:
+        """Take a scene, what makes the paths of its bodies, and what counts its impacts.
+
+        A `follower` goes on from impact to impact where it can and that pays, with the same bits;
+        where it must be given up and `alone` says so, the rest is done without it.
+        """
         refuse_stepwise(scene)
         self._scene = scene
         self._motion = motion
         self._work = work
+        self._follower = follower
+        self._following: Follower | None = None
+        self._alone = alone
+        self._begun = False
         self._cores = cores_of(scene)
         solid = [core for core in self._cores if core.solid]
         self.can_meet = len(solid) > 1 and any(core.dynamic for core in solid)
@@ -41,7 +61,7 @@ class Located:
         self.tracks: list[list[Piece]] = [[] for _ in self._cores]
         """The paths of each body so far, in order."""
         self.notes: tuple[str, ...] = ()
-        self._contact_impulses: list[tuple[float, ContactImpulse]] = []
+        self._impacts: list[Array] = []
         self._constraints: list[Constraint | None] = [None for _ in self._cores]
         self._lasting: dict[PairOf, list[Contact]] = {}
         self._senses: dict[PairOf, int] = {}
@@ -71,17 +91,113 @@ class Located:
         self._until = duration
         while self.time < duration:
             end = self._segment(states)
-            while self._events and self._events[0][0] <= end:
-                self._next_event(end)
-                told(self.time)
+            while True:
+                if self._may_follow(end):
+                    self._follow(end, told)
+                elif self._events and self._events[0][0] <= end:
+                    self._next_event(end)
+                    told(self.time)
+                else:
+                    break
             self.time = end
             states = [self._state(i) for i in range(len(self._cores))]
             told(end)
 
     @property
-    def contact_impulses(self) -> list[tuple[float, ContactImpulse]]:
-        """All impulses so far, with their times in s, in order."""
-        return self._contact_impulses
+    def impacts(self) -> Array:
+        """All impulses so far, in order (m, 9).
+
+        Columns: time, s; bodies A and B; point (x, y), m; normal (x, y); impulse, N s; normal
+        velocity before it, m/s.
+        """
+        return np.concatenate([np.zeros((0, 9)), *self._impacts])
+
+    def _may_follow(self, end: float) -> bool:
+        """Whether there is a follower, which knows all that lasts, and whether it pays."""
+        if self._follower is None or not self.time < end or not self._is_simple():
+            return False
+        return self._follower.pays(self.time, self._until)
+
+    def _is_simple(self) -> bool:
+        """Whether all that lasts are single bodies, each on one that stands still."""
+        held = [i for pair in self._lasting for i in pair if self._cores[i].dynamic]
+        single = len(held) == len(self._lasting) == len(set(held))
+        steady = not any(self._state_dependent(pair) for pair in self._lasting)
+        return single and steady and not self._resume
+
+    def _follow(self, end: float, told: Callable[[float], None]) -> None:
+        """Let a follower go on, and resolve what it leaves open, while it knows all that lasts."""
+        follower = self._follower
+        assert follower is not None
+        follower.take(self.time, self._until, self.tracks, begun=self._begun)
+        follower.remember(range(len(self._cores)), self._memory())
+        self._following = follower
+        self._events = [event for event in self._events if event[1] == event[2]]
+        heapq.heapify(self._events)
+        while self.time < end and self._is_simple():
+            bodies = self._advance(follower, min([end, *(event[0] for event in self._events)]))
+            told(self.time)
+            if bodies is None:
+                while self._events and self._events[0][0] <= self.time:
+                    self._next_event(end)
+            elif bodies:
+                self._resolve_instant(self.time, list(bodies), end)
+            elif self._begun or self.time > 0:
+                self._follower = None  # it cannot tell when a pair meets
+                break
+            else:  # some touch at the start
+                self._resolve_start(end)
+                break
+        self._give_back(follower, end)
+
+    def _advance(self, follower: Follower, limit: float) -> tuple[int, ...] | None:
+        """Let a follower go on to a time, s, and count the impacts."""
+        try:
+            return follower.go(limit)
+        finally:
+            self.time, impacts = follower.now, follower.impacts()
+            fitting = self._work.fitting(impacts[:, 0])
+            self._impacts.append(impacts[: fitting + 1])
+            if fitting < len(impacts):
+                self.time = float(impacts[fitting, 0])
+                self._work.impacts(1, self.time)
+
+    def _give_back(self, follower: Follower, end: float) -> None:
+        """Take all bodies back from a follower, and go on without it where it does not."""
+        memory = follower.recall(range(len(self._cores)))
+        follower.give_back()
+        self._following = None
+        self._take_memory(memory)
+        if self.time < end and not self._may_follow(end):
+            self._refuse_alone()
+            for body, track in enumerate(self.tracks):
+                self._aabbs.update(body, track[-1])
+            self._schedule_impacts(range(len(self._cores)), anew=True)
+
+    def _refuse_alone(self) -> None:
+        """Refuse to go on without a follower, where so it was asked."""
+        if not self._alone:
+            raise LastingContactError(
+                f"contacts at {self.time!r} s: they last, or part too slowly, and of more than "
+                f"{MANY} moving bodies impacts alone are located (R12). End the run before, take "
+                "method=Stepped(), or change the scene.",
+                time=self.time,
+            )
+
+    def _memory(self) -> Memory:
+        """Return what is known of the bodies besides their paths."""
+        supports = {
+            i: j
+            for pair in self._lasting
+            for i, j in (pair, pair[::-1])
+            if self._cores[i].dynamic and not self._cores[j].dynamic
+        }
+        return Memory(supports, self._rest_times.of, dict(enumerate(self._stalled)))
+
+    def _take_memory(self, memory: Memory) -> None:
+        self._rest_times.of = memory.bounces
+        for body, repeats in memory.stalled.items():
+            self._stalled[body] = repeats
 
     def _segment(self, states: list[State]) -> float:
         """Set the next paths of all bodies, and schedule the impacts on them."""
@@ -92,22 +208,30 @@ class Located:
             self._set_path(body, path)
         for body in range(len(self._cores)):
             self._schedule_contact_loss(body, end)
+        if self._may_follow(end):
+            return end
         if self.time == 0:
-            self._resolve_instant(0.0, [core.index for core in self._cores if core.dynamic], end)
+            self._resolve_start(end)
         self._schedule_impacts(range(len(self._cores)))
         return end
 
+    def _resolve_start(self, end: float) -> None:
+        """Resolve the instant at which the run begins, for all bodies."""
+        self._begun = True
+        self._resolve_instant(0.0, [core.index for core in self._cores if core.dynamic], end)
+
     def _set_path(self, body: int, path: Piece) -> None:
         """Set the path of a body from now on."""
-        self.tracks[body].append(path)
         self._version[body] += 1
+        if self._following is not None:
+            self._following.set_path(body, path)
+            return
+        self.tracks[body].append(path)
         self._aabbs.update(body, path)
 
     def _refuse_stalled(self, body: int, path: Piece) -> None:
         """Refuse a body whose new paths no longer advance in time."""
-        stalled = self.tracks[body] and self.tracks[body][-1].start >= path.start * (
-            1 - 4 * EPSILON
-        )
+        stalled = self._path(body).start >= path.start * (1 - 4 * EPSILON)
         self._stalled[body] = self._stalled[body] + 1 if stalled else 0
         if self._stalled[body] > _MAX_REPEATS:
             raise UndecidedContactError(
@@ -117,24 +241,30 @@ class Located:
             )
 
     def _state(self, body: int) -> State:
-        return self.tracks[body][-1].at(self.time)
+        return self._path(body).at(self.time)
 
-    def _schedule_impacts(self, bodies: Iterable[int]) -> None:
-        """Schedule the next impact of each pair with one of the bodies."""
+    def _schedule_impacts(self, bodies: Iterable[int], *, anew: bool = False) -> None:
+        """Schedule the next impact of each pair with one of the bodies.
+
+        Where it is done `anew`, a search begins where it did before: with the later of two paths.
+        """
+        if self._following is not None:
+            return
         seen = set()
         for body in bodies:
             for other in self._aabbs.overlapping(body):
                 pair = (min(body, other), max(body, other))
                 if pair not in seen:
                     seen.add(pair)
-                    self._schedule_impact(pair)
+                    self._schedule_impact(pair, anew=anew)
 
-    def _schedule_impact(self, pair: PairOf) -> None:
+    def _schedule_impact(self, pair: PairOf, *, anew: bool) -> None:
         i, j = pair
         lasting = self._lasting.get(pair, ())
         if lasting and not self._state_dependent(pair):
             return
-        start = max(self._resume.get(pair, 0.0), self.time)
+        now = max(self.tracks[k][-1].start for k in pair) if anew else self.time
+        start = max(self._resume.get(pair, 0.0), now)
         end = min(self.tracks[k][-1].end for k in pair)
         pair_search = self._pair(pair, lasting)
         time = pair_search.time_of_impact(start, end)
@@ -145,7 +275,7 @@ class Located:
 
     def _pair(self, pair: PairOf, lasting: Sequence[Contact]) -> Pair:
         (i, j), separating_direction = pair, self._separating_direction.get(pair)
-        paths = self.tracks[i][-1], self.tracks[j][-1]
+        paths = self._path(i), self._path(j)
         return Pair(self._cores[i], self._cores[j], *paths, lasting, separating_direction)
 
     def _state_dependent(self, pair: PairOf) -> bool:
@@ -192,14 +322,18 @@ class Located:
         return bool(paths)
 
     def _path(self, body: int) -> Piece:
+        if self._following is not None:
+            return self._following.path(body)
         return self.tracks[body][-1]
 
     def _resolve_instant(self, time: float, bodies: list[int], end: float) -> None:
         """Resolve an instant around some bodies, and set the paths after it."""
+        if self._following is not None:
+            self._take_memory(self._following.recall(bodies))
         world = InstantInputs(
             self._cores,
             self._state,
-            self._aabbs.overlapping,
+            self._near,
             lambda body, state: self._motion.free(body, time, state),
             lambda impulses: self._motion.struck(time, impulses, self._state),
             self._lasting,
@@ -210,12 +344,12 @@ class Located:
             self._until,
         )
         instant = Instant(time, world, [i for i in bodies if self._cores[i].dynamic])
-        self._contact_impulses += [(time, impulse) for impulse in instant.contact_impulses]
         if instant.contact_impulses:
+            self._impacts.append(_rows(time, instant.contact_impulses))
             self._work.impacts(len(instant.contact_impulses), time)
         self._rest_times.update(instant)
         self._update_lasting(instant)
-        ended = {i for i in bodies if self.tracks[i][-1].end == time and time < end}
+        ended = {i for i in bodies if self._path(i).end == time and time < end}
         changed = sorted(instant.changed | ended)
         for body in changed:
             self._constraints[body] = instant.constraints.get(body)
@@ -228,6 +362,15 @@ class Located:
             self._schedule_contact_loss(body, end)
         self._schedule_resumption(instant)
         self._schedule_impacts(paths or bodies)
+        if self._following is not None:
+            touched = {i for pair in instant.touching_pairs for i in pair}
+            self._following.remember(touched | set(changed), self._memory())
+
+    def _near(self, body: int) -> list[int]:
+        """Return the bodies that may touch a body now."""
+        if self._following is not None:
+            return self._following.near(body)
+        return self._aabbs.overlapping(body)
 
     def _update_lasting(self, instant: Instant) -> None:
         """Replace the lasting contacts by those of an instant, and note the new ones."""
@@ -245,7 +388,7 @@ class Located:
 
     def _schedule_contact_loss(self, body: int, end: float) -> None:
         """Schedule the end of a path before its time, and the loss of the contacts of a body."""
-        path, constraint = self.tracks[body][-1], self._constraints[body]
+        path, constraint = self._path(body), self._constraints[body]
         if path.end < end:
             self._schedule(path.end, body, body)
         contacts = [c for pair, lasting in self._lasting.items() if body in pair for c in lasting]
@@ -278,3 +421,12 @@ class Located:
                 math.sqrt(8 * instant.touching_pairs[pair].tolerance / acceleration), longest
             )
             self._resume[pair] = pair_search.separation_time(instant.time, step)
+
+
+def _rows(time: float, impulses: Sequence[ContactImpulse]) -> Array:
+    """Return impulses at a time, s, as `Located.impacts` has them."""
+    rows = [
+        (time, c.a, c.b, *c.point, *c.normal, impulse, normal_velocity)
+        for c, impulse, normal_velocity in impulses
+    ]
+    return np.array(rows, dtype=np.float64)

@@ -3,13 +3,17 @@
 import math
 from collections.abc import Collection, Iterator, Sequence
 
-from tamias2d.contact.core import Core, cores_of, place
+import numpy as np
+
+from tamias2d.contact.core import Core, Placed, cores_of, place
 from tamias2d.contact.gap import axes, resolution
 from tamias2d.contact.refusal import OverlapError, UnlocatedContactError, named
 from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.scene import Scene
 from tamias2d.scene.filters import may_touch
 from tamias2d.state import Array, History, State
+
+_CLEAR = 1 + 1e-6  # times its reach: a body that is as far from a half-plane does not touch it
 
 
 def refuse_overlap(
@@ -53,13 +57,37 @@ def _overlaps(cores: Sequence[Core], states: Sequence[State]) -> Iterator[tuple[
     """Go through the pairs that overlap, with the depth in m."""
     placed = [place(core, state) for core, state in zip(cores, states, strict=True)]
     solid = [body for body in placed if body.core.solid]
-    for k, a in enumerate(solid):
-        for b in solid[k + 1 :]:
-            reach = a.core.bounding_radius + b.core.bounding_radius
-            apart = math.dist(a.state.position, b.state.position) > reach
-            still = not (a.core.dynamic or b.core.dynamic)
-            if apart or still or not may_touch(a.core.filter, b.core.filter):
-                continue
-            depth = -max(axis.gap for axis in axes(a, b))
-            if depth > resolution(a, b, 0.0):
-                yield a.core, b.core, depth
+    for k, m in sorted(_near(solid)):
+        a, b = solid[k], solid[m]
+        reach = a.core.bounding_radius + b.core.bounding_radius
+        apart = math.dist(a.state.position, b.state.position) > reach
+        still = not (a.core.dynamic or b.core.dynamic)
+        if apart or still or not may_touch(a.core.filter, b.core.filter):
+            continue
+        depth = -max(axis.gap for axis in axes(a, b))
+        if depth > resolution(a, b, 0.0):
+            yield a.core, b.core, depth
+
+
+def _near(bodies: Sequence[Placed]) -> Iterator[tuple[int, int]]:
+    """Go through the pairs whose bounding boxes overlap, by their places, the lower one first.
+
+    A box is compared with those that begin before it ends along x: n log n where few do. An endless
+    body is compared with all.
+    """
+    x, y = np.array([body.state.position for body in bodies]).reshape(-1, 2).T
+    reach = np.array([body.core.bounding_radius for body in bodies])
+    endless = np.flatnonzero(np.isinf(reach)).tolist()
+    for k in endless:
+        (ux, uy), (px, py) = bodies[k].turned(bodies[k].core.sides[0].normal), bodies[k].state[0]
+        apart = ux * (x - px) + uy * (y - py) - bodies[k].core.sides[0].offset > _CLEAR * reach
+        yield from ((min(k, m), max(k, m)) for m in np.flatnonzero(~apart).tolist())
+    order = np.argsort(x - reach, kind="stable")
+    order = order[len(endless) :]  # these begin nowhere
+    x, y, reach = x[order], y[order], reach[order]
+    ends = np.searchsorted(x - reach, x + reach, side="right")
+    for k, end in enumerate(ends.tolist()):
+        near = slice(k + 1, max(end, k + 1))
+        meets = ~(np.abs(y[near] - y[k]) > reach[near] + reach[k])
+        first = int(order[k])
+        yield from ((min(first, m), max(first, m)) for m in order[near][meets].tolist())

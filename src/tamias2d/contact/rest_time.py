@@ -5,42 +5,56 @@ from loads that vary, late ones from rounding, since low bounces are short. The 
 least sum of rounding and change from the estimate before.
 """
 
-from dataclasses import dataclass
+from math import inf
+from typing import NamedTuple
 
 from tamias2d.contact.instant import Instant, PairOf
 
 
-@dataclass
-class _RestTime:
+class Estimate(NamedTuple):
+    """When the bounces of a pair end: the last and the best estimate, and its doubt, s."""
+
     last: float
     best: float
     doubt: float
+
+
+NONE = Estimate(0.0, 0.0, -1.0)
+
+
+def better_estimate(
+    last: float, best: float, doubt: float, found: float, noise: float
+) -> tuple[float, float, float]:
+    """Return the last and the best estimate and its doubt after a new one, s.
+
+    `noise` is the error of the new one by rounding; a doubt below 0 says that it is the first.
+    """
+    if doubt < 0.0:
+        return found, found, inf
+    change = abs(found - last) + noise
+    if change <= doubt:
+        return found, found, change
+    return found, best, doubt
 
 
 class RestTimes:
     """The estimates of all pairs that bounce."""
 
     def __init__(self) -> None:
-        self._of: dict[PairOf, _RestTime] = {}
+        self.of: dict[PairOf, Estimate] = {}
 
     def update(self, instant: Instant) -> None:
         """Take the estimates of an instant, and forget the pairs that it has disturbed."""
-        for pair in [pair for pair in self._of if set(pair) & instant.changed]:
+        for pair in [pair for pair in self.of if set(pair) & instant.changed]:
             if pair not in instant.touching_pairs:
-                del self._of[pair]
+                del self.of[pair]
         for pair, touch in instant.touching_pairs.items():
             if not touch.rest_at:
                 continue
-            known = self._of.get(pair)
-            if known is None:
-                self._of[pair] = _RestTime(touch.rest_at, touch.rest_at, float("inf"))
-                continue
-            doubt = abs(touch.rest_at - known.last) + touch.rest_noise
-            if doubt <= known.doubt:
-                known.best, known.doubt = touch.rest_at, doubt
-            known.last = touch.rest_at
+            known = self.of.get(pair, NONE)
+            self.of[pair] = Estimate(*better_estimate(*known, touch.rest_at, touch.rest_noise))
 
     def time_of(self, pair: PairOf, time: float) -> float:
         """Return when a pair comes to rest, s, which is not before now."""
-        known = self._of.pop(pair, None)
+        known = self.of.pop(pair, None)
         return max(known.best, time) if known else time

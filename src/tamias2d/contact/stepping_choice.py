@@ -1,5 +1,6 @@
 """Whether the contacts of a scene are located or stepped through."""
 
+from tamias2d.contact.event_driven_scenes import is_event_driven
 from tamias2d.contact.stepwise import beyond_location
 from tamias2d.scene import Scene
 from tamias2d.scene.reach import pairs_that_can_meet
@@ -14,7 +15,8 @@ def steps_because(scene: Scene, duration: float) -> str | None:
     """Return why a scene is stepped through its contacts for a duration in s, or None (R12).
 
     A scene is stepped where impacts cannot be located at all, and where more than a hundred moving
-    bodies can meet. One with a joint of its own equation is not: steps do not know it.
+    bodies can meet, unless compiled code follows them (`is_event_driven`) and they do not settle.
+    One with a joint of its own equation is not: steps do not know it.
     """
     if any(joint.equations for joint in scene.joints):
         return None
@@ -23,6 +25,16 @@ def steps_because(scene: Scene, duration: float) -> str | None:
             return f"body '{body.name}': {what}"
     if sum(body.dynamic and body.shape is not None for body in scene.bodies) <= MANY:
         return None
+    if is_event_driven(scene) and not _settles(scene):
+        return None
     meeting = {k for pair in pairs_that_can_meet(scene, duration) for k in pair}
     count = sum(scene.bodies[k].dynamic for k in meeting)
     return f"{count} moving bodies can meet, more than {MANY}" if count > MANY else None
+
+
+def _settles(scene: Scene) -> bool:
+    """Whether bodies come to rest on each other: something pulls them, and impacts take energy."""
+    pulled = any(scene.gravity) or any(body.constant and any(body.force) for body in scene.bodies)
+    stated = [body.restitution for body in scene.bodies if body.shape is not None]
+    stated += scene.restitution_of_pairs.values()
+    return pulled and any(value is not None and value < 1 for value in stated)

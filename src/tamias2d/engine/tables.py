@@ -397,6 +397,7 @@ TOUCHING = _touching()  # contacts that touch
 ARRANGED = _touching()  # 1 if slabs, blocks and trees are those of these contacts
 ISLANDS_KNOWN = _touching()  # 1 if islands are
 MEETING = _touching()  # contacts that meet, or move much against each other
+NEW_STATIC = _touching()  # contacts with static shapes that had no impulse
 PRESSED_DEEP = _touching()  # 1 if there is a deep overlap
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
 
@@ -791,6 +792,14 @@ FIRST_OF_BODY, CONTACT_OF_BODY, TOURNAMENT = range(3)  # rows of queue
 WINNER = 1  # place in the tournament tree
 
 
+_grounds = Columns()
+G_NX = _grounds()  # normal of the side, towards the body
+G_NY = _grounds()
+G_HEIGHT = _grounds()  # m, of the side along its normal
+G_AHEAD = _grounds()  # m^2/s, how far ahead of the body's centre it holds, times its speed
+G_SHAPE = _grounds()  # one more than the shape; 0 for none
+
+
 class Events(NamedTuple):
     """When bodies leave their bounds and pairs meet; read by continuous collision."""
 
@@ -799,6 +808,7 @@ class Events(NamedTuple):
     queue: Annotated[IndexRows, Sized(3, "queue")]
     scratch: Annotated[FloatRows, Sized("clip", MANIFOLD)]  # a manifold, vertices of two shapes
     together: Annotated[Places, Sized("slots")]  # the next of the bodies that go on together
+    ground: Annotated[FloatRows, Sized("slots", _grounds.width)]  # static side that holds a body
 
 
 # -- ballistic motion

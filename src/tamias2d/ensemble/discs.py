@@ -4,11 +4,8 @@ Serves: the solving of blocks. Hides: which ensembles these are, and how what va
 tables of compiled code, for all worlds at once.
 """
 
-import math
-import random
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
 from itertools import combinations
 from typing import Any
 
@@ -16,11 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.contact.stepping_choice import MANY
-from tamias2d.ensemble import disc_impacts as kernel
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds
+from tamias2d.event_driven import LIBRARY, tables
+from tamias2d.event_driven.arrangement import blank_world, kinds_of
+from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.generated import definitions, rotation, translation
-from tamias2d.kernels import Library
+from tamias2d.kernels.groups import addresses
 from tamias2d.motion import ClosedForm
 from tamias2d.record.dataset import BODIES, DIMENSIONS
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
@@ -28,13 +27,12 @@ from tamias2d.scene.filters import filters
 from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT
 
-LIBRARY = Library("worlds of discs", (kernel.follow_worlds,))
+_MOST_IMPACTS = 999  # from 1000 on, the rest of a run is estimated
 _VARIED = (
     *("position", "velocity", "orientation", "angular_velocity", "mass", "inertia", "force"),
     *("torque", "radius", "restitution"),
 )
 _LARGEST = 1e100  # what is beyond it is left to the ordinary way, which tells why it cannot be
-_HYPOTS = 2000
 _WORTH = 100  # worlds: to compile for fewer takes longer than it saves
 _PILOT, _MOST = 64, 0.98
 
@@ -66,29 +64,32 @@ def followed(worlds: Worlds, request: Request, first: int, last: int) -> Followe
         return None
     rows = worlds.part(first, last)
     scene, count = worlds.base, last - first
-    bodies = np.stack([_table(rows, k, count) for k in range(len(scene))], axis=1)
-    restitution = _restitutions(rows, count)
     times, size = np.array(request.times), len(scene)
-    samples = np.zeros((count, len(times) * size, 6))
-    status = np.zeros(count, dtype=np.int32)
-    with np.errstate(all="ignore"):
-        good = (np.abs(bodies) < _LARGEST).all(axis=(1, 2))
-        good &= (bodies[:, _pushed(scene), kernel.INVERSE_MASS] > 0.0).all(axis=1)
-    LIBRARY.compiled().follow_worlds(
-        bodies,
-        restitution,
-        np.array([_kind(body) for body in scene.bodies], dtype=np.int32),
-        times,
-        np.zeros((size, kernel.PATH_COLUMNS)),
-        np.zeros((size, 3), dtype=np.int32),
-        np.zeros((size * size, 3)),
-        samples,
-        status,
-        request.duration,
+    many = tables.Worlds(
+        world=_world(scene, times, request.duration),
+        bodies=np.stack([_table(rows, k, count) for k in range(size)], axis=1),
+        laws=_laws(rows, count),
+        samples=np.zeros((count, len(times) * size, 6)),
+        status=np.zeros(count, dtype=np.int32),
     )
+    with np.errstate(all="ignore"):
+        good = (np.abs(many.bodies) < _LARGEST).all(axis=(1, 2))
+        good &= (many.bodies[:, _pushed(scene), tables.INVERSE_MASS] > 0.0).all(axis=1)
+    LIBRARY.compiled().follow_worlds(addresses(many))
+    samples = many.samples
     states = samples.reshape(count, len(times), size, 6)
-    good &= (status == kernel.DONE) & (np.abs(samples) < _LARGEST).all(axis=(1, 2))
+    good &= (many.status == 1) & (np.abs(samples) < _LARGEST).all(axis=(1, 2))
     return Followed(_kept(states, request), good)
+
+
+def _world(scene: Scene, times: Array, duration: float) -> tables.World:
+    """Return the tables in which one world after the other is followed."""
+    pairs = [i * len(scene) + j for i, j in combinations(range(len(scene)), 2)]
+    kinds, keys = kinds_of(scene), np.array(pairs, dtype=np.int64)
+    world = blank_world(kinds, keys, times, impacts=_MOST_IMPACTS)
+    world.numbers[[tables.LIMIT, tables.END]] = duration
+    world.counts[tables.SETTLES] = 1
+    return world
 
 
 def _asked(request: Request) -> bool:
@@ -98,7 +99,7 @@ def _asked(request: Request) -> bool:
         and request.tolerance is None
         and not request.quantities
         and set(request.keep) <= set(STATE)
-        and request.work_limit >= min(WORK_LIMIT, 2 * kernel.MOST_IMPACTS)
+        and request.work_limit >= min(WORK_LIMIT, 2 * _MOST_IMPACTS)
     )
 
 
@@ -114,7 +115,7 @@ def _fits(worlds: VariedWorlds) -> bool:
         place.keys[0] in ("gravity", "restitution_of_pairs") or _of_body(scene, place.keys)
         for place in worlds.values
     )
-    return smooth and varied and _hypot_agrees()
+    return smooth and varied and hypot_agrees()
 
 
 def _known(body: Body) -> bool:
@@ -137,14 +138,6 @@ def _pushed(scene: Scene) -> list[int]:
     return [k for k, body in enumerate(scene.bodies) if body.dynamic]
 
 
-def _kind(body: Body) -> int:
-    if isinstance(body.shape, HalfPlane):
-        return kernel.PLANE
-    if body.shape is None:
-        return kernel.MOVING_PARTICLE
-    return kernel.DISC if body.dynamic else kernel.FIXED_DISC
-
-
 def _value(worlds: VariedWorlds, keys: tuple[Any, ...], base: Any) -> Any:
     """Return a number, or the numbers (w,) by which it varies; of a pair by its last key."""
     for place, values in worlds.values.items():
@@ -157,7 +150,7 @@ def _value(worlds: VariedWorlds, keys: tuple[Any, ...], base: Any) -> Any:
 
 def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
     """Return the columns (w, 15) of a body."""
-    body, found = worlds.base.bodies[k], np.zeros((count, kernel.COLUMNS))
+    body, found = worlds.base.bodies[k], np.zeros((count, tables.COLUMNS))
 
     def value(key: str, *component: int) -> Any:
         base = getattr(body, key)
@@ -167,13 +160,13 @@ def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
             base[component[0]] if component else base,
         )
 
-    found[:, kernel.X], found[:, kernel.Y] = value("position", 0), value("position", 1)
-    found[:, kernel.TURN] = value("orientation")
+    found[:, tables.X], found[:, tables.Y] = value("position", 0), value("position", 1)
+    found[:, tables.TURN] = value("orientation")
     if isinstance(body.shape, HalfPlane):
-        found[:, kernel.NORMAL_X], found[:, kernel.NORMAL_Y] = body.shape.normal
-        found[:, kernel.OFFSET] = body.shape.offset
+        found[:, tables.NORMAL_X], found[:, tables.NORMAL_Y] = body.shape.normal
+        found[:, tables.OFFSET] = body.shape.offset
     if isinstance(body.shape, Disc):
-        found[:, kernel.RADIUS] = _radius(worlds, body)
+        found[:, tables.RADIUS] = _radius(worlds, body)
     if body.dynamic:
         for name, column in _motion(worlds, body, value):
             found[:, name] = column
@@ -187,28 +180,28 @@ def _radius(worlds: VariedWorlds, body: Body) -> Any:
 
 def _motion(worlds: VariedWorlds, body: Body, value: Any) -> Iterator[tuple[int, Any]]:
     """Yield the columns of how a body moves, and what moves it."""
-    yield kernel.VX, value("velocity", 0)
-    yield kernel.VY, value("velocity", 1)
-    yield kernel.SPIN, value("angular_velocity")
+    yield tables.VX, value("velocity", 0)
+    yield tables.VY, value("velocity", 1)
+    yield tables.SPIN, value("angular_velocity")
     mass, inertia = value("mass"), value("inertia")
     if body.shape is not None and not body.inertia_stated and inertia is body.inertia:
         inertia = definitions.inertia_disc(mass, _radius(worlds, body))
     gravity = tuple(_value(worlds, ("gravity", c), worlds.base.gravity[c]) for c in (0, 1))
     force = (0.0 + value("force", 0), 0.0 + value("force", 1))
     yield from zip(
-        (kernel.AX, kernel.AY), translation.acceleration(gravity, force, mass), strict=True
+        (tables.AX, tables.AY), translation.acceleration(gravity, force, mass), strict=True
     )
-    yield kernel.TURNING, rotation.angular_acceleration(0.0 + value("torque"), inertia)
-    yield kernel.INVERSE_MASS, 1 / mass
-    yield kernel.INVERSE_INERTIA, 1 / inertia
+    yield tables.TURNING, rotation.angular_acceleration(0.0 + value("torque"), inertia)
+    yield tables.INVERSE_MASS, 1 / mass
+    yield tables.INVERSE_INERTIA, 1 / inertia
 
 
-def _restitutions(worlds: VariedWorlds, count: int) -> Array:
-    """Return (w, n, n): with which restitution bodies part, -1 where nothing states it."""
-    scene = worlds.base
-    found = np.full((count, len(scene), len(scene)), -1.0)
-    for i, j in combinations(range(len(scene)), 2):
-        found[:, i, j] = found[:, j, i] = _restitution(worlds, i, j)
+def _laws(worlds: VariedWorlds, count: int) -> Array:
+    """Return (w, p, 2): restitution, -1 where nothing states it, and no friction, of all pairs."""
+    pairs = list(combinations(range(len(worlds.base)), 2))
+    found = np.zeros((count, len(pairs), 2))
+    for place, (i, j) in enumerate(pairs):
+        found[:, place, 0] = _restitution(worlds, i, j)
     return found
 
 
@@ -240,14 +233,3 @@ def _kept(states: Array, request: Request) -> dict[str, Array]:
         name: parts[name][:, :, bodies] if BODIES in DIMENSIONS[name] else parts[name]
         for name in request.keep
     }
-
-
-@cache
-def _hypot_agrees() -> bool:
-    """Whether this Python's `math.hypot` is the one that compiled code has."""
-    numbers = random.Random(1)
-    pairs = [
-        (numbers.gauss(0, 1) * 10 ** numbers.uniform(-3, 3), numbers.gauss(0, 1))
-        for _ in range(_HYPOTS)
-    ]
-    return all(kernel.hypot(x, y) == math.hypot(x, y) for x, y in pairs)

@@ -1,4 +1,5 @@
-"""Constraints: Revolute joint; Distance joint; Weld; Prismatic joint; Groove; Gear; Pulley.
+"""Constraints: Revolute joint; Distance joint; Weld; Prismatic joint; Groove; Gear; Pulley;
+Angle between two bodies; Travel along a line.
 
 Generated from srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -2295,6 +2296,437 @@ def pulley_convective(
     return (distance_a_rate_rate + gear_ratio * distance_b_rate_rate,)
 
 
+def angle_constraint(
+    joint_angle: Scalar,
+    orientation_a: Scalar,
+    orientation_b: Scalar,
+) -> tuple[Scalar, ...]:
+    """Angle between two bodies: zero where it holds.
+
+    orientation_b - orientation_a - joint_angle
+
+    Args:
+        joint_angle: Angle that a joint keeps between two bodies, rad
+        orientation_a: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body A, rad
+        orientation_b: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body B, rad
+
+    Source: angle, srs/models/joints.md:274.
+    """
+    return (orientation_b - orientation_a - joint_angle,)
+
+
+def angle_slopes_a() -> tuple[Scalar, ...]:
+    """Angle between two bodies: slopes by x, y and orientation of body A.
+
+    0
+    0
+    -1
+
+    Source: angle, srs/models/joints.md:274.
+    """
+    return (
+        0,
+        0,
+        -1,
+    )
+
+
+def angle_slopes_b() -> tuple[Scalar, ...]:
+    """Angle between two bodies: slopes by x, y and orientation of body B.
+
+    0
+    0
+    1
+
+    Source: angle, srs/models/joints.md:274.
+    """
+    return (
+        0,
+        0,
+        1,
+    )
+
+
+def angle_rate(
+    angular_velocity_a: Scalar,
+    angular_velocity_b: Scalar,
+) -> tuple[Scalar, ...]:
+    """Angle between two bodies: rate of the constraint along the motion.
+
+    angular_velocity_b - angular_velocity_a
+
+    Args:
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+
+    Source: angle, srs/models/joints.md:274.
+    """
+    return (angular_velocity_b - angular_velocity_a,)
+
+
+def angle_convective() -> tuple[Scalar, ...]:
+    """Angle between two bodies: second derivative of the constraint where no body is accelerated.
+
+    0
+
+    Source: angle, srs/models/joints.md:274.
+    """
+    return (0,)
+
+
+def travel_constraint(
+    anchor_a: Vector,
+    guide_a: Vector,
+    anchor_b: Vector,
+    joint_travel: Scalar,
+    position_a: Vector,
+    orientation_a: Scalar,
+    position_b: Vector,
+    orientation_b: Scalar,
+) -> tuple[Scalar, ...]:
+    """Travel along a line: zero where it holds.
+
+    dot(guide, span) - joint_travel
+        where arm_a = rotate(anchor_a, orientation_a)
+        where arm_b = rotate(anchor_b, orientation_b)
+        where guide = rotate(guide_a, orientation_a)
+        where span = position_b + arm_b - position_a - arm_a
+
+    Args:
+        anchor_a: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body A, m
+        guide_a: Unit vector along which a joint lets a body slide; of body A, 1
+        anchor_b: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body B, m
+        joint_travel: How far a body is along the line on which a joint lets it slide, m
+        position_a: Position of the centre of mass; of body A, m
+        orientation_a: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body A, rad
+        position_b: Position of the centre of mass; of body B, m
+        orientation_b: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body B, rad
+
+    Source: travel, srs/models/joints.md:284.
+    """
+    anchor_a_x, anchor_a_y = anchor_a
+    guide_a_x, guide_a_y = guide_a
+    anchor_b_x, anchor_b_y = anchor_b
+    position_a_x, position_a_y = position_a
+    position_b_x, position_b_y = position_b
+    arm_a_x, arm_a_y = (
+        cos(orientation_a) * anchor_a_x - sin(orientation_a) * anchor_a_y,
+        sin(orientation_a) * anchor_a_x + cos(orientation_a) * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cos(orientation_b) * anchor_b_x - sin(orientation_b) * anchor_b_y,
+        sin(orientation_b) * anchor_b_x + cos(orientation_b) * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cos(orientation_a) * guide_a_x - sin(orientation_a) * guide_a_y,
+        sin(orientation_a) * guide_a_x + cos(orientation_a) * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    return (guide_x * span_x + guide_y * span_y - joint_travel,)
+
+
+def travel_slopes_a(
+    anchor_a: Vector,
+    guide_a: Vector,
+    anchor_b: Vector,
+    position_a: Vector,
+    orientation_a: Scalar,
+    position_b: Vector,
+    orientation_b: Scalar,
+) -> tuple[Scalar, ...]:
+    """Travel along a line: slopes by x, y and orientation of body A.
+
+    -x(guide)
+    -y(guide)
+    dot(perp(guide), span) - dot(perp(arm_a), guide)
+        where arm_a = rotate(anchor_a, orientation_a)
+        where arm_b = rotate(anchor_b, orientation_b)
+        where guide = rotate(guide_a, orientation_a)
+        where span = position_b + arm_b - position_a - arm_a
+
+    Args:
+        anchor_a: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body A, m
+        guide_a: Unit vector along which a joint lets a body slide; of body A, 1
+        anchor_b: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body B, m
+        position_a: Position of the centre of mass; of body A, m
+        orientation_a: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body A, rad
+        position_b: Position of the centre of mass; of body B, m
+        orientation_b: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body B, rad
+
+    Source: travel, srs/models/joints.md:284.
+    """
+    anchor_a_x, anchor_a_y = anchor_a
+    guide_a_x, guide_a_y = guide_a
+    anchor_b_x, anchor_b_y = anchor_b
+    position_a_x, position_a_y = position_a
+    position_b_x, position_b_y = position_b
+    arm_a_x, arm_a_y = (
+        cos(orientation_a) * anchor_a_x - sin(orientation_a) * anchor_a_y,
+        sin(orientation_a) * anchor_a_x + cos(orientation_a) * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cos(orientation_b) * anchor_b_x - sin(orientation_b) * anchor_b_y,
+        sin(orientation_b) * anchor_b_x + cos(orientation_b) * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cos(orientation_a) * guide_a_x - sin(orientation_a) * guide_a_y,
+        sin(orientation_a) * guide_a_x + cos(orientation_a) * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    return (
+        -guide_x,
+        -guide_y,
+        (-guide_y) * span_x + (guide_x) * span_y - ((-arm_a_y) * guide_x + (arm_a_x) * guide_y),
+    )
+
+
+def travel_slopes_b(
+    guide_a: Vector,
+    anchor_b: Vector,
+    orientation_a: Scalar,
+    orientation_b: Scalar,
+) -> tuple[Scalar, ...]:
+    """Travel along a line: slopes by x, y and orientation of body B.
+
+    x(guide)
+    y(guide)
+    dot(guide, perp(arm_b))
+        where arm_b = rotate(anchor_b, orientation_b)
+        where guide = rotate(guide_a, orientation_a)
+
+    Args:
+        guide_a: Unit vector along which a joint lets a body slide; of body A, 1
+        anchor_b: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body B, m
+        orientation_a: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body A, rad
+        orientation_b: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body B, rad
+
+    Source: travel, srs/models/joints.md:284.
+    """
+    guide_a_x, guide_a_y = guide_a
+    anchor_b_x, anchor_b_y = anchor_b
+    arm_b_x, arm_b_y = (
+        cos(orientation_b) * anchor_b_x - sin(orientation_b) * anchor_b_y,
+        sin(orientation_b) * anchor_b_x + cos(orientation_b) * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cos(orientation_a) * guide_a_x - sin(orientation_a) * guide_a_y,
+        sin(orientation_a) * guide_a_x + cos(orientation_a) * guide_a_y,
+    )
+    return (
+        guide_x,
+        guide_y,
+        guide_x * (-arm_b_y) + guide_y * (arm_b_x),
+    )
+
+
+def travel_rate(
+    anchor_a: Vector,
+    guide_a: Vector,
+    anchor_b: Vector,
+    position_a: Vector,
+    velocity_a: Vector,
+    orientation_a: Scalar,
+    angular_velocity_a: Scalar,
+    position_b: Vector,
+    velocity_b: Vector,
+    orientation_b: Scalar,
+    angular_velocity_b: Scalar,
+) -> tuple[Scalar, ...]:
+    """Travel along a line: rate of the constraint along the motion.
+
+    dot(guide_rate, span) + dot(guide, span_rate)
+        where arm_a = rotate(anchor_a, orientation_a)
+        where arm_b = rotate(anchor_b, orientation_b)
+        where guide = rotate(guide_a, orientation_a)
+        where span = position_b + arm_b - position_a - arm_a
+        where arm_a_rate = angular_velocity_a*perp(arm_a)
+        where arm_b_rate = angular_velocity_b*perp(arm_b)
+        where guide_rate = angular_velocity_a*perp(guide)
+        where span_rate = velocity_b + arm_b_rate - velocity_a - arm_a_rate
+
+    Args:
+        anchor_a: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body A, m
+        guide_a: Unit vector along which a joint lets a body slide; of body A, 1
+        anchor_b: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body B, m
+        position_a: Position of the centre of mass; of body A, m
+        velocity_a: Velocity of the centre of mass; of body A, m/s
+        orientation_a: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body A, rad
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        position_b: Position of the centre of mass; of body B, m
+        velocity_b: Velocity of the centre of mass; of body B, m/s
+        orientation_b: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body B, rad
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+
+    Source: travel, srs/models/joints.md:284.
+    """
+    anchor_a_x, anchor_a_y = anchor_a
+    guide_a_x, guide_a_y = guide_a
+    anchor_b_x, anchor_b_y = anchor_b
+    position_a_x, position_a_y = position_a
+    velocity_a_x, velocity_a_y = velocity_a
+    position_b_x, position_b_y = position_b
+    velocity_b_x, velocity_b_y = velocity_b
+    arm_a_x, arm_a_y = (
+        cos(orientation_a) * anchor_a_x - sin(orientation_a) * anchor_a_y,
+        sin(orientation_a) * anchor_a_x + cos(orientation_a) * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cos(orientation_b) * anchor_b_x - sin(orientation_b) * anchor_b_y,
+        sin(orientation_b) * anchor_b_x + cos(orientation_b) * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cos(orientation_a) * guide_a_x - sin(orientation_a) * guide_a_y,
+        sin(orientation_a) * guide_a_x + cos(orientation_a) * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    arm_a_rate_x, arm_a_rate_y = (angular_velocity_a * (-arm_a_y), angular_velocity_a * (arm_a_x))
+    arm_b_rate_x, arm_b_rate_y = (angular_velocity_b * (-arm_b_y), angular_velocity_b * (arm_b_x))
+    guide_rate_x, guide_rate_y = (angular_velocity_a * (-guide_y), angular_velocity_a * (guide_x))
+    span_rate_x, span_rate_y = (
+        velocity_b_x + arm_b_rate_x - velocity_a_x - arm_a_rate_x,
+        velocity_b_y + arm_b_rate_y - velocity_a_y - arm_a_rate_y,
+    )
+    return (
+        guide_rate_x * span_x
+        + guide_rate_y * span_y
+        + guide_x * span_rate_x
+        + guide_y * span_rate_y,
+    )
+
+
+def travel_convective(
+    anchor_a: Vector,
+    guide_a: Vector,
+    anchor_b: Vector,
+    position_a: Vector,
+    velocity_a: Vector,
+    orientation_a: Scalar,
+    angular_velocity_a: Scalar,
+    position_b: Vector,
+    velocity_b: Vector,
+    orientation_b: Scalar,
+    angular_velocity_b: Scalar,
+) -> tuple[Scalar, ...]:
+    """Travel along a line: second derivative of the constraint where no body is accelerated.
+
+    dot(guide_rate_rate, span) + dot(guide_rate, span_rate) + (dot(guide_rate, span_rate) +
+        dot(guide, span_rate_rate))
+        where arm_a = rotate(anchor_a, orientation_a)
+        where arm_b = rotate(anchor_b, orientation_b)
+        where guide = rotate(guide_a, orientation_a)
+        where span = position_b + arm_b - position_a - arm_a
+        where arm_a_rate = angular_velocity_a*perp(arm_a)
+        where arm_b_rate = angular_velocity_b*perp(arm_b)
+        where guide_rate = angular_velocity_a*perp(guide)
+        where span_rate = velocity_b + arm_b_rate - velocity_a - arm_a_rate
+        where arm_a_rate_rate = angular_velocity_a*perp(arm_a_rate)
+        where arm_b_rate_rate = angular_velocity_b*perp(arm_b_rate)
+        where guide_rate_rate = angular_velocity_a*perp(guide_rate)
+        where span_rate_rate = arm_b_rate_rate - arm_a_rate_rate
+
+    Args:
+        anchor_a: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body A, m
+        guide_a: Unit vector along which a joint lets a body slide; of body A, 1
+        anchor_b: Place at which a joint holds a body, from its centre of mass, in the body's
+            own axes; of body B, m
+        position_a: Position of the centre of mass; of body A, m
+        velocity_a: Velocity of the centre of mass; of body A, m/s
+        orientation_a: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body A, rad
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        position_b: Position of the centre of mass; of body B, m
+        velocity_b: Velocity of the centre of mass; of body B, m/s
+        orientation_b: Angle by which the body is turned counter-clockwise from its drawn
+            position, unbounded; of body B, rad
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+
+    Source: travel, srs/models/joints.md:284.
+    """
+    anchor_a_x, anchor_a_y = anchor_a
+    guide_a_x, guide_a_y = guide_a
+    anchor_b_x, anchor_b_y = anchor_b
+    position_a_x, position_a_y = position_a
+    velocity_a_x, velocity_a_y = velocity_a
+    position_b_x, position_b_y = position_b
+    velocity_b_x, velocity_b_y = velocity_b
+    arm_a_x, arm_a_y = (
+        cos(orientation_a) * anchor_a_x - sin(orientation_a) * anchor_a_y,
+        sin(orientation_a) * anchor_a_x + cos(orientation_a) * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cos(orientation_b) * anchor_b_x - sin(orientation_b) * anchor_b_y,
+        sin(orientation_b) * anchor_b_x + cos(orientation_b) * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cos(orientation_a) * guide_a_x - sin(orientation_a) * guide_a_y,
+        sin(orientation_a) * guide_a_x + cos(orientation_a) * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    arm_a_rate_x, arm_a_rate_y = (angular_velocity_a * (-arm_a_y), angular_velocity_a * (arm_a_x))
+    arm_b_rate_x, arm_b_rate_y = (angular_velocity_b * (-arm_b_y), angular_velocity_b * (arm_b_x))
+    guide_rate_x, guide_rate_y = (angular_velocity_a * (-guide_y), angular_velocity_a * (guide_x))
+    span_rate_x, span_rate_y = (
+        velocity_b_x + arm_b_rate_x - velocity_a_x - arm_a_rate_x,
+        velocity_b_y + arm_b_rate_y - velocity_a_y - arm_a_rate_y,
+    )
+    arm_a_rate_rate_x, arm_a_rate_rate_y = (
+        angular_velocity_a * (-arm_a_rate_y),
+        angular_velocity_a * (arm_a_rate_x),
+    )
+    arm_b_rate_rate_x, arm_b_rate_rate_y = (
+        angular_velocity_b * (-arm_b_rate_y),
+        angular_velocity_b * (arm_b_rate_x),
+    )
+    guide_rate_rate_x, guide_rate_rate_y = (
+        angular_velocity_a * (-guide_rate_y),
+        angular_velocity_a * (guide_rate_x),
+    )
+    span_rate_rate_x, span_rate_rate_y = (
+        arm_b_rate_rate_x - arm_a_rate_rate_x,
+        arm_b_rate_rate_y - arm_a_rate_rate_y,
+    )
+    return (
+        guide_rate_rate_x * span_x
+        + guide_rate_rate_y * span_y
+        + guide_rate_x * span_rate_x
+        + guide_rate_y * span_rate_y
+        + guide_rate_x * span_rate_x
+        + guide_rate_y * span_rate_y
+        + guide_x * span_rate_rate_x
+        + guide_y * span_rate_rate_y,
+    )
+
+
 CONSTRAINTS: dict[str, ConstraintFunctions] = {
     "revolute": ConstraintFunctions(
         parameters=(
@@ -2822,6 +3254,112 @@ CONSTRAINTS: dict[str, ConstraintFunctions] = {
                 "velocity_c",
                 "orientation_c",
                 "angular_velocity_c",
+            ),
+        ),
+    ),
+    "angle": ConstraintFunctions(
+        parameters=("joint_angle",),
+        bodies=(
+            "a",
+            "b",
+        ),
+        units=("1",),
+        constraint=Formula(
+            angle_constraint,
+            (
+                "joint_angle",
+                "orientation_a",
+                "orientation_b",
+            ),
+        ),
+        slopes={"a": Formula(angle_slopes_a, ()), "b": Formula(angle_slopes_b, ())},
+        rate=Formula(
+            angle_rate,
+            (
+                "angular_velocity_a",
+                "angular_velocity_b",
+            ),
+        ),
+        convective=Formula(angle_convective, ()),
+    ),
+    "travel": ConstraintFunctions(
+        parameters=(
+            "anchor_a",
+            "guide_a",
+            "anchor_b",
+            "joint_travel",
+        ),
+        bodies=(
+            "a",
+            "b",
+        ),
+        units=("m",),
+        constraint=Formula(
+            travel_constraint,
+            (
+                "anchor_a",
+                "guide_a",
+                "anchor_b",
+                "joint_travel",
+                "position_a",
+                "orientation_a",
+                "position_b",
+                "orientation_b",
+            ),
+        ),
+        slopes={
+            "a": Formula(
+                travel_slopes_a,
+                (
+                    "anchor_a",
+                    "guide_a",
+                    "anchor_b",
+                    "position_a",
+                    "orientation_a",
+                    "position_b",
+                    "orientation_b",
+                ),
+            ),
+            "b": Formula(
+                travel_slopes_b,
+                (
+                    "guide_a",
+                    "anchor_b",
+                    "orientation_a",
+                    "orientation_b",
+                ),
+            ),
+        },
+        rate=Formula(
+            travel_rate,
+            (
+                "anchor_a",
+                "guide_a",
+                "anchor_b",
+                "position_a",
+                "velocity_a",
+                "orientation_a",
+                "angular_velocity_a",
+                "position_b",
+                "velocity_b",
+                "orientation_b",
+                "angular_velocity_b",
+            ),
+        ),
+        convective=Formula(
+            travel_convective,
+            (
+                "anchor_a",
+                "guide_a",
+                "anchor_b",
+                "position_a",
+                "velocity_a",
+                "orientation_a",
+                "angular_velocity_a",
+                "position_b",
+                "velocity_b",
+                "orientation_b",
+                "angular_velocity_b",
             ),
         ),
     ),

@@ -1,9 +1,10 @@
 """Definitions: Velocity of a point of a body; Torque; Inertia of uniform shapes; Area and inertia
 of a capsule; Bodies of several parts; Acceleration by inverse mass; Flow through a step;
 Momentum; Restitution of a pair; Contact of two vertices; Tangential velocity of a contact;
-Friction of a pair; Kinetic energy; Potential energy; Energy lost in an impact.
+Friction of a pair; Kinetic energy; Potential energy; Energy lost in an impact; Spring along a
+joint; Spring about a joint.
 
-Generated from srs/definitions.md
+Generated from srs/definitions.md and srs/models/joints.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
@@ -535,3 +536,67 @@ def energy_loss(restitution: Scalar, impulse: Scalar, normal_velocity: Scalar) -
     Source: DD60, srs/definitions.md:561.
     """
     return (-(1 - restitution)) * impulse * normal_velocity / 2
+
+
+def joint_spring_force(
+    stiffness: Scalar, stretch: Scalar, damping: Scalar, stretch_rate: Scalar
+) -> Scalar:
+    """Force of a joint's spring and damper, by which its stretch grows (N).
+
+    joint_spring_force = -stiffness*stretch - damping*stretch_rate
+
+    Args:
+        stiffness: Force of a spring for each unit of extension, N/m
+        stretch: How far a joint is beyond the place at which its spring is at rest, m
+        damping: Force of a spring's damper for each unit of the extension's rate, kg/s
+        stretch_rate: Rate of a joint's stretch, m/s
+
+    Source: DD64, srs/models/joints.md:346.
+    """
+    return (-stiffness) * stretch - damping * stretch_rate
+
+
+def joint_spring_energy(stiffness: Scalar, stretch: Scalar) -> Scalar:
+    """Energy in a joint's spring that is stretched (J).
+
+    joint_spring_energy = stiffness*stretch**2/2
+
+    Args:
+        stiffness: Force of a spring for each unit of extension, N/m
+        stretch: How far a joint is beyond the place at which its spring is at rest, m
+
+    Source: DD64, srs/models/joints.md:347.
+    """
+    return stiffness * stretch * stretch / 2
+
+
+def joint_spring_torque(
+    rotary_stiffness: Scalar, twist: Scalar, rotary_damping: Scalar, twist_rate: Scalar
+) -> Scalar:
+    """Torque of a joint's spring and damper, by which its twist grows (N*m).
+
+    joint_spring_torque = -rotary_stiffness*twist - rotary_damping*twist_rate
+
+    Args:
+        rotary_stiffness: Torque of a joint's spring for each unit of its twist, N*m/rad
+        twist: How far a joint is turned beyond the angle at which its spring is at rest, rad
+        rotary_damping: Torque of a joint's damper for each unit of the twist's rate, N*m*s/rad
+        twist_rate: Rate of a joint's twist, rad/s
+
+    Source: DD65, srs/models/joints.md:361.
+    """
+    return (-rotary_stiffness) * twist - rotary_damping * twist_rate
+
+
+def rotary_spring_energy(rotary_stiffness: Scalar, twist: Scalar) -> Scalar:
+    """Energy in a joint's spring that is twisted (J).
+
+    rotary_spring_energy = rotary_stiffness*twist**2/2
+
+    Args:
+        rotary_stiffness: Torque of a joint's spring for each unit of its twist, N*m/rad
+        twist: How far a joint is turned beyond the angle at which its spring is at rest, rad
+
+    Source: DD65, srs/models/joints.md:362.
+    """
+    return rotary_stiffness * twist * twist / 2

@@ -21,7 +21,7 @@ def tension_held(
         distance: Distance between two places, m
         distance_later: Distance between two places; after the bodies have moved, m
 
-    Source: IM14, srs/models/spring_step.md:43.
+    Source: IM14, srs/models/spring_step.md:44.
     """
     return stiffness * ((distance + distance_later) / 2 - rest_length)
 
@@ -53,7 +53,7 @@ def spring_force_held(
         axis: Unit vector from one end of a spring to the other, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM14, srs/models/spring_step.md:44.
+    Source: IM14, srs/models/spring_step.md:45.
     """
     span_x, span_y = span
     span_later_x, span_later_y = span_later
@@ -82,7 +82,7 @@ def damping_held(damping: Scalar, stiffness: Scalar, row_mass: Scalar, time_step
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM14, srs/models/spring_step.md:47.
+    Source: IM14, srs/models/spring_step.md:48.
     """
     damping_step = time_step * damping / (2 * row_mass)
     return (
@@ -102,7 +102,7 @@ def arm_held(arm: Vector, half_turn: Scalar, half_turn_sine: Scalar) -> Vector:
         half_turn: Half of the angle by which a body turns in a step, rad
         half_turn_sine: Sine of half of the angle by which a body turns in a step, 1
 
-    Source: IM14, srs/models/spring_step.md:50.
+    Source: IM14, srs/models/spring_step.md:51.
     """
     arm_x, arm_y = arm
     return (half_turn_sine / half_turn * arm_x, half_turn_sine / half_turn * arm_y)
@@ -123,7 +123,7 @@ def spring_impulse(
         axis: Unit vector from one end of a spring to the other, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD52, srs/models/spring_step.md:143.
+    Source: DD52, srs/models/spring_step.md:144.
     """
     axis_x, axis_y = axis
     extension = distance - rest_length
@@ -140,7 +140,7 @@ def resistance_along(stiffness: Scalar, damping: Scalar, time_step: Scalar) -> S
         damping: Force of a spring's damper for each unit of the extension's rate, kg/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD52, srs/models/spring_step.md:144.
+    Source: DD52, srs/models/spring_step.md:145.
     """
     return time_step * time_step * stiffness + time_step * damping
 
@@ -159,7 +159,7 @@ def resistance_across(
         distance: Distance between two places, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD52, srs/models/spring_step.md:145.
+    Source: DD52, srs/models/spring_step.md:146.
     """
     extension = distance - rest_length
     return time_step * time_step * largest(stiffness * extension, 0.0) / largest(distance, 1e-150)
@@ -182,7 +182,7 @@ def resisting_impulse(
         axis: Unit vector from one end of a spring to the other, 1
         end_velocity: Velocity of a spring's end B as seen from its end A, m/s
 
-    Source: DD52, srs/models/spring_step.md:149.
+    Source: DD52, srs/models/spring_step.md:150.
     """
     axis_x, axis_y = axis
     end_velocity_x, end_velocity_y = end_velocity
@@ -209,7 +209,7 @@ def velocity_later(
         force_later: Applied force on a body, without its weight; after the bodies have moved, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD53, srs/models/spring_step.md:186.
+    Source: DD53, srs/models/spring_step.md:187.
     """
     velocity_x, velocity_y = velocity
     force_x, force_y = force
@@ -240,7 +240,7 @@ def angular_velocity_later(
             the bodies have moved, N*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD53, srs/models/spring_step.md:188.
+    Source: DD53, srs/models/spring_step.md:189.
     """
     return angular_velocity + time_step / 2 * inverse_inertia * (torque_later - torque)
 
@@ -259,7 +259,7 @@ def critical_step(
         force_later: Applied force on a body, without its weight; after the bodies have moved, N
         shift: How far the centre of mass has moved since the step began, m
 
-    Source: DD54, srs/models/spring_step.md:221.
+    Source: DD54, srs/models/spring_step.md:222.
     """
     force_x, force_y = force
     force_later_x, force_later_y = force_later
@@ -292,6 +292,6 @@ def critical_step_turning(
             the bodies have moved, N*m
         turn: How far a body has turned since the step began, rad
 
-    Source: DD54, srs/models/spring_step.md:224.
+    Source: DD54, srs/models/spring_step.md:225.
     """
     return 2 * sqrt(abs(turn) / largest(inverse_inertia * abs(torque_later - torque), 1e-150))

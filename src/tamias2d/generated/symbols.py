@@ -639,6 +639,139 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=429,
     ),
+    "joint_travel": Symbol(
+        "joint_travel",
+        "m",
+        "how far a body is along the line on which a joint lets it slide",
+        tex="z",
+        file="srs/symbols.md",
+        line=433,
+    ),
+    "stretch": Symbol(
+        "stretch",
+        "m",
+        "how far a joint is beyond the place at which its spring is at rest",
+        tex="\\zeta",
+        file="srs/symbols.md",
+        line=437,
+    ),
+    "stretch_rate": Symbol(
+        "stretch_rate",
+        "m/s",
+        "rate of a joint's stretch",
+        tex="\\dot{\\zeta}",
+        file="srs/symbols.md",
+        line=441,
+    ),
+    "twist": Symbol(
+        "twist",
+        "rad",
+        "how far a joint is turned beyond the angle at which its spring is at rest",
+        tex="\\psi",
+        file="srs/symbols.md",
+        line=445,
+    ),
+    "twist_rate": Symbol(
+        "twist_rate",
+        "rad/s",
+        "rate of a joint's twist",
+        tex="\\dot{\\psi}",
+        file="srs/symbols.md",
+        line=449,
+    ),
+    "rotary_stiffness": Symbol(
+        "rotary_stiffness",
+        "N*m/rad",
+        "torque of a joint's spring for each unit of its twist",
+        range=Range("> 0", low=0.0),
+        tex="\\kappa_\\theta",
+        file="srs/symbols.md",
+        line=453,
+    ),
+    "rotary_damping": Symbol(
+        "rotary_damping",
+        "N*m*s/rad",
+        "torque of a joint's damper for each unit of the twist's rate",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\eta_\\theta",
+        file="srs/symbols.md",
+        line=458,
+    ),
+    "joint_spring_force": Symbol(
+        "joint_spring_force",
+        "N",
+        "force of a joint's spring and damper, by which its stretch grows",
+        tex="F^\\zeta",
+        file="srs/symbols.md",
+        line=463,
+    ),
+    "joint_spring_torque": Symbol(
+        "joint_spring_torque",
+        "N*m",
+        "torque of a joint's spring and damper, by which its twist grows",
+        tex="\\tau^\\psi",
+        file="srs/symbols.md",
+        line=467,
+    ),
+    "joint_spring_energy": Symbol(
+        "joint_spring_energy",
+        "J",
+        "energy in a joint's spring that is stretched",
+        tex="E^\\zeta",
+        file="srs/symbols.md",
+        line=471,
+    ),
+    "rotary_spring_energy": Symbol(
+        "rotary_spring_energy",
+        "J",
+        "energy in a joint's spring that is twisted",
+        tex="E^\\psi",
+        file="srs/symbols.md",
+        line=475,
+    ),
+    "motor_speed": Symbol(
+        "motor_speed",
+        "m/s",
+        "speed that a motor gives to a joint",
+        tex="w",
+        file="srs/symbols.md",
+        line=479,
+    ),
+    "motor_spin": Symbol(
+        "motor_spin",
+        "rad/s",
+        "rate of turning that a motor gives to a joint",
+        tex="w_\\theta",
+        file="srs/symbols.md",
+        line=483,
+    ),
+    "joint_force_most": Symbol(
+        "joint_force_most",
+        "N",
+        "largest force of a motor, or that a joint bears",
+        range=Range("> 0", low=0.0),
+        tex="F^{\\max}",
+        file="srs/symbols.md",
+        line=487,
+    ),
+    "joint_torque_most": Symbol(
+        "joint_torque_most",
+        "N*m",
+        "largest torque of a motor, or that a joint bears",
+        range=Range("> 0", low=0.0),
+        tex="\\tau^{\\max}",
+        file="srs/symbols.md",
+        line=492,
+    ),
+    "tooth_pitch": Symbol(
+        "tooth_pitch",
+        "rad",
+        "angle from one tooth of a ratchet to the next",
+        range=Range("> 0", low=0.0),
+        tex="\\theta_p",
+        file="srs/symbols.md",
+        line=497,
+    ),
     "normal": Symbol(
         "normal",
         "1",
@@ -646,7 +779,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=442,
+        line=511,
     ),
     "tangent": Symbol(
         "tangent",
@@ -655,7 +788,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=447,
+        line=516,
     ),
     "direction": Symbol(
         "direction",
@@ -663,7 +796,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=452,
+        line=521,
     ),
     "arm": Symbol(
         "arm",
@@ -672,7 +805,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=456,
+        line=525,
     ),
     "separation": Symbol(
         "separation",
@@ -680,7 +813,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=461,
+        line=530,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -688,7 +821,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=465,
+        line=534,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -696,7 +829,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=471,
+        line=540,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -704,7 +837,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=477,
+        line=546,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -712,7 +845,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=481,
+        line=550,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -721,7 +854,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=485,
+        line=554,
     ),
     "coupling": Symbol(
         "coupling",
@@ -729,7 +862,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=490,
+        line=559,
     ),
     "impulse": Symbol(
         "impulse",
@@ -738,7 +871,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=496,
+        line=565,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -746,7 +879,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=501,
+        line=570,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -754,7 +887,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=505,
+        line=574,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -763,7 +896,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=511,
+        line=580,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -772,7 +905,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=516,
+        line=585,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -780,7 +913,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=523,
+        line=592,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -788,7 +921,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=529,
+        line=598,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -796,7 +929,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=533,
+        line=602,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -805,7 +938,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=537,
+        line=606,
     ),
     "share": Symbol(
         "share",
@@ -814,7 +947,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=542,
+        line=611,
     ),
     "sense": Symbol(
         "sense",
@@ -823,7 +956,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=549,
+        line=618,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -832,7 +965,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=556,
+        line=625,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -841,7 +974,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=561,
+        line=630,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -849,7 +982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=566,
+        line=635,
     ),
     "overlap": Symbol(
         "overlap",
@@ -857,7 +990,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=570,
+        line=639,
     ),
     "line": Symbol(
         "line",
@@ -866,7 +999,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=582,
+        line=651,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -874,7 +1007,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=587,
+        line=656,
     ),
     "bend": Symbol(
         "bend",
@@ -882,7 +1015,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=592,
+        line=661,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -890,7 +1023,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=597,
+        line=666,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -899,7 +1032,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=601,
+        line=670,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -907,7 +1040,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=606,
+        line=675,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -916,7 +1049,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=610,
+        line=679,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -925,7 +1058,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=615,
+        line=684,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -934,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=620,
+        line=689,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -942,7 +1075,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=625,
+        line=694,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -950,7 +1083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=629,
+        line=698,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -959,7 +1092,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=633,
+        line=702,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -968,7 +1101,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=638,
+        line=707,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -976,7 +1109,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=643,
+        line=712,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -985,7 +1118,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=647,
+        line=716,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -994,7 +1127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=652,
+        line=721,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1003,7 +1136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=657,
+        line=726,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1012,7 +1145,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=664,
+        line=733,
     ),
     "extent": Symbol(
         "extent",
@@ -1021,7 +1154,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=671,
+        line=740,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1030,7 +1163,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=678,
+        line=747,
     ),
     "preload": Symbol(
         "preload",
@@ -1039,7 +1172,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=683,
+        line=752,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1048,7 +1181,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=688,
+        line=757,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1057,7 +1190,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=693,
+        line=762,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1066,7 +1199,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=698,
+        line=767,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1075,7 +1208,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=703,
+        line=772,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1083,7 +1216,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=708,
+        line=777,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1091,7 +1224,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=712,
+        line=781,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1099,7 +1232,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=716,
+        line=785,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1107,7 +1240,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=720,
+        line=789,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1115,7 +1248,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=724,
+        line=793,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1124,7 +1257,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=728,
+        line=797,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1133,7 +1266,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=733,
+        line=802,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1142,7 +1275,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=738,
+        line=807,
     ),
     "shift": Symbol(
         "shift",
@@ -1151,7 +1284,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=743,
+        line=812,
     ),
     "turn": Symbol(
         "turn",
@@ -1159,7 +1292,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=748,
+        line=817,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1168,7 +1301,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=752,
+        line=821,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1177,7 +1310,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=759,
+        line=828,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1186,7 +1319,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=764,
+        line=833,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1195,7 +1328,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=771,
+        line=840,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1204,7 +1337,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=778,
+        line=847,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1213,7 +1346,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=784,
+        line=853,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1221,7 +1354,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=791,
+        line=860,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1230,7 +1363,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=804,
+        line=873,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1238,7 +1371,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=809,
+        line=878,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1246,7 +1379,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=813,
+        line=882,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1255,7 +1388,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=819,
+        line=888,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1263,7 +1396,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=824,
+        line=893,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1272,7 +1405,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=828,
+        line=897,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1280,7 +1413,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=833,
+        line=902,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1289,7 +1422,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=837,
+        line=906,
     ),
     "advance": Symbol(
         "advance",
@@ -1298,7 +1431,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=842,
+        line=911,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1306,7 +1439,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=847,
+        line=916,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1314,7 +1447,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=851,
+        line=920,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1322,7 +1455,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=855,
+        line=924,
     ),
     "slip": Symbol(
         "slip",
@@ -1330,7 +1463,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=860,
+        line=929,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1338,7 +1471,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=866,
+        line=935,
     ),
     "circling": Symbol(
         "circling",
@@ -1347,7 +1480,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=870,
+        line=939,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1355,7 +1488,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=877,
+        line=946,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1364,7 +1497,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=881,
+        line=950,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1373,7 +1506,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=886,
+        line=955,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1382,7 +1515,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=891,
+        line=960,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1390,7 +1523,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=896,
+        line=965,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1399,7 +1532,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=900,
+        line=969,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1407,7 +1540,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=905,
+        line=974,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1415,7 +1548,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=909,
+        line=978,
     ),
     "arc": Symbol(
         "arc",
@@ -1424,7 +1557,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=915,
+        line=984,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1433,7 +1566,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=920,
+        line=989,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1441,7 +1574,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=930,
+        line=999,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1449,7 +1582,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=934,
+        line=1003,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1458,7 +1591,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=938,
+        line=1007,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1467,7 +1600,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=943,
+        line=1012,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1476,7 +1609,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=948,
+        line=1017,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1485,7 +1618,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=953,
+        line=1022,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1494,7 +1627,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=958,
+        line=1027,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1502,7 +1635,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=963,
+        line=1032,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1511,7 +1644,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=972,
+        line=1041,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1519,7 +1652,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=977,
+        line=1046,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1528,7 +1661,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=981,
+        line=1050,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1536,7 +1669,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=986,
+        line=1055,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1544,7 +1677,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=990,
+        line=1059,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1553,7 +1686,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=994,
+        line=1063,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1562,7 +1695,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=999,
+        line=1068,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1571,7 +1704,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1004,
+        line=1073,
     ),
     "work": Symbol(
         "work",
@@ -1579,7 +1712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1009,
+        line=1078,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1588,7 +1721,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1013,
+        line=1082,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1596,7 +1729,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1018,
+        line=1087,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1605,7 +1738,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1022,
+        line=1091,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1613,7 +1746,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1027,
+        line=1096,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1622,7 +1755,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1032,
+        line=1101,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1631,7 +1764,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1037,
+        line=1106,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1640,7 +1773,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1042,
+        line=1111,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1649,7 +1782,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1049,
+        line=1118,
     ),
     "energy": Symbol(
         "energy",
@@ -1657,7 +1790,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1054,
+        line=1123,
     ),
     "radius": Symbol(
         "radius",
@@ -1666,7 +1799,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1063,
+        line=1132,
     ),
     "length": Symbol(
         "length",
@@ -1675,7 +1808,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1068,
+        line=1137,
     ),
     "width": Symbol(
         "width",
@@ -1684,7 +1817,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1075,
+        line=1144,
     ),
     "height": Symbol(
         "height",
@@ -1693,7 +1826,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1080,
+        line=1149,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1702,7 +1835,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1085,
+        line=1154,
     ),
     "center": Symbol(
         "center",
@@ -1711,7 +1844,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1090,
+        line=1159,
     ),
     "offset": Symbol(
         "offset",
@@ -1719,7 +1852,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1095,
+        line=1164,
     ),
     "area": Symbol(
         "area",
@@ -1728,7 +1861,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1099,
+        line=1168,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1737,7 +1870,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1104,
+        line=1173,
     ),
     "row_value": Symbol(
         "row_value",

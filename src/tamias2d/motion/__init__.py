@@ -5,6 +5,7 @@ derivatives. Hides: how that path is found (closed form, a scheme, scipy).
 """
 
 from tamias2d.motion.adaptive import StepSizeError
+from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.legacy import Legacy2018
 from tamias2d.motion.mechanism import JointError
 from tamias2d.motion.method import Method
@@ -36,6 +37,7 @@ __all__ = [
     "ExplicitEuler",
     "ExponentialDrag",
     "JointError",
+    "JointEvents",
     "Legacy2018",
     "Method",
     "Motion",
@@ -52,5 +54,6 @@ __all__ = [
     "Tally",
     "VelocityVerlet",
     "Yoshida4",
+    "joint_events",
     "reactions_of",
 ]

@@ -7,6 +7,7 @@ import numpy as np
 from tamias2d.generated import rotation, translation
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.dragged import Dragged
+from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.motion import Tally
 from tamias2d.motion.oscillating import Oscillating
@@ -63,6 +64,10 @@ class ClosedFormMotion:
     def approach(self, *_: object) -> dict[int, Piece]:
         """Return nothing: exact paths need not be better anywhere."""
         return {}
+
+    def joint_events(self) -> JointEvents:
+        """Return none: what has a closed form is held by no joint."""
+        return joint_events()
 
     def struck(self, *_: object) -> dict[int, Acceleration]:
         """Return nothing: what has a closed form is held by no joint."""

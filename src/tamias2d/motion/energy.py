@@ -1,10 +1,13 @@
 """Energy in the springs of a scene (IM7) and in the attraction between its bodies (IM5)."""
 
+from typing import Any
+
 import numpy as np
 
-from tamias2d.generated import gravitation, spring as model
-from tamias2d.scene import Scene, Spring
+from tamias2d.generated import definitions, gravitation, spring as model
+from tamias2d.scene import Freedom, Joint, Scene, Spring
 from tamias2d.scene.springs import arm
+from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, History
 
 
@@ -13,6 +16,10 @@ def energy_between(scene: Scene, history: History) -> Array:
     total = np.zeros(len(history.position))
     for spring in scene.springs:
         total += _of_spring(spring, history)
+    for joint in scene.joints:
+        for freedom in joint.freedoms:
+            if freedom.spring is not None:
+                total += _of_joint(joint.measured(freedom, 0.0), freedom, history)
     return total if scene.attraction is None else total + _of_attraction(scene, history)
 
 
@@ -24,6 +31,28 @@ def _of_spring(spring: Spring, history: History) -> Array:
     first, second = (*ends, spring.point)[:2]
     energy: Array = model.spring_energy(spring.stiffness, spring.rest_length, first, second)
     return energy
+
+
+def _of_joint(joint: Joint, freedom: Freedom, history: History) -> Array:
+    """Return the energy in the spring of a joint, for the joint that measures it."""
+    known: dict[str, Any] = dict(joint.given)
+    for end, body in zip(ENDS, joint.ends, strict=True):
+        known[f"position_{end}"] = (
+            (0.0, 0.0)
+            if body is None
+            else (history.position[:, body, 0], history.position[:, body, 1])
+        )
+        known[f"orientation_{end}"] = 0.0 if body is None else history.orientation[:, body]
+    (value,) = joint.functions.constraint(known)
+    spring = freedom.spring
+    assert spring is not None
+    energy = (
+        definitions.rotary_spring_energy
+        if freedom.measure == "angle"
+        else definitions.joint_spring_energy
+    )
+    found: Array = energy(spring.stiffness, value - (spring.rest or 0.0))
+    return found
 
 
 def _of_attraction(scene: Scene, history: History) -> Array:

@@ -9,9 +9,14 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
+from tamias2d.motion.joint_decision import begin
+from tamias2d.motion.joint_events import JointEvents, joint_events
+from tamias2d.motion.joint_instant import Now
+from tamias2d.motion.joint_search import JointSearch
+from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.marching import Marching
-from tamias2d.motion.mechanism import fitted
+from tamias2d.motion.mechanisms import fitted
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
 from tamias2d.motion.polynomial import DenseStep, JoinedPath, moved_end
@@ -27,6 +32,7 @@ _STILL: Acceleration = (0.0, 0.0, 0.0)
 _NEAR = 1e-3  # of a step: so close to its ends a path is as good as there
 _MOST = 64  # steps that are taken at once
 _LONGEST = 256  # of a scene in which nothing meets
+_REFINED = 6  # times that a step is taken anew to end at an event of a joint
 _SHARE = 2  # of the steps since the last impact are taken at once: what is beyond the next is lost
 
 
@@ -187,7 +193,7 @@ class IntegratedMotion:
         done = int(np.searchsorted(times, 0.0, side="right"))
         most = _LONGEST if field.marching is not None else 1
         try:
-            for step in self._batches(field, 0.0, self._duration, moving, most):
+            for step in self._followed(field, moving, most):
                 until = int(np.searchsorted(times, step.end, side="right"))
                 if isinstance(step, StepBatch):
                     rows[done:until, :, self._moving] = step.at(times[done:until])
@@ -198,6 +204,20 @@ class IntegratedMotion:
         finally:
             self.sampled = history_of(rows[:done])
         return self.sampled
+
+    def _followed(
+        self, field: MemoisedField, now: tuple[Array, Array], most: int
+    ) -> Iterator[DenseStep | StepBatch]:
+        """Yield all steps of the run, through the events of joints."""
+        start = 0.0
+        while start < self._duration:
+            for step in self._batches(field, start, self._duration, now, most):
+                yield step
+                start, now = step.end, step.last
+
+    def joint_events(self) -> JointEvents:
+        """Return what has happened in joints."""
+        return joint_events(self._loads.timeline.events)
 
     def _field(
         self, bodies: Sequence[int], constraints: Sequence[Constraint | None]
@@ -225,15 +245,78 @@ class IntegratedMotion:
         found = self._loads.mechanisms(field.bodies)
         if found and start == 0:
             position, velocity = fitted(found, start, position, velocity)
+        limited = [(own, one) for own, one in found if isinstance(one, LimitedMechanism)]
+        if limited:
+            velocity = self._begun_joints(limited, field, start, position, velocity)
         while start < end:
-            step = self._integrator.step(field, start, end, position, velocity)
+            step = self._one_step(field, start, end, position, velocity)
+            event = limited and self._joint_event(limited, field, step)
+            step = event or step
             self.tally.steps += 1
             if not isinstance(self._integrator, FixedSteps):
                 self.work.step(step.end)
-            if found:
-                step = moved_end(step, *fitted(found, step.end, *step.last))
             yield step
+            if event:
+                return  # what follows is another motion
             start, (position, velocity) = step.end, step.last
+
+    def _one_step(
+        self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
+    ) -> DenseStep:
+        """Return a step that ends where the joints hold."""
+        step = self._integrator.step(field, start, end, position, velocity)
+        found = self._loads.mechanisms(field.bodies)
+        return moved_end(step, *fitted(found, step.end, *step.last)) if found else step
+
+    def _begun_joints(
+        self,
+        limited: Sequence[tuple[list[int], LimitedMechanism]],
+        field: MemoisedField,
+        start: float,
+        position: Array,
+        velocity: Array,
+    ) -> Array:
+        """Return the velocities with which joints begin what they do from here on."""
+        pull = self._loads.free_field(field.bodies)(start, position, velocity)
+        velocity = velocity.copy()
+        for own, mechanism in limited:
+            velocity[own] = begin(mechanism, Now(start, position[own], velocity[own], pull[own]))
+        field.forget()
+        return velocity
+
+    def _joint_event(
+        self,
+        limited: Sequence[tuple[list[int], LimitedMechanism]],
+        field: MemoisedField,
+        step: DenseStep,
+    ) -> DenseStep | None:
+        """Return a step that ends at the first event of a joint, if one is within the step.
+
+        It is taken anew up to the event, where the ends of steps are known better than their
+        middles, until the event is at its end.
+        """
+        free = self._loads.free_field(field.bodies)
+        found = [
+            (hit[0], k, hit[1])
+            for k, (own, one) in enumerate(limited)
+            if (hit := JointSearch(one, own, free, step).first())
+        ]
+        if not found:
+            return None
+        time, k, watch = min(found, key=lambda each: each[0])
+        own, mechanism = limited[k]
+        for _ in range(_REFINED):
+            if not step.start < time:
+                time = float(np.nextafter(step.start, np.inf))
+            shorter = self._one_step(field, step.start, time, *step.first)
+            if shorter.end < time:  # it is further off than a step may be here
+                return self._joint_event(limited, field, shorter) or shorter
+            later = JointSearch(mechanism, own, free, shorter).zero(watch)
+            if abs(later - time) <= 4 * np.spacing(time) or later <= step.start:
+                break
+            time = later
+        mechanism.expect(watch.cause(shorter.end))
+        return shorter
 
     def _batches(
         self, field: MemoisedField, start: float, end: float, now: tuple[Array, Array], most: int

@@ -7,7 +7,8 @@ import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated import rotation, translation
-from tamias2d.motion.mechanism import Mechanism, mechanisms
+from tamias2d.motion.joint_events import Timeline
+from tamias2d.motion.mechanisms import Placed, mechanisms
 from tamias2d.motion.terms import Term, terms
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import groups, steady_load, varying_loads
@@ -32,7 +33,9 @@ class Loads:
         """The bodies that act on each other, for each body that moves."""
         self._steady = [self._steadily(k) for k in range(len(scene))]
         self._fields: dict[int, Field] = {}
-        self._mechanisms: dict[tuple[int, ...], list[tuple[list[int], Mechanism]]] = {}
+        self._mechanisms: dict[tuple[int, ...], list[Placed]] = {}
+        self.timeline = Timeline()
+        """What has happened in joints."""
 
     def steady(self, body: int) -> Acceleration:
         """Return what gravity and all constant forces and torques give a body."""
@@ -68,12 +71,12 @@ class Loads:
 
         return field
 
-    def mechanisms(self, bodies: Sequence[int]) -> list[tuple[list[int], Mechanism]]:
+    def mechanisms(self, bodies: Sequence[int]) -> list[Placed]:
         """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
         if not self._scene.joints:
             return []
         if (key := tuple(bodies)) not in self._mechanisms:
-            self._mechanisms[key] = mechanisms(self._scene, bodies)
+            self._mechanisms[key] = mechanisms(self._scene, bodies, self.timeline)
         return self._mechanisms[key]
 
     def struck(

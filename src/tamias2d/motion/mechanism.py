@@ -5,17 +5,19 @@ and the rule for constraints that depend on each other (GD19).
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 
-from tamias2d.errors import SimulationError
+from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion.constraint_rows import ConstraintRows
 from tamias2d.motion.least import LeastSolution
 from tamias2d.scene import Scene
 from tamias2d.scene.joints import Joint
-from tamias2d.state import Array, History, Vector
+from tamias2d.state import Array, Vector
 
+_LARGEST = 2**22  # numbers in all rows: one solution of so many takes seconds
 _MOST = 20  # returns; each squares what is left, so that more than a few do not get there
 _NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding
 _ROUNDING = 1e-8  # of how far off the origin: a smaller mechanism is as good as a point there
@@ -32,16 +34,41 @@ class JointError(SimulationError):
 class Mechanism:
     """The joints of some bodies that they connect, directly or not."""
 
-    def __init__(self, scene: Scene, joints: Sequence[Joint], bodies: Sequence[int]) -> None:
-        """Take the joints, and the moving bodies in the order of their coordinates."""
+    def __init__(
+        self,
+        scene: Scene,
+        joints: Sequence[Joint],
+        bodies: Sequence[int],
+        *,
+        speeds: Mapping[int, float] = MappingProxyType({}),
+        like: Sequence[Joint] | None = None,
+    ) -> None:
+        """Take the joints, and the moving bodies in the order of their coordinates.
+
+        Those whose numbers are in `speeds` keep no place but their rate, in rad/s or m/s. How far
+        the mechanism reaches follows from joints that it is `like`, or from its own.
+        """
         self.joints = tuple(joints)
         self.bodies = tuple(bodies)
         self.rows = ConstraintRows(scene, joints, {body: k for k, body in enumerate(bodies)})
+        if self.rows.count * 3 * len(bodies) > _LARGEST:
+            raise SceneError(
+                f"joint '{joints[0].name}' and {len(joints) - 1} more: together they are "
+                f"{self.rows.count} equations for {len(bodies)} bodies, and the exact way solves "
+                "them all at once, up to 4 million numbers (R13). Take fewer bodies."
+            )
         weights = [
             (body.inverse_mass, body.inverse_mass, body.inverse_inertia)
             for body in (scene.bodies[k] for k in bodies)
         ]
-        self._weights = np.sqrt(np.array(weights))
+        self._weights = np.sqrt(np.array(weights).reshape(-1, 3))
+        self.speeds = np.zeros(self.rows.count)
+        self.placed = np.ones(self.rows.count)
+        """1 for each row that keeps a place."""
+        for joint, own, _ in self.rows.of_joints():
+            if joint in speeds:
+                self.speeds[own], self.placed[own] = speeds[joint], 0.0
+        joints = joints if like is None else like
         self._fixed = np.array(_fixed_places(scene, joints)).reshape(-1, 2)
         self._reach_length = max(
             math.hypot(*at)
@@ -102,9 +129,16 @@ class Mechanism:
             JointError: no place near by fits.
         """
         position, least = self._placed(time, position)
-        rates = self.rows.rates(time, position, velocity)
-        x = least(rates)
-        return position, velocity - self._weights * x.reshape(position.shape)
+        return position, self._paced(time, position, velocity, least)
+
+    def paced(self, time: float, position: Array, velocity: Array) -> Array:
+        """Return velocities (n, 3), moved by the least change to the rates that the joints keep."""
+        return self._paced(time, position, velocity, self._factors(time, position)[1])
+
+    def _paced(self, time: float, position: Array, velocity: Array, least: LeastSolution) -> Array:
+        rates = self.rows.rates(time, position, velocity) - self.speeds
+        paced: Array = velocity - self._weights * least(rates).reshape(position.shape)
+        return paced
 
     def _placed(self, time: float, position: Array) -> tuple[Array, LeastSolution]:
         size = self._size(position)
@@ -112,14 +146,14 @@ class Mechanism:
         for _ in range(_MOST):
             with np.errstate(all="ignore"):
                 _, least = self._factors(time, position)
-                values = self.rows.values(time, position)
+                values = self.rows.values(time, position) * self.placed
             if not np.isfinite(values).all():
                 break
             x = least(values)
             position = position - self._weights * x.reshape(position.shape)
             way = float(np.abs(x).max(initial=0.0))
             if way <= _NEAR * size:
-                if least.missed(values) > _APART * self._length(position):
+                if least.missed(values) > _APART * self.length(position):
                     raise self._contradiction(time, least)
                 return position, least
             if way > 2 * before:
@@ -131,10 +165,10 @@ class Mechanism:
         slopes = self.rows.slopes(time, position)
         if not np.isfinite(slopes).all():
             raise self._torn(time, "has no finite slope", slopes.sum(axis=(1, 2)))
-        rows = slopes.reshape(len(slopes), -1)
+        rows = slopes.reshape(len(slopes), self._weights.size)
         return slopes, LeastSolution(rows, self._weights.ravel(), self._reach)
 
-    def _length(self, position: Array) -> float:
+    def length(self, position: Array) -> float:
         """Return a length that is not small, m: of the mechanism, or else where it is."""
         places = np.vstack((position[:, :2], self._fixed))
         spread = float(np.ptp(places, axis=0).max())
@@ -143,7 +177,7 @@ class Mechanism:
 
     def _size(self, position: Array) -> float:
         """Return a length that is not small, weighed as the coordinates are."""
-        return self._length(position) / float(self._weights[:, :2].max(initial=0.0))
+        return self.length(position) / float(self._weights[:, :2].max(initial=0.0))
 
     def _torn(self, time: float, what: str, rows: Array) -> JointError:
         worst = int(np.argmax(np.where(np.isfinite(rows), np.abs(rows), np.inf)))
@@ -208,50 +242,3 @@ def _lever(joints: Sequence[Joint], body: int) -> float:
         if k == body
     ]
     return 1 / (max(anchors, default=0.0) or 1.0)
-
-
-def mechanisms(scene: Scene, bodies: Sequence[int]) -> list[tuple[list[int], Mechanism]]:
-    """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
-    place = {body: k for k, body in enumerate(bodies)}
-    chain = {body: {body} for body in bodies}
-    for joint in scene.joints:
-        held = [body for body in joint.bodies if body in chain]
-        joined = set().union(*(chain[body] for body in held)) if held else set()
-        chain.update(dict.fromkeys(joined, joined))
-    found: list[tuple[list[int], Mechanism]] = []
-    for members in {id(group): group for group in chain.values()}.values():
-        joints = [joint for joint in scene.joints if members & set(joint.bodies)]
-        if joints:
-            own = sorted(members, key=place.__getitem__)
-            found.append(([place[body] for body in own], Mechanism(scene, joints, own)))
-    return found
-
-
-def fitted(
-    found: Sequence[tuple[list[int], Mechanism]], time: float, position: Array, velocity: Array
-) -> tuple[Array, Array]:
-    """Return coordinates and rates (n, 3) of bodies, moved to where all their joints hold (GD18).
-
-    Raises:
-        JointError: no place near by fits.
-    """
-    position, velocity = position.copy(), velocity.copy()
-    for own, mechanism in found:
-        position[own], velocity[own] = mechanism.fitted(time, position[own], velocity[own])
-    return position, velocity
-
-
-def fitted_history(scene: Scene, times: Array, history: History) -> History:
-    """Return the states at times (k,), s, likewise; those of a scene without joints as they are."""
-    if not scene.joints:
-        return history
-    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
-    found = mechanisms(scene, moving)
-    rows = [part.copy() for part in history]
-    for k, time in enumerate(times.tolist()):
-        q = np.column_stack((rows[0][k, moving], rows[1][k, moving]))
-        rate = np.column_stack((rows[2][k, moving], rows[3][k, moving]))
-        q, rate = fitted(found, time, q, rate)
-        rows[0][k, moving], rows[1][k, moving] = q[:, :2], q[:, 2]
-        rows[2][k, moving], rows[3][k, moving] = rate[:, :2], rate[:, 2]
-    return History(*rows)

@@ -60,6 +60,10 @@ class MemoisedField:
         self._known[time] = self._known.pop(time)  # what is asked for stays longest
         return known[2]
 
+    def forget(self) -> None:
+        """Forget all: from here on the accelerations are others."""
+        self._known.clear()
+
     def settle(self, time: float, position: Array, velocity: Array) -> None:
         """Forget all but one state, so that costs do not depend on who took the steps before."""
         known = self.known(time, position, velocity)

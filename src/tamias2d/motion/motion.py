@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Protocol
 
+from tamias2d.motion.joint_events import JointEvents
 from tamias2d.path import Paths
 from tamias2d.state import Array, History
 from tamias2d.work_limit import Work
@@ -28,6 +29,9 @@ class Motion(Paths, Protocol):
     """What counts its steps, where it chooses them itself."""
     sampled: History | None
     """What `history` has found until an error or Ctrl-C ended it."""
+
+    def joint_events(self) -> JointEvents:
+        """Return what has happened in joints so far."""
 
     def history(self, times: Array) -> History:
         """Return the states at sorted times (k,), s, where nothing touches."""

@@ -4,10 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tamias2d.motion.joint_events import JointEvents
+from tamias2d.motion.joint_instant import Now
+from tamias2d.motion.joint_loads import Exerted, add_exerted
+from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Loads
 from tamias2d.motion.mechanism import Mechanism
 from tamias2d.scene import Scene
-from tamias2d.scene.springs import arm
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, History
 
@@ -27,7 +30,9 @@ class Reactions:
     torque: Array
     """(k, j, 3), about the anchor, N m"""
     power: Array
-    """(k, j), which a joint puts in that moves with time, W; zero for all others"""
+    """(k, j), which a motor puts in, or a joint that moves with time, W; zero for all others"""
+    speed: Array
+    """(k, j), of what a motor drives, rad/s or m/s; zero for joints without one"""
     separation: Array
     """(k, j), by how much the joint is apart after the return to it (GD18), m"""
     angular_separation: Array
@@ -38,10 +43,13 @@ class Reactions:
         return self.names.index(name)
 
 
-def reactions_of(scene: Scene, times: Array, history: History) -> Reactions:
-    """Return the reactions at states that fit the joints, at times (k,), s."""
+def reactions_of(
+    scene: Scene, times: Array, history: History, events: JointEvents | None = None
+) -> Reactions:
+    """Return the reactions at states that fit the joints, at times (k,), s, between events."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     loads = Loads(scene)
+    loads.timeline.events += events or ()
     free = loads.free_field(moving)
     shape = (len(times), len(scene.joints))
     found = Reactions(
@@ -49,6 +57,7 @@ def reactions_of(scene: Scene, times: Array, history: History) -> Reactions:
         force=np.zeros((*shape, len(ENDS), 2)),
         torque=np.zeros((*shape, len(ENDS))),
         power=np.zeros(shape),
+        speed=np.zeros(shape),
         separation=np.zeros(shape),
         angular_separation=np.zeros(shape),
     )
@@ -60,32 +69,46 @@ def reactions_of(scene: Scene, times: Array, history: History) -> Reactions:
         for own, mechanism in loads.mechanisms(moving):
             bodies = list(mechanism.bodies)
             state = (time, q[bodies], rate[bodies])
-            multipliers = mechanism.multipliers(*state, pull[own])
-            numbers = [place[joint.name] for joint in mechanism.joints]
-            _loads(found, k, numbers, mechanism, multipliers, time, q)
-            _hold(found, k, numbers, mechanism, multipliers, *state)
+            if isinstance(mechanism, LimitedMechanism):
+                now, mode = Now(*state, pull[own]), mechanism.mode(time)
+                _write(found, k, mechanism.exerted(now, mode))
+                _drive(found, k, mechanism, now)
+                kept, numbers = mechanism.parts(mode)
+                multipliers = mechanism.multipliers(now, mode)
+            else:
+                kept, numbers = mechanism, [place[joint.name] for joint in mechanism.joints]
+                multipliers = mechanism.multipliers(*state, pull[own])
+                _write(found, k, _exerted(kept, numbers, multipliers, time, q))
+            _hold(found, k, numbers, kept, multipliers, *state)
     return found
 
 
-def _loads(
-    found: Reactions,
-    sample: int,
-    numbers: list[int],
-    mechanism: Mechanism,
-    multipliers: Array,
-    time: float,
-    q: Array,
-) -> None:
+def _exerted(
+    mechanism: Mechanism, numbers: list[int], multipliers: Array, time: float, q: Array
+) -> Exerted:
+    found: Exerted = {}
+    joints = dict(zip(numbers, mechanism.joints, strict=True))
+    turns = dict(enumerate(q[:, 2].tolist()))
+    own = q[list(mechanism.bodies)]
+    add_exerted(found, mechanism.rows, numbers, joints, multipliers, time, own, turns)
+    return found
+
+
+def _write(found: Reactions, sample: int, exerted: Exerted) -> None:
     """Write down forces and torques at one sample."""
-    slopes = mechanism.rows.end_slopes(time, q[list(mechanism.bodies)])
-    for joint, rows, _ in mechanism.rows.of_joints():
-        tied = mechanism.joints[joint]
-        for i, end in enumerate(ENDS):
-            x, y, turn = multipliers[rows] @ slopes[end][rows]
-            body = tied.ends[i]
-            rx, ry = arm(tied.anchors[i], 0.0 if body is None else float(q[body, 2]))
-            found.force[sample, numbers[joint], i] = x, y
-            found.torque[sample, numbers[joint], i] = turn - (rx * y - ry * x)
+    for joint, (forces, torques) in exerted.items():
+        found.force[sample, joint] = forces
+        found.torque[sample, joint] = torques
+
+
+def _drive(found: Reactions, sample: int, mechanism: LimitedMechanism, now: Now) -> None:
+    """Write down speed and power of motors at one sample."""
+    rates = mechanism.measures.rates(*now[:3])
+    shares = mechanism.shares(now, mechanism.mode(now.time))
+    for of, row in mechanism.row.items():
+        if ("motor", of) in shares:
+            found.speed[sample, of[0]] = rates[row]
+            found.power[sample, of[0]] += shares["motor", of] * rates[row]
 
 
 def _hold(
@@ -99,13 +122,14 @@ def _hold(
     velocity: Array,
 ) -> None:
     """Write down the power of drives, and how far joints are apart, at one sample."""
-    values = mechanism.rows.values(time, position)
+    values = mechanism.rows.values(time, position) * mechanism.placed
     slopes = mechanism.rows.slopes(time, position)
     drift = mechanism.rows.rates(time, position, velocity)
     drift = drift - np.einsum("ijk,jk->i", slopes, velocity)
     for joint, rows, units in mechanism.rows.of_joints():
         kinds = np.array(units)
         k = numbers[joint]
-        found.power[sample, k] = -(multipliers[rows] @ drift[rows])
-        found.separation[sample, k] = np.linalg.norm(values[rows][kinds == "m"])
-        found.angular_separation[sample, k] = np.linalg.norm(values[rows][kinds == "1"])
+        found.power[sample, k] -= multipliers[rows] @ drift[rows]
+        for told, unit in ((found.separation, "m"), (found.angular_separation, "1")):
+            apart = float(np.linalg.norm(values[rows][kinds == unit]))
+            told[sample, k] = np.hypot(told[sample, k], apart)

@@ -41,7 +41,11 @@ class Difference:
 
 def first_difference(recorded: RunData, recomputed: RunData) -> Difference | None:
     """Return the earliest number that differs, or None if the runs are identical."""
-    found = [*_of_samples(recorded, recomputed), *_of_impacts(recorded, recomputed)]
+    found = [
+        *_of_samples(recorded, recomputed),
+        *_of_impacts(recorded, recomputed),
+        *_of_joint_events(recorded, recomputed),
+    ]
     return min(found, key=lambda difference: difference.time, default=None)
 
 
@@ -72,6 +76,19 @@ def _of_impacts(recorded: RunData, recomputed: RunData) -> Iterator[Difference]:
             time = float(a.time[place[0]])
             of = f"impact {place[0]} of {pair}"
             yield _difference(time, of, quantity, place[1:], ours[place], theirs[place])
+
+
+def _of_joint_events(recorded: RunData, recomputed: RunData) -> Iterator[Difference]:
+    a, b = recorded.joint_events, recomputed.joint_events
+    unseen = len(b) > len(a) and b.time[len(a)] > recorded.times[-1]
+    if not unseen:  # as they are to a run that was interrupted
+        yield from _counts("events of joints", a.time, b.time)
+    for quantity in history.OF_JOINT_EVENTS:
+        ours, theirs = getattr(a, quantity), getattr(b, quantity)
+        if (place := _first(ours, theirs)) is not None:
+            name = recorded.scene.joints[a.joint[place[0]]].name
+            of = f"event {place[0]} of joint {name!r}"
+            yield _difference(float(a.time[place[0]]), of, quantity, (), ours[place], theirs[place])
 
 
 def _counts(what: str, a: NDArray[np.float64], b: NDArray[np.float64]) -> Iterator[Difference]:

@@ -84,3 +84,12 @@ def impact_line(run: RunData, k: int) -> str:
 
 def _generated(name: str) -> str:
     return resources.files("tamias2d.generated").joinpath(name).read_text("utf-8")
+
+
+def joint_line(run: RunData, k: int) -> str:
+    """One event of a joint in one line."""
+    events = run.joint_events
+    joint = run.scene.joints[events.joint[k]]
+    value = f", {events.value[k]:.4g}" if events.value[k] else ""
+    unit = "" if not value else " rad" if events.words[k] == "clicks" else " N s or N m s"
+    return f"{events.time[k]:.6g} s: joint {joint.name} {events.words[k]}{value}{unit}"

@@ -14,6 +14,8 @@ import numpy as np
 from tamias2d.scene import Box, Capsule, Disc, HalfPlane, pieces_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from numpy.typing import NDArray
 
     from tamias2d.run_data import RunData
@@ -186,15 +188,31 @@ def view_of(run: RunData) -> View:
 
 
 def _extent(run: RunData) -> tuple[Points, Points]:
-    """Lower left and upper right corner (2,) of where bounded bodies have been, in metres."""
+    """Lower left and upper right corner (2,) of where bounded bodies have been, in metres.
+
+    What holds them to the plane is within, too.
+    """
     boxes = []
     for index, body in enumerate(run.scene.bodies):
         if not isinstance(body.shape, HalfPlane):
             path = run.position[:, index]
             size = body.shape.bounding_radius if body.shape else 0.0
             boxes.append((path.min(axis=0) - size, path.max(axis=0) + size))
+    boxes += [(np.array(point), np.array(point)) for point in _fixed(run)]
     lows, highs = zip(*boxes or [(np.full(2, -1.0), np.full(2, 1.0))], strict=True)
     return np.min(lows, axis=0), np.max(highs, axis=0)
+
+
+def _fixed(run: RunData) -> Iterator[tuple[float, float]]:
+    """Points of the plane at which joints and springs hold, in metres."""
+    for joint in run.scene.joints:
+        if joint.model == "pulley" and joint.ends[2] is None:
+            given = dict(joint.parameters)
+            yield from (given["post_a"], given["post_b"])  # type: ignore[misc]
+        elif joint.model != "equation":
+            ends = zip(joint.ends[:2], joint.anchors[:2], strict=True)
+            yield from (at for body, at in ends if body is None and joint.model != "gear")
+    yield from (spring.point for spring in run.scene.springs if spring.second is None)
 
 
 def round_length(length: float) -> float:

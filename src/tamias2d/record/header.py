@@ -74,10 +74,14 @@ class Header:
     certificate: dict[str, Any] | None = None
     """As JSON; recordings made before there were certificates have none."""
     format: int = FORMAT
+    joint_events: int = 0
 
     def dumps(self) -> str:
-        """Print the header as one line of JSON."""
-        return json.dumps(asdict(self), sort_keys=True)
+        """Print the header as one line of JSON, for runs without events of joints as ever."""
+        told = asdict(self)
+        if not self.joint_events:
+            del told["joint_events"]
+        return json.dumps(told, sort_keys=True)
 
 
 def header_of(run: RunData) -> Header:
@@ -93,6 +97,7 @@ def header_of(run: RunData) -> Header:
         notes=tuple(run.notes),
         digest="",
         versions=versions(),
+        joint_events=len(run.joint_events),
         certificate=None if run.certificate is None else run.certificate.as_json(),
     )
     return replace(header, digest=digest(header, run))
@@ -132,6 +137,9 @@ def _header(values: dict[str, Any]) -> Header:
         raise ValueError
     lists = {name: tuple(values[name]) for name in ("bodies", "notes")}
     values.setdefault("certificate", None)
+    values.setdefault("joint_events", 0)
+    if not isinstance(values["joint_events"], int):
+        raise TypeError("joint_events")
     return Header(**{field.name: values[field.name] for field in fields(Header)} | lists)
 
 

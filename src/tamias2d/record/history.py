@@ -14,6 +14,7 @@ import numpy as np
 from tamias2d import archive
 from tamias2d.certificate import Certificate, from_json
 from tamias2d.errors import RecordingError, TamiasError
+from tamias2d.motion.joint_events import WORDS, JointEvents, joint_events
 from tamias2d.record import header as headers
 from tamias2d.record.aside import aside
 from tamias2d.run_data import Impacts, RunData
@@ -36,12 +37,20 @@ OF_IMPACTS = {
     "time": 1, "bodies": 2, "point": 2, "normal": 2, "impulse": 1, "normal_velocity": 1,
 }  # fmt: skip
 """Quantities of each impact."""
+OF_JOINT_EVENTS = {"time": 1, "joint": 1, "freedom": 1, "what": 1, "value": 1}
+"""Quantities of each event of a joint."""
+_WHOLE = {"impacts.bodies", *(f"joint_events.{name}" for name in ("joint", "freedom", "what"))}
 
 
 def arrays_of(run: RunData) -> Arrays:
     """Name all arrays of a run: `times`, `position`, ..., `impacts.time`, ...; shapes as in Run."""
     of_run = {name: getattr(run, name) for name in ("times", *OF_BODIES, *TOTALS)}
-    return of_run | {f"impacts.{name}": getattr(run.impacts, name) for name in OF_IMPACTS}
+    found = of_run | {f"impacts.{name}": getattr(run.impacts, name) for name in OF_IMPACTS}
+    if not len(run.joint_events):
+        return found
+    return found | {
+        f"joint_events.{name}": getattr(run.joint_events, name) for name in OF_JOINT_EVENTS
+    }
 
 
 def shapes_of(header: headers.Header) -> dict[str, tuple[int, ...]]:
@@ -49,7 +58,10 @@ def shapes_of(header: headers.Header) -> dict[str, tuple[int, ...]]:
     k, n, m = header.samples, len(header.bodies), header.impacts
     shapes: dict[str, tuple[int, ...]] = {"times": (k,)}
     shapes |= {name: (k, n, width)[: 1 + width] for name, width in OF_BODIES.items()}
-    for prefix, rows, widths in (("", k, TOTALS), ("impacts.", m, OF_IMPACTS)):
+    parts = [("", k, TOTALS), ("impacts.", m, OF_IMPACTS)]
+    if header.joint_events:
+        parts.append(("joint_events.", header.joint_events, OF_JOINT_EVENTS))
+    for prefix, rows, widths in parts:
         shapes |= {prefix + name: (rows, width)[:width] for name, width in widths.items()}
     return shapes
 
@@ -74,8 +86,21 @@ def run_of(header: headers.Header, arrays: Mapping[str, NDArray[Any]], *, where:
         notes=header.notes,
         certificate=_certificate(header, where),
         impacts=Impacts(**{name: arrays[f"impacts.{name}"] for name in OF_IMPACTS}),
+        joint_events=_joint_events(arrays, scene, where) if header.joint_events else joint_events(),
         **stored,
     )
+
+
+def _joint_events(arrays: Mapping[str, NDArray[Any]], scene: Scene, where: str) -> JointEvents:
+    found = JointEvents(**{name: arrays[f"joint_events.{name}"] for name in OF_JOINT_EVENTS})
+    for event in found:
+        known = 0 <= event.joint < len(scene.joints) and 0 <= event.what < len(WORDS)
+        if not known or not 0 <= event.freedom <= len(scene.joints[event.joint].freedoms):
+            raise RecordingError(
+                f"{where}: joint_events: found joint {event.joint} and event {event.what}, which "
+                "the scene in it does not have. Record the run again."
+            )
+    return found
 
 
 def check_length(what: str, rows: NDArray[Any], length: int, *, where: str) -> None:
@@ -88,7 +113,7 @@ def check_length(what: str, rows: NDArray[Any], length: int, *, where: str) -> N
 
 
 def _check_array(name: str, found: NDArray[Any] | None, shape: tuple[int, ...], where: str) -> None:
-    kind = np.int64 if name == "impacts.bodies" else np.float64
+    kind = np.int64 if name in _WHOLE else np.float64
     if found is None or found.shape != shape or found.dtype != kind:
         what = "nothing" if found is None else f"{found.dtype} {found.shape}"
         raise RecordingError(

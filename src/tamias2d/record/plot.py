@@ -9,7 +9,7 @@ import numpy as np
 
 from tamias2d.balance import kinetic_energy
 from tamias2d.errors import InputError, RecordingError
-from tamias2d.record import drawing
+from tamias2d.record import drawing, joint_drawing
 from tamias2d.record.aside import aside, refuse_place
 from tamias2d.scene import HalfPlane
 
@@ -96,6 +96,9 @@ def draw_world(axes: Any, run: RunData) -> None:
         for k in instants[:1] if body.static else instants:
             strength = 1.0 if k == instants[-1] or body.static else 0.35
             _body(axes, run, int(k), index, view, colour, strength)
+    for line in joint_drawing.lines(run, view):
+        colour = tuple(0.6 * channel for channel in _unit(joint_drawing.COLOURS[line.kind]))
+        axes.plot(*line.points[instants[-1]].T, color=colour, linewidth=0.9)
     axes.plot(*run.impacts.point.T, "x", color="black", markersize=4, markeredgewidth=0.8)
     axes.set(xlim=(x - width, x + width), ylim=(y - height, y + height), aspect="equal")
     shown = ", ".join(f"{run.times[k]:.3g}" for k in instants)

@@ -7,6 +7,7 @@ from tamias2d.scene import catalogue
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.compound import Compound, Part, Shape, pieces_of
 from tamias2d.scene.fields import ForceField
+from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joint_kinds import (
     Distance,
     Equation,
@@ -14,8 +15,11 @@ from tamias2d.scene.joint_kinds import (
     Groove,
     Prismatic,
     Pulley,
+    Ratchet,
     Revolute,
+    Rotary,
     Weld,
+    Wheel,
 )
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.needs import Need, Needs, needs
@@ -34,22 +38,29 @@ __all__ = [
     "Distance",
     "Equation",
     "ForceField",
+    "Freedom",
     "Gear",
     "Groove",
     "HalfPlane",
     "Joint",
+    "JointSpring",
+    "Limits",
+    "Motor",
     "Need",
     "Needs",
     "Part",
     "Polygon",
     "Prismatic",
     "Pulley",
+    "Ratchet",
     "Revolute",
+    "Rotary",
     "Scene",
     "Segment",
     "Shape",
     "Spring",
     "Weld",
+    "Wheel",
     "catalogue",
     "load",
     "needs",

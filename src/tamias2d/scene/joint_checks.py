@@ -10,10 +10,12 @@ from dataclasses import replace
 import numpy as np
 
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.freedoms import at_rest as freedoms_at_rest
+from tamias2d.scene.freedoms import refuse_crossed
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joint_start import Start
 from tamias2d.scene.joints import End, Joint
-from tamias2d.scene.rules import RuleError, Vector, shown, vector
+from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
 from tamias2d.spec.constraint import ENDS
 
 _FITS = 1e-6
@@ -28,6 +30,7 @@ def checked_joint(
     anchors: tuple[object, object, object],
     collide: object,
     bodies: Sequence[Body],
+    bears: tuple[object, object] = (None, None),
     *,
     at_rest: bool = False,
 ) -> Joint:
@@ -63,17 +66,49 @@ def checked_joint(
         anchors=(placed[0], placed[1], placed[2]),
         equations=own,
         collide=collide,
+        rigid=kind.rigid,
+        freedoms=kind.freedoms(of),
+        break_force=_bears(bears[0], "joint_force_most", of, "break_force", "N"),
+        break_torque=_bears(bears[1], "joint_torque_most", of, "break_torque", "N m"),
     )
+    if joint.breaks and any(each.spring for each in joint.freedoms):
+        raise RuleError(
+            f"{of}: it has a spring and may break, and what becomes of the spring's energy is open "
+            "(GD23). Take one joint that breaks and another with the spring.",
+            "break_force",
+        )
     _refuse_idle(joint, bodies, of)
     return _fitted(joint, kind, bodies, of, at_rest=at_rest)
 
 
 def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
     """Return a joint that holds at the start of other bodies, too, or raise `RuleError`."""
-    start = Start(joint, bodies)
-    _refuse_singular(start, bodies, f"joint '{joint.name}'")
-    _refuse_unfit(start, f"joint '{joint.name}'")
+    of = f"joint '{joint.name}'"
+    _checked_start(joint, bodies, of)
+    refuse_crossed(joint.freedoms, _values(joint, bodies), of)
     return joint
+
+
+def _checked_start(
+    joint: Joint, bodies: Sequence[Body], of: str, *, at_rest: bool = False
+) -> None:
+    start = Start(joint, bodies)
+    _refuse_singular(start, bodies, of)
+    if joint.rigid:
+        _refuse_unfit(start, of, at_rest=at_rest)
+
+
+def _bears(value: object, symbol: str, of: str, key: str, unit: str) -> float | None:
+    if value is None:
+        return None
+    return number(value, symbol, of, f"Give it in {unit}, or leave it out.", at=(key,))
+
+
+def _values(joint: Joint, bodies: Sequence[Body]) -> list[float]:
+    """Return where the freedoms of a joint are at the start, rad or m."""
+    return [
+        float(Start(joint.measured(each, 0.0), bodies).rows[0]) + 0.0 for each in joint.freedoms
+    ]
 
 
 def _anchor(end: End, anchor: object, of: str, key: str) -> Vector:
@@ -118,10 +153,17 @@ def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, *, at_res
         start = Start(_with(joint, {**known, name: 0.0}), bodies)
         known[name] = float(start.rows[-1]) + 0.0
         joint = _with(joint, known)
-    start = Start(joint, bodies)
-    _refuse_singular(start, bodies, of)
-    _refuse_unfit(start, of, at_rest=at_rest)
-    return joint
+    _checked_start(joint, bodies, of, at_rest=at_rest)
+    return _governed(joint, bodies, of)
+
+
+def _governed(joint: Joint, bodies: Sequence[Body], of: str) -> Joint:
+    """Return the joint with what its freedoms take from the start."""
+    for each in joint.freedoms:
+        _refuse_singular(Start(joint.measured(each, 0.0), bodies), bodies, of)
+    values = _values(joint, bodies)
+    refuse_crossed(joint.freedoms, values, of)
+    return replace(joint, freedoms=freedoms_at_rest(joint.freedoms, values))
 
 
 def _with(joint: Joint, known: Mapping[str, float | Vector]) -> Joint:

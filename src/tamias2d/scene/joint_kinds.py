@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
+from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor, freedom, ratchet
 from tamias2d.scene.rules import RuleError, Vector, VectorLike, number, sequence, shown, vector
 from tamias2d.suggestions import suggests
 
@@ -16,11 +17,29 @@ Given: TypeAlias = dict[str, float | Vector | None]
 """The parameters of a constraint, by their symbols."""
 
 
-@suggests
-@dataclass(frozen=True)
-class Revolute:
-    """A hinge: a point of each body is at one place."""
+class _Kind:
+    """What all kinds have."""
 
+    model: ClassVar[str]
+
+    @property
+    def rigid(self) -> bool:
+        """Whether its constraint is kept."""
+        return True
+
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:  # noqa: ARG002
+        """Return what it limits, drives or springs, checked."""
+        return ()
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
+class Revolute(_Kind):
+    """A hinge: a point of each body is at one place, and B may turn against A."""
+
+    limits: Limits | None = None
+    motor: Motor | None = None
+    spring: JointSpring | None = None
     model: ClassVar[str] = "revolute"
 
     @property
@@ -28,27 +47,52 @@ class Revolute:
         """Nothing but the anchors."""
         return {}
 
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
+        """Return the angle, if anything is said of it."""
+        return freedom("angle", of, limits=self.limits, motor=self.motor, spring=self.spring)
+
 
 @suggests
 @dataclass(frozen=True, kw_only=True)
-class Distance:
-    """A rod without mass: two points keep a `length` in m, that at the start unless given."""
+class Distance(_Kind):
+    """A rod without mass: two points keep a `length` in m, that at the start unless given.
+
+    With limits, a motor or a spring it is no rod: a rope is a distance with an upper limit.
+    """
 
     length: float | None = None
+    limits: Limits | None = None
+    motor: Motor | None = None
+    spring: JointSpring | None = None
     model: ClassVar[str] = "distance"
 
     def __post_init__(self) -> None:
         _set(self, length=_length(self.length, "a distance joint"))
+        if self.length is not None and not self.rigid:
+            raise RuleError(
+                f"length {self.length:g} m of a distance joint: what is kept has no limits, motor "
+                "or spring (GD21). Leave one out.",
+                "length",
+            )
+
+    @property
+    def rigid(self) -> bool:
+        """Whether the distance is kept."""
+        return self.limits is None and self.motor is None and self.spring is None
 
     @property
     def given(self) -> Given:
-        """The length."""
-        return {"joint_length": self.length}
+        """The length, if it is kept."""
+        return {"joint_length": self.length} if self.rigid else {}
+
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
+        """Return the distance, if anything is said of it."""
+        return freedom("distance", of, limits=self.limits, motor=self.motor, spring=self.spring)
 
 
 @suggests
 @dataclass(frozen=True, kw_only=True)
-class Weld:
+class Weld(_Kind):
     """Two bodies move as one; B is turned against A by `angle`, rad, or as at the start."""
 
     angle: float | None = None
@@ -65,11 +109,14 @@ class Weld:
 
 @suggests
 @dataclass(frozen=True, kw_only=True)
-class Prismatic:
+class Prismatic(_Kind):
     """B slides along an `axis` of A, in A's own axes, and keeps its `angle` to A, rad."""
 
     axis: VectorLike
     angle: float | None = None
+    limits: Limits | None = None
+    motor: Motor | None = None
+    spring: JointSpring | None = None
     model: ClassVar[str] = "prismatic"
 
     def __post_init__(self) -> None:
@@ -82,13 +129,20 @@ class Prismatic:
         x, y = self.axis
         return {"guide_a": (float(x), float(y)), "joint_angle": self.angle}
 
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
+        """Return the travel, if anything is said of it."""
+        return freedom("travel", of, limits=self.limits, motor=self.motor, spring=self.spring)
+
 
 @suggests
 @dataclass(frozen=True, kw_only=True)
-class Groove:
+class Groove(_Kind):
     """A point of B stays on a line of A along an `axis` in A's own axes, and B may turn."""
 
     axis: VectorLike
+    limits: Limits | None = None
+    motor: Motor | None = None
+    spring: JointSpring | None = None
     model: ClassVar[str] = "groove"
 
     def __post_init__(self) -> None:
@@ -100,10 +154,98 @@ class Groove:
         x, y = self.axis
         return {"guide_a": (float(x), float(y))}
 
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
+        """Return the travel, if anything is said of it."""
+        return freedom("travel", of, limits=self.limits, motor=self.motor, spring=self.spring)
+
 
 @suggests
 @dataclass(frozen=True, kw_only=True)
-class Gear:
+class Wheel(_Kind):
+    """The axle B of a wheel on a line of A: a `spring`, `limits` along it, a `motor` about it."""
+
+    axis: VectorLike
+    spring: JointSpring
+    limits: Limits | None = None
+    motor: Motor | None = None
+    model: ClassVar[str] = "groove"
+
+    def __post_init__(self) -> None:
+        _set(self, axis=_axis(self.axis, "a wheel"))
+
+    @property
+    def given(self) -> Given:
+        """The axis."""
+        x, y = self.axis
+        return {"guide_a": (float(x), float(y))}
+
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
+        """Return the travel of the suspension, and the angle if a motor turns it."""
+        along = freedom("travel", of, limits=self.limits, spring=self.spring)
+        return (*along, *freedom("angle", of, motor=self.motor))
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
+class Rotary(_Kind):
+    """What keeps no place, but limits, drives or springs how far B turns against A."""
+
+    limits: Limits | None = None
+    motor: Motor | None = None
+    spring: JointSpring | None = None
+    model: ClassVar[str] = "angle"
+
+    @property
+    def rigid(self) -> bool:
+        """The angle is not kept."""
+        return False
+
+    @property
+    def given(self) -> Given:
+        """Nothing."""
+        return {}
+
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
+        """Return the angle."""
+        found = freedom("angle", of, limits=self.limits, motor=self.motor, spring=self.spring)
+        if not found:
+            raise RuleError(
+                f"{of}: nothing is said of the angle (GD21). Give limits, a motor or a spring.",
+                "kind",
+            )
+        return found
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
+class Ratchet(_Kind):
+    """B turns forwards against A, and not back behind the last tooth; they are `pitch` rad apart.
+
+    The teeth are at multiples of the pitch. It falls back on one with `restitution`.
+    """
+
+    pitch: float
+    restitution: float
+    model: ClassVar[str] = "angle"
+
+    @property
+    def rigid(self) -> bool:
+        """The angle is not kept."""
+        return False
+
+    @property
+    def given(self) -> Given:
+        """Nothing."""
+        return {}
+
+    def freedoms(self, of: str) -> tuple[Freedom, ...]:
+        """Return the angle, limited by a tooth that moves on."""
+        return ratchet(of, pitch=self.pitch, restitution=self.restitution)
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
+class Gear(_Kind):
     """B turns `ratio` times as far as A, both seen from the third body, or from the plane."""
 
     ratio: float
@@ -122,7 +264,7 @@ class Gear:
 
 @suggests
 @dataclass(frozen=True, kw_only=True)
-class Pulley:
+class Pulley(_Kind):
     """A rope over two wheels at `posts`, m, of the third body or of the plane.
 
     Its part at A and `ratio` times its part at B have a `length` in m, that at the start unless
@@ -154,7 +296,7 @@ class Pulley:
 
 @suggests
 @dataclass(frozen=True)
-class Equation:
+class Equation(_Kind):
     """A joint of your own: what stays zero, as one expression or several.
 
     They may use `position_a`, `orientation_a`, the place of the anchor `point_a`, likewise for B
@@ -187,7 +329,19 @@ class Equation:
         return {}
 
 
-Kind: TypeAlias = Revolute | Distance | Weld | Prismatic | Groove | Gear | Pulley | Equation
+Kind: TypeAlias = (
+    Revolute
+    | Distance
+    | Weld
+    | Prismatic
+    | Groove
+    | Wheel
+    | Rotary
+    | Ratchet
+    | Gear
+    | Pulley
+    | Equation
+)
 
 
 def _length(value: object, of: str) -> float | None:

@@ -1,12 +1,13 @@
 """Joints: what ties up to three bodies, or bodies to the plane, by an equation (TM7)."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 from typing import TypeAlias
 
 from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.scene.freedoms import VALUE_OF, Freedom
 from tamias2d.scene.joint_equation import read_equations
 from tamias2d.scene.rules import RuleError, Vector
 from tamias2d.spec.constraint import ENDS, TIME
@@ -35,6 +36,14 @@ class Joint:
     """Its own, if it has any."""
     collide: bool = False
     """Whether the bodies that it holds may touch."""
+    rigid: bool = True
+    """Whether its constraint is kept; else it is but what its freedoms are measured with."""
+    freedoms: tuple[Freedom, ...] = ()
+    """What it leaves free and yet limits, drives or springs."""
+    break_force: float | None = None
+    """The reaction at which it breaks, N (GD23)."""
+    break_torque: float | None = None
+    """Likewise, N m."""
 
     @property
     def bodies(self) -> tuple[int, ...]:
@@ -52,6 +61,37 @@ class Joint:
     def driven(self) -> bool:
         """Whether its equation changes with time, so that it may do work."""
         return TIME in self.functions.constraint.arguments
+
+    @property
+    def kind(self) -> str:
+        """The word for its kind in a scene file."""
+        measures = [freedom.measure for freedom in self.freedoms]
+        if self.model == "groove" and "angle" in measures:
+            return "wheel"
+        if self.model == "angle":
+            return "ratchet" if self.freedoms[0].pitch is not None else "rotary"
+        return self.model
+
+    @property
+    def governed(self) -> bool:
+        """Whether it does more than keep its constraint: what it exerts changes at instants."""
+        return bool(self.freedoms) or self.breaks
+
+    @property
+    def breaks(self) -> bool:
+        """Whether it bears no more than something."""
+        return self.break_force is not None or self.break_torque is not None
+
+    def measured(self, freedom: Freedom, value: float) -> "Joint":
+        """Return the joint that keeps one of its freedoms at a value, rad or m."""
+        guide = tuple((name, at) for name, at in self.parameters if name == "guide_a")
+        return replace(
+            self,
+            model=freedom.measure,
+            parameters=(*guide, (VALUE_OF[freedom.measure], value)),
+            rigid=True,
+            freedoms=(),
+        )
 
     @property
     def given(self) -> dict[str, float | Vector]:

@@ -10,6 +10,7 @@ from typing import Literal
 from tamias2d.scene.acting import groups, varying_laws, varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.exact import closed_forms
+from tamias2d.scene.joints import Joint
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.scene.rules import number
 from tamias2d.scene.scene import Scene
@@ -116,6 +117,8 @@ class _Inquiry:
         compared = len(solid) > 1 and any(body.dynamic for body in solid)
         for word, own in self.tied().items():
             yield Need(f"{word} joint (R13)", "model", True, f"{_named(own)} tied by it")
+        if self.scene.joints:
+            yield from self.governed()
         yield Need("detection (IM4)", "model", compared, self.compared(len(solid)))
         yield Need("impact (IM3)", "model", bool(self.pairs), self.meeting())
         yield Need("resting contact (GD3)", "model", *self.rests())
@@ -210,8 +213,22 @@ class _Inquiry:
         """Return the bodies that joints of each kind hold."""
         found: dict[str, set[int]] = {}
         for joint in self.scene.joints:
-            found.setdefault(joint.model, set()).update(joint.bodies)
+            found.setdefault(joint.kind, set()).update(joint.bodies)
         return {word: self._bodies(held) for word, held in found.items()}
+
+    def governed(self) -> Iterator[Need]:
+        """What joints do besides keeping what they keep."""
+        joints = self.scene.joints
+        for what, verb, own in (
+            ("limits of joints (GD21)", "limited", [j for j in joints if _has(j, "limits")]),
+            ("motors of joints (GD22)", "driven", [j for j in joints if _has(j, "motor")]),
+            ("springs in joints (DD64, DD65)", "sprung", [j for j in joints if _has(j, "spring")]),
+            ("breaking of joints (GD23)", "able to break", [j for j in joints if j.breaks]),
+        ):
+            first = f"joint '{own[0].name}'" if own else ""
+            others = "is" if len(own) == 1 else f"and {len(own) - 1} more are"
+            found = f"{first} {others} {verb}" if own else f"no joint is {verb}"
+            yield Need(what, "model", bool(own), found)
 
     @property
     def rough(self) -> list[Body]:
@@ -256,6 +273,10 @@ class _Inquiry:
         if not loaded:
             return False, "no gravity and no force presses bodies together"
         return True, "bodies that can meet are pressed together by gravity or a force"
+
+
+def _has(joint: Joint, part: str) -> bool:
+    return any(getattr(freedom, part) is not None for freedom in joint.freedoms)
 
 
 def _about(what: str, kind: Kind, bodies: list[Body], verb: str, otherwise: str) -> Need:

@@ -16,7 +16,7 @@ from tamias2d.generated import detection, translation
 from tamias2d.scene.acting import Load, steady_load, varying_loads
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.compound import pieces_of
-from tamias2d.scene.filters import filters
+from tamias2d.scene.filters import filters, may_touch
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Disc, HalfPlane
@@ -37,6 +37,7 @@ def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
         for k, body in enumerate(scene.bodies)
         if body.shape is not None and not body.sensor
     ]
+    solid = _sociable(solid)
     walls = [(k, body.shape) for k, body in solid if isinstance(body.shape, HalfPlane)]
     bounded = [(k, body) for k, body in solid if not isinstance(body.shape, HalfPlane)]
     found = [
@@ -52,8 +53,34 @@ def pairs_that_can_meet(scene: Scene, duration: float) -> list[tuple[int, int]]:
         met = _overlaps(bounds, moves, both=both)
         found += [_ordered(index[one], index[other]) for one, other in met]
     if scene.joints or any(filters(body) for _, body in solid):
-        found = [pair for pair in found if scene.collides(*pair)]
+        apart = scene.kept_apart
+        found = [
+            (i, j)
+            for i, j in found
+            if may_touch(scene.bodies[i], scene.bodies[j]) and (i, j) not in apart
+        ]
     return sorted(found)
+
+
+def _sociable(solid: list[tuple[int, Body]]) -> list[tuple[int, Body]]:
+    """Return the bodies that may touch some other, by groups, categories and masks."""
+    kinds: dict[tuple[int, int, int], list[Body]] = {}
+    for _, body in solid:
+        kinds.setdefault(_kind(body), []).append(body)
+    first = {kind: bodies[0] for kind, bodies in kinds.items()}
+    met = {
+        kind
+        for kind, body in first.items()
+        if any(
+            may_touch(body, other) and (kind != of or len(kinds[kind]) > 1)
+            for of, other in first.items()
+        )
+    }
+    return [(k, body) for k, body in solid if _kind(body) in met]
+
+
+def _kind(body: Body) -> tuple[int, int, int]:
+    return body.category, body.mask, body.group
 
 
 def _overlaps(

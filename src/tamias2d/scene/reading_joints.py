@@ -4,6 +4,15 @@ from collections.abc import Callable
 from typing import Any
 
 from tamias2d.scene.forms import likely, listed, mapping, within
+from tamias2d.scene.freedoms import (
+    JointSpring,
+    Limits,
+    Measure,
+    Motor,
+    limit_symbols,
+    motor_symbols,
+    spring_symbols,
+)
 from tamias2d.scene.joint_kinds import (
     Distance,
     Equation,
@@ -12,8 +21,11 @@ from tamias2d.scene.joint_kinds import (
     Kind,
     Prismatic,
     Pulley,
+    Ratchet,
     Revolute,
+    Rotary,
     Weld,
+    Wheel,
 )
 from tamias2d.scene.quantities import read_quantity, read_value, scalar_text
 from tamias2d.scene.rules import RuleError, shown
@@ -25,12 +37,32 @@ KINDS: dict[str, Callable[..., Kind]] = {
     "weld": Weld,
     "prismatic": Prismatic,
     "groove": Groove,
+    "wheel": Wheel,
+    "rotary": Rotary,
+    "ratchet": Ratchet,
     "gear": Gear,
     "pulley": Pulley,
     "equation": Equation,
 }
 """The kinds of joints, by the words that a scene file has for them."""
-_MUST = {"prismatic": ("axis",), "groove": ("axis",), "gear": ("ratio",), "pulley": ("posts",)}
+_MUST = {
+    "prismatic": ("axis",),
+    "groove": ("axis",),
+    "wheel": ("axis", "spring"),
+    "ratchet": ("pitch", "restitution"),
+    "gear": ("ratio",),
+    "pulley": ("posts",),
+}
+_MEASURES: dict[str, Measure] = {
+    "revolute": "angle",
+    "distance": "distance",
+    "prismatic": "travel",
+    "groove": "travel",
+    "wheel": "travel",
+    "rotary": "angle",
+}
+"""What a kind of joint leaves free, which may have limits, a motor and a spring."""
+_GOVERNED = ("limits", "motor", "spring")
 _MAY = {
     "distance": ("length",),
     "weld": ("angle",),
@@ -38,9 +70,18 @@ _MAY = {
     "gear": ("angle",),
     "pulley": ("ratio", "length"),
 }
-_SYMBOLS = {"length": "joint_length", "angle": "joint_angle", "ratio": "gear_ratio"}
+_SYMBOLS = {
+    "length": "joint_length",
+    "angle": "joint_angle",
+    "ratio": "gear_ratio",
+    "pitch": "tooth_pitch",
+    "restitution": "restitution",
+    "break_force": "joint_force_most",
+    "break_torque": "joint_torque_most",
+}
 _ANCHORS = ("anchor", "other_anchor", "third_anchor")
-_USUAL = (*_ANCHORS, "third", "name", "collide")
+_BEARS = ("break_force", "break_torque")
+_USUAL = (*_ANCHORS, *_BEARS, "third", "name", "collide")
 
 
 def add_joints(scene: Scene, raw: object) -> None:
@@ -60,7 +101,7 @@ def _add(scene: Scene, raw: object) -> None:
             "kind",
         )
     own = ("equation",) if word == "equation" else _MUST.get(word, ())
-    may = (*_MAY.get(word, ()), *_USUAL)
+    may = (*_MAY.get(word, ()), *(_GOVERNED if word in _MEASURES else ()), *_USUAL)
     mapping(raw, f"a joint of kind {word}", must=("kind", "between", *own), may=may)
     ends = listed(joint["between"], "between")
     if not 1 <= len(ends) <= 2 or (len(ends) == 1 and word != "equation"):
@@ -74,6 +115,9 @@ def _add(scene: Scene, raw: object) -> None:
     values: dict[str, Any] = {
         key: read_value(joint[key], "anchor", (key,)) for key in _ANCHORS if key in joint
     }
+    for key in _BEARS:
+        if key in joint:
+            values[key] = read_quantity(joint[key], _SYMBOLS[key], (key,))
     for key in ("third", "name"):
         if key in joint:
             values[key] = scalar_text(joint[key], (key,))
@@ -112,10 +156,13 @@ def _equations(joint: dict[str, object]) -> list[Any]:
 def _values(joint: dict[str, object], word: str) -> dict[str, Any]:
     """Return what the kind of a joint takes, from its keys."""
     values: dict[str, Any] = {}
-    for key in (*_MUST.get(word, ()), *_MAY.get(word, ())):
+    governed = _GOVERNED if word in _MEASURES else ()
+    for key in dict.fromkeys((*_MUST.get(word, ()), *_MAY.get(word, ()), *governed)):
         if key not in joint:
             continue
-        if key == "axis":
+        if key in _GOVERNED:
+            values[key] = _part(joint[key], key, _measure(word, key))
+        elif key == "axis":
             values[key] = read_value(joint[key], "guide", (key,))
         elif key == "posts":
             posts = listed(joint[key], key)
@@ -123,3 +170,26 @@ def _values(joint: dict[str, object], word: str) -> dict[str, Any]:
         else:
             values[key] = read_quantity(joint[key], _SYMBOLS[key], (key,))
     return values
+
+
+def _measure(word: str, key: str) -> Measure:
+    """Return what limits, a motor or a spring of a kind of joint act on."""
+    return "angle" if (word, key) == ("wheel", "motor") else _MEASURES[word]
+
+
+def _part(raw: object, key: str, measure: Measure) -> Limits | Motor | JointSpring:
+    """Return limits, a motor or a spring."""
+    kinds: dict[str, Any] = {
+        "limits": (Limits, limit_symbols, ("restitution",)),
+        "motor": (Motor, motor_symbols, ("speed",)),
+        "spring": (JointSpring, spring_symbols, ("stiffness",)),
+    }
+    kind, symbols_of, must = kinds[key]
+    symbols = symbols_of(measure)
+    with within(key):
+        may = tuple(name for name in symbols if name not in must)
+        part = mapping(raw, f"the {key} of a joint", must=must, may=may)
+        found: Limits | Motor | JointSpring = kind(
+            **{name: read_quantity(at, symbols[name], (name,)) for name, at in part.items()}
+        )
+    return found

@@ -269,13 +269,16 @@ class Scene(SceneData):
         third_anchor: VectorLike = (0.0, 0.0),
         name: str | None = None,
         collide: bool = False,
+        break_force: float | None = None,
+        break_torque: float | None = None,
     ) -> int:
         """Tie two bodies, or a body and the plane, and return the joint's index (TM7).
 
         A and B are bodies, given by index or name, or points (x, y) of the plane in m; a third one,
         C, is what a gear or a pulley is seen from. It holds a body at an anchor (x, y), in m from
         the centre of mass and in the body's own axes. Bodies that are tied do not touch, unless
-        they `collide`.
+        they `collide`. The joint breaks where its reaction reaches `break_force`, N, or
+        `break_torque`, N m (GD23).
 
         Raises:
             InputError: a value breaks a rule (R4), the joint moves nothing, its equation has no
@@ -290,8 +293,10 @@ class Scene(SceneData):
             (0.0, 0.0) if third is None else self.index(third),
         )
         anchors = (anchor, other_anchor, third_anchor)
-        joint = checked_joint(kind, name, ends, anchors, collide, self._bodies)
-        self._joints.append(joint)
+        joint = checked_joint(
+            kind, name, ends, anchors, collide, self._bodies, (break_force, break_torque)
+        )
+        self._append_joint(joint)
         return len(self._joints) - 1
 
     def repeat_joint(self, joint: Joint) -> None:
@@ -300,7 +305,7 @@ class Scene(SceneData):
         Raises:
             InputError: it does not hold at the start (TM7); the message says so.
         """
-        self._joints.append(checked_again(joint, self._bodies))
+        self._append_joint(checked_again(joint, self._bodies))
 
     def add_attraction(self, *, gravitational_constant: float) -> None:
         """Let all bodies that move attract each other, each pair by its masses (IM5).
@@ -363,7 +368,7 @@ class Scene(SceneData):
         return vector(value, "point", f"joint '{name}'", remedy, at=(key,))
 
     def _free_joint_name(self, name: object) -> str:
-        taken = {joint.name for joint in self._joints}
+        taken = self._joint_names
         if name is None:
             name = next(free for k in count(len(taken)) if (free := f"joint{k}") not in taken)
         name = checked_text(name, "name")
@@ -374,6 +379,10 @@ class Scene(SceneData):
                 "name",
             )
         return name
+
+    def _append_joint(self, joint: Joint) -> None:
+        self._joints.append(joint)
+        self._joint_names.add(joint.name)
 
     def _append(self, body: Body) -> int:
         self._index[body.name] = len(self._bodies)

@@ -36,6 +36,7 @@ class SceneData:
         self._attraction: float | None = None
         self._fields: list[ForceField] = []
         self._joints: list[Joint] = []
+        self._joint_names: set[str] = set()
 
     @property
     def gravity(self) -> Vector:

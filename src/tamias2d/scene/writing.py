@@ -10,6 +10,7 @@ from tamias2d.scene.compound import Compound, Part, Shape
 from tamias2d.scene.fields import ForceField
 from tamias2d.scene.filters import ALL
 from tamias2d.scene.forms import SECTIONS
+from tamias2d.scene.freedoms import Freedom, limit_symbols, motor_symbols, spring_symbols
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.law import Law
 from tamias2d.scene.rules import Vector
@@ -201,7 +202,7 @@ def _joints(scene: SceneData) -> Iterator[str]:
 
 
 def _joint(scene: SceneData, joint: Joint) -> Iterator[str]:
-    yield f"kind: {joint.model}"
+    yield f"kind: {joint.kind}"
     between = (
         _vector(at, "position") if k is None else _text(scene.bodies[k].name)
         for k, at in zip(joint.ends[:2], joint.anchors[:2], strict=True)
@@ -216,7 +217,30 @@ def _joint(scene: SceneData, joint: Joint) -> Iterator[str]:
     yield f"name: {_text(joint.name)}"
     if joint.collide:
         yield "collide: true"
+    for key, bears in (("force", joint.break_force), ("torque", joint.break_torque)):
+        if bears is not None:
+            yield f"break_{key}: {_quantity(bears, f'joint_{key}_most')}"
     yield from _parameters(joint)
+    for freedom in joint.freedoms:
+        yield from _freedom(freedom)
+
+
+def _freedom(freedom: Freedom) -> Iterator[str]:
+    """Write down what a joint limits, drives or springs."""
+    measure, limits = freedom.measure, freedom.limits
+    if freedom.pitch is not None and limits is not None:
+        yield f"pitch: {_quantity(freedom.pitch, 'tooth_pitch')}"
+        yield f"restitution: {_quantity(limits.restitution, 'restitution')}"
+        return
+    for key, part, symbols in (
+        ("limits", limits, limit_symbols(measure)),
+        ("motor", freedom.motor, motor_symbols(measure)),
+        ("spring", freedom.spring, spring_symbols(measure)),
+    ):
+        if part is not None:
+            values = ((name, getattr(part, name), symbol) for name, symbol in symbols.items())
+            told = (f"{name}: {_quantity(at, by)}" for name, at, by in values if at is not None)
+            yield f"{key}: {{{', '.join(told)}}}"
 
 
 def _parameters(joint: Joint) -> Iterator[str]:

@@ -177,7 +177,7 @@ class Simulator(Views):
             self._warned[_LOSSY] = (
                 f"springs of {self._name_of(row)}, before {self.time:.6g} s: in the shortest parts "
                 f"of a time step of {self._time_step:.6g} s, too, they turn too far to be solved, "
-                "and lose energy (IM14). Give a shorter step."
+                "and their energy is not kept (IM14). Give a shorter step."
             )
             warn(self._warned[_LOSSY], StepWarning, stacklevel=3)
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from tamias2d.balance import balance
 from tamias2d.cost import Cost
-from tamias2d.motion import Tally
+from tamias2d.motion import JointEvents, Tally, joint_events
 from tamias2d.run import Impacts, Run
 from tamias2d.solve.finite import refuse_infinite
 from tamias2d.solve.plan import Plan
@@ -22,7 +22,12 @@ NO_IMPACTS = Impacts(
 
 
 def run_of(
-    plan: Plan, history: History, impacts: Impacts, notes: tuple[str, ...], tally: Tally
+    plan: Plan,
+    history: History,
+    impacts: Impacts,
+    notes: tuple[str, ...],
+    tally: Tally,
+    events: JointEvents | None = None,
 ) -> Run:
     """Return the run; raise `RangeError` if its energy or a momentum is not finite."""
     energy, momentum, angular_momentum = balance(plan.scene, history)
@@ -35,6 +40,7 @@ def run_of(
         times=plan.times,
         **history._asdict(),
         impacts=impacts,
+        joint_events=joint_events() if events is None else events,
         energy=energy,
         momentum=momentum,
         angular_momentum=angular_momentum,

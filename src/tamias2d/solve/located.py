@@ -1,17 +1,17 @@
 """Runs along smooth paths, whose impacts are located (IM3)."""
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from tamias2d.contact import ContactImpulse, Located, RangeError
+from tamias2d.contact import MANY, Located, RangeError, is_event_driven
 from tamias2d.errors import SimulationError
+from tamias2d.event_driven import Discs
 from tamias2d.kernels import flight, march_by_kernels
-from tamias2d.motion import Motion, PathMethod
+from tamias2d.motion import ClosedForm, Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
-from tamias2d.motion.mechanism import fitted_history
+from tamias2d.motion.mechanisms import fitted_history
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
+from tamias2d.scene import Scene
 from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
 from tamias2d.solve.following import Interrupted, follow
 from tamias2d.solve.plan import Plan
@@ -19,26 +19,32 @@ from tamias2d.state import Array, History
 from tamias2d.work_limit import Work
 
 
-def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool) -> Run:
+def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool, asked: bool) -> Run:
     """Return the run along the paths of a method, from impact to impact.
 
-    Raises as `solve` does; the error's `run` is the history up to there.
+    Where the method was not asked for, more bodies than `MANY` are followed by compiled code or not
+    at all. Raises as `solve` does; the error's `run` is the history up to there.
     """
     motion = method.motion(plan.scene, plan.duration, plan.time_step or plan.duration)
     motion.work = Work(plan.duration, plan.work_limit)
     march_by_kernels(motion, plan.scene)
-    located = Located(plan.scene, motion, motion.work)
+    discs = discs_of(plan.scene, method, plan.times)
+    located = Located(
+        plan.scene, motion, motion.work, discs, alone=asked or not are_many(plan.scene)
+    )
     try:
         if not located.can_meet:
-            history = fitted_history(plan.scene, plan.times, _without_contact(plan, method, motion))
-            return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
+            found = _without_contact(plan, method, motion)
+            events = motion.joint_events()
+            history = fitted_history(plan.scene, plan.times, found, events)
+            return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
         follow(located, plan.duration, progress=progress)
     except SimulationError as refusal:
-        refusal.run = _finite(plan, motion, located)
+        refusal.run = _finite(plan, motion, located, discs)
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_finite(plan, motion, located)) from None
-    return _reached(plan, motion, located)
+        raise Interrupted(_finite(plan, motion, located, discs)) from None
+    return _reached(plan, motion, located, discs)
 
 
 def _without_contact(plan: Plan, method: PathMethod, motion: Motion) -> History:
@@ -53,25 +59,45 @@ def _without_contact(plan: Plan, method: PathMethod, motion: Motion) -> History:
     return motion.history(plan.times)
 
 
-def _finite(plan: Plan, motion: Motion, located: Located) -> Run:
+def _finite(plan: Plan, motion: Motion, located: Located, discs: Discs | None) -> Run:
     """Return the run up to the time that was reached, or to the last finite energy before."""
     try:
-        return _reached(plan, motion, located)
+        return _reached(plan, motion, located, discs)
     except RangeError as beyond:
-        return _reached(plan._replace(times=plan.times[plan.times < beyond.time]), motion, located)
+        before = plan._replace(times=plan.times[plan.times < beyond.time])
+        return _reached(before, motion, located, discs)
 
 
-def _reached(plan: Plan, motion: Motion, located: Located) -> Run:
+def discs_of(scene: Scene, method: PathMethod, times: Array | None) -> Discs | None:
+    """Return what follows the bodies of a scene by compiled code, with samples at times, s.
+
+    None where it does not know them.
+    """
+    if not (isinstance(method, ClosedForm) and is_event_driven(scene)):
+        return None
+    return Discs(scene, times, many=are_many(scene))
+
+
+def are_many(scene: Scene) -> bool:
+    """Whether more bodies move than are followed one by one."""
+    return sum(body.dynamic and body.shape is not None for body in scene.bodies) > MANY
+
+
+def _reached(plan: Plan, motion: Motion, located: Located, discs: Discs | None) -> Run:
     """Return the run up to the time that was reached."""
     if not all(located.tracks):  # it did not get as far as a first path
         history, times = _sampled(plan, motion)
         plan = plan._replace(times=times)
-        return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally)
+        events = motion.joint_events()
+        return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
     times = plan.times[plan.times <= located.time]
     plan = plan._replace(times=times if len(times) else np.zeros(1))
-    history = fitted_history(plan.scene, plan.times, sample(located.tracks, plan.times))
-    impacts = _impacts(located.contact_impulses)
-    return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally)
+    events = motion.joint_events()
+    states = sample if discs is None else discs.history
+    found = states(located.tracks, plan.times)
+    history = fitted_history(plan.scene, plan.times, found, events)
+    impacts = _impacts(located.impacts)
+    return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally, events)
 
 
 def _sampled(plan: Plan, motion: Motion) -> tuple[History, Array]:
@@ -83,15 +109,13 @@ def _sampled(plan: Plan, motion: Motion) -> tuple[History, Array]:
     return History(*(part[: len(times)] for part in motion.sampled)), times
 
 
-def _impacts(contact_impulses: Sequence[tuple[float, ContactImpulse]]) -> Impacts:
-    contacts = [each.contact for _, each in contact_impulses]
+def _impacts(rows: Array) -> Impacts:
+    """Return impacts from their rows (m, 9), as `Located.impacts` has them."""
     return Impacts(
-        time=np.array([time for time, _ in contact_impulses], dtype=np.float64),
-        bodies=np.array([(c.a, c.b) for c in contacts], dtype=np.int64).reshape(-1, 2),
-        point=np.array([c.point for c in contacts], dtype=np.float64).reshape(-1, 2),
-        normal=np.array([c.normal for c in contacts], dtype=np.float64).reshape(-1, 2),
-        impulse=np.array([each.impulse for _, each in contact_impulses], dtype=np.float64),
-        normal_velocity=np.array(
-            [each.normal_velocity for _, each in contact_impulses], dtype=np.float64
-        ),
+        time=rows[:, 0].copy(),
+        bodies=rows[:, 1:3].astype(np.int64),
+        point=rows[:, 3:5].copy(),
+        normal=rows[:, 5:7].copy(),
+        impulse=rows[:, 7].copy(),
+        normal_velocity=rows[:, 8].copy(),
     )

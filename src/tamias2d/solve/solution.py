@@ -19,10 +19,10 @@ from tamias2d.scene import Scene
 from tamias2d.solve.assembly import start_of
 from tamias2d.solve.finite import refuse_infinite, within_range
 from tamias2d.solve.legacy import run_by_legacy
-from tamias2d.solve.located import run_by_paths
+from tamias2d.solve.located import are_many, run_by_paths
 from tamias2d.solve.plan import Plan, planned
 from tamias2d.solve.stepped import run_by_steps
-from tamias2d.work_limit import WORK_LIMIT
+from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 _UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError)
 
@@ -44,7 +44,7 @@ def solve(
     plan = planned(scene, duration, method, time_step, times, work_limit)
     with within_range(plan.duration):
         try:
-            return _run(plan, progress)
+            return _run(plan, progress, asked=method is not None)
         except _UNDECIDED as refusal:
             if method is not None or scene.joints:
                 raise
@@ -56,15 +56,19 @@ def solve(
                 f"bodies touch at the start; {refusal.bodies} overlap by {refusal.depth:.2g} m, "
                 "as rounding does it"
             )
-        return _run(plan.by_steps(reason), progress)
+        except WorkLimitError as spent:
+            if method is not None or not are_many(scene):
+                raise
+            reason = f"locating the impacts would be too much work. {spent}"
+        return _run(plan.by_steps(reason), progress, asked=False)
 
 
-def _run(plan: Plan, progress: bool) -> Run:
+def _run(plan: Plan, progress: bool, *, asked: bool) -> Run:
     _refuse_singular(plan.scene)
     refuse_infinite(np.zeros(1), *balance(plan.scene, start_of(plan)))
     match plan.method:
         case PathMethod() as method:
-            return run_by_paths(plan, method, progress=progress)
+            return run_by_paths(plan, method, progress=progress, asked=asked)
         case Stepped() as method:
             return run_by_steps(plan, method, progress=progress)
         case Legacy2018() as method:

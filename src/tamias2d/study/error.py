@@ -1,6 +1,7 @@
 """How far apart two histories of one scene are: the measure in which errors are stated."""
 
 import math
+from typing import Protocol
 
 import numpy as np
 
@@ -11,14 +12,31 @@ from tamias2d.state import Array
 MEASURE = "distance of any point of any body from its exact place, at any time of the history"
 
 
+class Placed(Protocol):
+    """Whatever says where bodies are: a run, or a history."""
+
+    @property
+    def position(self) -> Array:
+        """(k, n, 2), m"""
+
+    @property
+    def orientation(self) -> Array:
+        """(k, n), rad"""
+
+
 def apart(run: Run, other: Run) -> Array:
-    """Return (k,), m: how far the worst point of all bodies is from its place in another run.
+    """Return (k,), m: how far the worst point of all bodies is from its place in another run."""
+    return distance(run.scene, run, other)
+
+
+def distance(scene: Scene, one: Placed, other: Placed) -> Array:
+    """Return (k,), m: how far the worst point of all bodies of a scene is from its other place.
 
     Both have the same times. A point of a body of some radius moves with its centre and turns
     around it.
     """
-    moved = np.linalg.norm(run.position - other.position, axis=-1)
-    turned = np.abs(run.orientation - other.orientation) * radii(run.scene)
+    moved = np.linalg.norm(one.position - other.position, axis=-1)
+    turned = np.abs(one.orientation - other.orientation) * radii(scene)
     result: Array = (moved + turned).max(axis=1, initial=0.0)
     return result
 
@@ -26,14 +44,19 @@ def apart(run: Run, other: Run) -> Array:
 def scale(run: Run) -> float:
     """Return how far the farthest moving body goes during a run, m; errors are relative to it.
 
-    It is the diagonal of the box around its path, and the arc of its outermost point. Where nothing
-    moves, it is the size of the largest body.
+    Where nothing moves, it is the size of the largest body.
     """
-    span = np.ptp(run.position, axis=0)
-    arcs = np.ptp(run.orientation, axis=0) * radii(run.scene)
-    ways = np.hypot(span[:, 0], span[:, 1]) + arcs
-    largest = float(ways.max(initial=0.0))
-    return largest or float(radii(run.scene).max(initial=0.0)) or 1.0
+    return way(run.scene, run) or float(radii(run.scene).max(initial=0.0)) or 1.0
+
+
+def way(scene: Scene, history: Placed) -> float:
+    """Return how far the body goes that goes farthest, m.
+
+    It is the diagonal of the box around its path, and the arc of its outermost point.
+    """
+    span = np.ptp(history.position, axis=0)
+    arcs = np.ptp(history.orientation, axis=0) * radii(scene)
+    return float((np.hypot(span[:, 0], span[:, 1]) + arcs).max(initial=0.0))
 
 
 def radii(scene: Scene) -> Array:

@@ -30,17 +30,43 @@ def energy_drift(run: Run) -> float | None:
 
 
 def energy_rise(run: Run) -> float | None:
-    """Return by how much the energy rises above what it was before; None if something gives energy.
+    """Return by how much the energy of a run rises above what it was before, as `rise` does."""
+    return rise(run.scene, run.energy, _kinetic(run))
 
-    It is relative to the largest kinetic energy or, where that is more, to the energy that lifts
-    all bodies by their radius: what is at rest moves too little to be a measure.
+
+def rise(scene: Scene, energy: Array, kinetic: Array) -> float | None:
+    """Return by how much energies (k,), J, rise above what was before; None if something gives any.
+
+    It is relative to the largest of the kinetic energies (k,), J, or, where that is more, to the
+    energy that lifts all bodies by their radius: what is at rest moves too little to be a measure.
     """
-    mass = np.array([body.mass if body.dynamic else 0.0 for body in run.scene.bodies])
-    lift = float((mass * radii(run.scene)).sum()) * math.hypot(*run.scene.gravity)
-    largest = max(float(_kinetic(run).max()), lift)
-    if _gives_energy(run.scene) or not largest:
+    largest = _measure(scene, kinetic)
+    if _gives_energy(scene) or not largest:
         return None
-    return float((run.energy - np.minimum.accumulate(run.energy)).max()) / largest
+    return float((energy - np.minimum.accumulate(energy)).max()) / largest
+
+
+def energy_error(scene: Scene, energy: Array, kinetic: Array) -> float | None:
+    """Return the change of energies (k,), J, that neither impacts nor friction account for.
+
+    It is the rise, and where nothing can take energy, the fall, too; relative as `rise` is.
+    """
+    risen = rise(scene, energy, kinetic)
+    if risen is None or not (_conserves_energy(scene) and _elastic(scene)):
+        return risen
+    return float(np.abs(energy - energy[0]).max()) / _measure(scene, kinetic)
+
+
+def _elastic(scene: Scene) -> bool:
+    """Whether no impact takes energy."""
+    stated = {body.restitution for body in scene.bodies if body.shape is not None}
+    return stated | {*scene.restitution_of_pairs.values()} <= {1.0}
+
+
+def _measure(scene: Scene, kinetic: Array) -> float:
+    mass = np.array([body.mass if body.dynamic else 0.0 for body in scene.bodies])
+    lift = float((mass * radii(scene)).sum()) * math.hypot(*scene.gravity)
+    return max(float(kinetic.max(initial=0.0)), lift)
 
 
 def energy_rounding(run: Run) -> float:

@@ -27,7 +27,7 @@ _UNSEEN = 1e-6  # of the smaller size: by how much bodies may overlap between sa
 _INTERVALS = 240  # of the run, at least, from which halving starts
 _HALVINGS = 44
 _MOST = 2**16  # intervals of one pair that are still halved
-_BODIES = 100  # in a run by steps of more than these bodies nothing is looked for
+_BODIES = 100  # of more than these nothing is looked for: that takes all pairs
 _TURN = 0.5  # cosine: by how much a direction may turn in half an interval
 
 
@@ -75,7 +75,7 @@ def penetrations(run: Run) -> Iterator[Penetration]:
 def crowded(run: Run) -> bool:
     """Whether a run has so many bodies that nothing is looked for."""
     solid = sum(body.shape is not None for body in run.scene.bodies)
-    return isinstance(run.method, Stepped) and solid > _BODIES
+    return solid > _BODIES
 
 
 def _pairs(run: Run) -> Iterator[tuple[ConvexPart, ConvexPart]]:

@@ -14,7 +14,8 @@ import numpy as np
 
 from tamias2d.errors import InputError, RecordingError
 from tamias2d.storage import write_aside
-from tamias2d.study.work_precision import Point, Study
+from tamias2d.study.contact_study import ContactStudy
+from tamias2d.study.work_precision import Point, Seconds, Study
 
 _COLOURS = {
     "ClosedForm": "#111111",
@@ -30,10 +31,19 @@ _COLOURS = {
 }
 _GREY = "#999999"
 _MARKS = {"ClosedForm": "D", "Pymunk": "s"}
+_PEERS = {"Pymunk": "s", "pyb2d3": "^"}
+_PASSES = {
+    ("Stepped", 1): "#e67828",
+    ("Stepped", 4): "#3c8cdc",
+    ("Stepped", 16): "#46aa64",
+    ("Pymunk", 40): "#666666",
+    ("pyb2d3", 4): "#bbbbbb",
+    ("pyb2d3", 16): "#777777",
+}
 CostOf = Callable[[Point], float | None]
 
 
-def plot(study: Study, path: str | Path, *, tolerance: float | None) -> None:
+def plot(study: Study | ContactStudy, path: str | Path, *, tolerance: float | None) -> None:
     """Draw a study; the kind of picture follows from the suffix: `.png`, `.svg`, `.pdf`.
 
     Raises:
@@ -43,12 +53,24 @@ def plot(study: Study, path: str | Path, *, tolerance: float | None) -> None:
     """
     path = Path(path)
     figure = _figure(path)
+    _refuse_kind(figure, path)
+    draw = _draw_contacts if isinstance(study, ContactStudy) else _draw_study
+    draw(figure, study, tolerance)  # type: ignore[arg-type]
+    drawn = io.BytesIO()
+    figure.savefig(drawn, format=path.suffix[1:], dpi=120)
+    write_aside(path, drawn.getvalue())
+
+
+def _refuse_kind(figure: Any, path: Path) -> None:
     kinds = figure.canvas.get_supported_filetypes()
     if path.suffix[1:] not in kinds:
         raise InputError(
             f"{path}: suffix {path.suffix!r}: a picture is one of {', '.join(sorted(kinds))}. "
             "Give it such a name, .png for one."
         )
+
+
+def _draw_study(figure: Any, study: Study, tolerance: float | None) -> None:
     left, right = figure.subplots(1, 2, sharex=True)
     _draw(left, study, _seconds, study.fastest, "seconds, shortest of the runs")
     _draw(right, study, _evaluations, study.leanest, "force evaluations, with 1 for none")
@@ -57,9 +79,67 @@ def plot(study: Study, path: str | Path, *, tolerance: float | None) -> None:
         _limits(axes, study, tolerance)
     _rim(left, study, _seconds)
     _texts(figure, left, study)
-    drawn = io.BytesIO()
-    figure.savefig(drawn, format=path.suffix[1:], dpi=120)
-    write_aside(path, drawn.getvalue())
+
+
+def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) -> None:
+    """Draw seconds against the error of places, and against overlap and energy."""
+    left, right = figure.subplots(1, 2)
+    places = {k: max(p.error.size, study.floor) for k, p in enumerate(study.points) if p.error}
+    quality = {k: p.error.quality for k, p in enumerate(study.points) if p.error}
+    for axes, errors, chosen in (
+        (left, places, study.fastest),
+        (right, quality, study.soundest),
+    ):
+        _lines(axes, study, errors)
+        front = [k for k in chosen if k in errors]
+        _front(axes, [errors[k] for k in front], [study.points[k].seconds for k in front])
+        axes.set(xscale="log", yscale="log", ylabel="cost: seconds, median of runs in turns")
+        axes.grid(visible=True, which="major", alpha=0.25)
+    left.set_xlabel(
+        f"places up to the horizon of {study.horizon:.3g} s, against {study.truth},\n"
+        f"relative to the way of the farthest body; below {study.floor:.0e} nothing is known"
+    )
+    right.set_xlabel("overlap, relative to the smaller body's radius,\nor energy from nothing")
+    if tolerance is not None:
+        left.axvline(tolerance, color="black", linewidth=1.2, linestyle="--")
+    figure.suptitle(f"{study.scene}, {study.duration:g} s: what accuracy costs", fontsize="x-large")
+    handles, labels = left.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside right upper", frameon=False, fontsize="small")
+
+
+def _lines(axes: Any, study: ContactStudy, errors: dict[int, float]) -> None:
+    """Draw a line for each engine and number of passes, from long to short steps."""
+    lines: dict[tuple[str, int], list[int]] = {}
+    for k, point in enumerate(study.points):
+        if k in errors and point.seconds and 0 < errors[k] < math.inf:
+            lines.setdefault((point.method, point.passes), []).append(k)
+    for (method, passes), places in lines.items():
+        axes.plot(
+            [errors[k] for k in places],
+            [study.points[k].seconds.median for k in places],  # type: ignore[union-attr]
+            marker=_PEERS.get(method, "o"),
+            markersize=4.5,
+            linewidth=1.1,
+            color=_PASSES.get((method, passes), _GREY),
+            zorder=1 if method in _PEERS else 2,
+            label=f"{method} x {passes}",
+        )
+
+
+def _front(axes: Any, errors: list[float], seconds: list[Seconds | None]) -> None:
+    axes.plot(
+        errors,
+        [one.median if one else math.nan for one in seconds],
+        drawstyle="steps-pre",
+        marker="o",
+        markersize=10,
+        markerfacecolor="none",
+        color="black",
+        linewidth=0.8,
+        linestyle=":",
+        zorder=3,
+        label="front: nothing is both cheaper and better",
+    )
 
 
 def _figure(path: Path) -> Any:

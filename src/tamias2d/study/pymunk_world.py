@@ -12,12 +12,13 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from tamias2d.errors import SceneError, SimulationError
+from tamias2d.errors import SceneError
 from tamias2d.run import Impacts
 from tamias2d.scene import Body, Box, Capsule, Disc, HalfPlane, Polygon, Scene, Segment
 from tamias2d.scene.acting import Load
 from tamias2d.scene.filters import filters
 from tamias2d.state import Array
+from tamias2d.study.engines.refusal import PeerError, imported
 from tamias2d.study.pymunk_loads import Loading, loading
 
 _SLOP = 1e-4  # of the smallest body: how far it lets bodies overlap before it pushes them apart
@@ -28,18 +29,8 @@ Push: TypeAlias = Callable[[Any], Load]
 """From a body of Pymunk to the force and torque on it, besides weight."""
 
 
-class PeerError(SimulationError):
-    """Pymunk is not there, or cannot do the scene."""
-
-
 def _pymunk() -> Any:
-    try:
-        import pymunk
-    except ImportError as fault:
-        raise PeerError(
-            f"Pymunk: is not installed ({fault}). `pip install pymunk` brings it, or leave it out."
-        ) from fault
-    return pymunk
+    return imported("Pymunk", "pymunk")
 
 
 def version() -> str:

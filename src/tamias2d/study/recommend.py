@@ -8,7 +8,7 @@ import math
 from dataclasses import dataclass, replace
 
 from tamias2d.contact import steps_because
-from tamias2d.errors import InputError, SimulationError
+from tamias2d.errors import InputError, SceneError, SimulationError
 from tamias2d.motion import (
     ClosedForm,
     Dop853,
@@ -25,22 +25,15 @@ from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.rules import number
 from tamias2d.scene.scene_data import checked_scene
+from tamias2d.solve import solve
 from tamias2d.study.pilot import Estimate, Pilot
+from tamias2d.study.refusal import ToleranceError as ToleranceError, refusal
+from tamias2d.study.stepped_plan import plan_steps, stepped_because
 from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 TIGHTEST, LOOSEST = 1e-15, 0.1
 _MORE = 4  # times the work of the first pilot run may the tightest one take
-
-
-class ToleranceError(SimulationError):
-    """No method meets the tolerance; `reachable` is an error that can be met, if one is known."""
-
-    code = "tolerance"
-
-    def __init__(self, message: str, reachable: float | None) -> None:
-        super().__init__(message)
-        self.reachable = reachable
 
 
 @dataclass(frozen=True)
@@ -65,8 +58,10 @@ def recommend(
     """Return how to simulate a scene for a duration in s within a tolerance.
 
     The tolerance bounds the distance of any point of any body from its exact place, at any time,
-    relative to how far the farthest one goes. Pilot runs take at most `work_limit` steps and
-    impacts each, and twice as many together.
+    relative to how far the farthest one goes. Where contacts are stepped, the place is that to
+    which ever shorter steps lead, as far as they agree about it. Pilot runs take at most
+    `work_limit` steps and impacts each, and twice as many together; by steps through contacts,
+    1000 substeps of one body for each of them.
 
     Raises:
         InputError: an argument breaks a rule.
@@ -76,13 +71,30 @@ def recommend(
     checked_scene(scene)
     duration = number(duration, "duration", "the run", "Give it in s.", at=("duration",))
     tolerance = checked_tolerance(tolerance)
-    if reason := steps_because(scene, duration):
-        raise ToleranceError(
-            f"tolerance {tolerance:g}: {reason}: contacts are stepped, and no step is known to "
-            "meet it (R12). Leave it out, and `certify` the run: it shows what shorter steps "
-            "change.",
-            None,
-        )
+    reason = steps_because(scene, duration)
+    if reason is None:
+        try:
+            if solved(scene):
+                solve(scene, duration=duration, method=ClosedForm(), times=[duration])
+            return located_plan(scene, duration, tolerance, work_limit)
+        except (SimulationError, SceneError):
+            if (reason := stepped_because(scene, duration)) is None:
+                raise
+    found = plan_steps(
+        scene,
+        duration=duration,
+        tolerance=tolerance,
+        times=[duration],
+        work_limit=work_limit,
+        reason=reason,
+    )
+    return Recommendation(tolerance, found.estimates, found.spent)
+
+
+def located_plan(
+    scene: Scene, duration: float, tolerance: float, work_limit: int
+) -> Recommendation:
+    """Return what to do where impacts are located; raises as `recommend` does."""
     if solved(scene):
         why = "costs nothing more than its impacts"
         return Recommendation(tolerance, (Estimate(ClosedForm(), None, 0.0, 0.0, None, why),), 0)
@@ -114,21 +126,6 @@ def checked_tolerance(value: object) -> float:
             f"{LOOSEST:g} (R5). {remedy}"
         )
     return float(value)
-
-
-def refusal(tolerance: float, reachable: float) -> ToleranceError:
-    """Return the error that says what can be reached instead."""
-    if not math.isfinite(reachable):
-        return ToleranceError(
-            f"tolerance {tolerance:g}: no method meets it, and none bounds its error (R5). End the "
-            "run before, or run without a tolerance.",
-            None,
-        )
-    return ToleranceError(
-        f"tolerance {tolerance:g}: no method meets it: the error can be bounded by {reachable:.1e} "
-        "(R5). Give that or more, or end the run before.",
-        reachable,
-    )
 
 
 def _beyond(

@@ -2,15 +2,20 @@
 
 import math
 from dataclasses import replace
+from typing import NamedTuple
 
 from tamias2d.certificate import Certificate
+from tamias2d.contact import steps_because
+from tamias2d.errors import SceneError, SimulationError
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.solve import solve
+from tamias2d.solve import Interrupted, solve
 from tamias2d.state import Array
-from tamias2d.study.certify import certify
+from tamias2d.study.certify import certify, certify_steps
 from tamias2d.study.pilot import Estimate
-from tamias2d.study.recommend import recommend, refusal
+from tamias2d.study.recommend import located_plan
+from tamias2d.study.refusal import ToleranceError, refusal
+from tamias2d.study.stepped_plan import plan_steps, stepped_because
 from tamias2d.work_limit import WORK_LIMIT
 
 _TRIES = 3
@@ -31,31 +36,81 @@ def within(
 
     Raises as `simulate` and `recommend` do.
     """
-    plan = recommend(scene, duration=duration, tolerance=tolerance, work_limit=work_limit)
+    asked = _Asked(scene, duration, tolerance, times, progress, work_limit)
+    reason = steps_because(scene, duration)
+    if reason is None:
+        try:
+            return _located(asked)
+        except (ToleranceError, Interrupted):
+            raise
+        except (SimulationError, SceneError):
+            if (reason := stepped_because(scene, duration)) is None:
+                raise
+    return _stepped(asked, reason)
+
+
+class _Asked(NamedTuple):
+    """What `within` was asked for."""
+
+    scene: Scene
+    duration: float
+    tolerance: float
+    times: Array
+    progress: bool
+    work_limit: int
+
+    def run(self, estimate: Estimate) -> Run:
+        """Return the run that was estimated."""
+        return solve(
+            self.scene,
+            duration=self.duration,
+            method=estimate.method,
+            time_step=estimate.time_step,
+            times=self.times,
+            progress=self.progress,
+            work_limit=self.work_limit,
+        )
+
+
+def _located(asked: _Asked) -> Run:
+    """Return the cheapest run whose impacts are located."""
+    tolerance = asked.tolerance
+    plan = located_plan(asked.scene, asked.duration, tolerance, asked.work_limit)
     reached = math.inf
     for estimate in plan.estimates:
         for attempt in range(_TRIES):
             if not math.isfinite(estimate.force_evaluations):
                 break
-            run = certify(
-                solve(
-                    scene,
-                    duration=duration,
-                    method=estimate.method,
-                    time_step=estimate.time_step,
-                    times=times,
-                    progress=progress,
-                    work_limit=work_limit,
-                )
-            )
+            run = certify(asked.run(estimate))
             if run.certificate is not None and run.certificate.meets(tolerance):
-                return _noted(run, plan.tolerance, attempt)
+                return _noted(run, tolerance, attempt)
             reached = min(reached, _reached(run.certificate))
             finer = _finer(estimate, _reached(run.certificate) / tolerance)
             if finer is None:
                 break
             estimate = finer
     raise refusal(tolerance, reached)
+
+
+def _stepped(asked: _Asked, reason: str) -> Run:
+    """Return the cheapest run by steps through contacts: its pilots bound its error, too."""
+    plan = plan_steps(
+        asked.scene,
+        duration=asked.duration,
+        tolerance=asked.tolerance,
+        times=asked.times,
+        work_limit=asked.work_limit,
+        reason=reason,
+    )
+    run = certify_steps(asked.run(plan.estimates[0]), plan.refined)
+    if run.certificate is None or not run.certificate.meets(asked.tolerance):
+        why = run.certificate.how if run.certificate else "no bound was found"
+        raise ToleranceError(
+            f"tolerance {asked.tolerance:g}: the steps that meet it give no bound: {why} (R5). "
+            "Take a smaller tolerance, or certify a run by steps of your own.",
+            None,
+        )
+    return _noted(run, asked.tolerance, 0)
 
 
 def _noted(run: Run, tolerance: float, attempt: int) -> Run:

@@ -12,10 +12,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from time import process_time
 
-from tools.measurements.arena.box2d import Box2D
-from tools.measurements.arena.chipmunk import Chipmunk
-from tools.measurements.arena.engine import Engine, Maker
-from tools.measurements.arena.own import Own
+from tamias2d.study.engines.box2d import Box2D
+from tamias2d.study.engines.chipmunk import Chipmunk
+from tamias2d.study.engines.engine import Engine, Maker
+from tamias2d.study.engines.own import Own
 from tools.measurements.arena.race import TIME_STEP, undisturbed
 from tools.measurements.arena.scenes import falling_discs
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from tamias2d.scene import Scene
-from tools.measurements.arena.engine import Maker
-from tools.measurements.arena.overlap import worst
+from tamias2d.study.engines.engine import Maker
+from tamias2d.study.engines.overlap import worst
 from tools.measurements.arena.race import TIME_STEP
 
 _EVERY = 10  # steps between two looks at overlaps

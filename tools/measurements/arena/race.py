@@ -14,7 +14,7 @@ from statistics import median
 from time import process_time
 
 from tamias2d.scene import Scene
-from tools.measurements.arena.engine import Engine, Maker
+from tamias2d.study.engines.engine import Engine, Maker
 
 TIME_STEP = 1 / 60
 """s"""

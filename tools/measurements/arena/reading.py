@@ -7,7 +7,7 @@ from statistics import median
 from time import perf_counter
 
 from tamias2d.scene import Scene
-from tools.measurements.arena.engine import Maker
+from tamias2d.study.engines.engine import Maker
 from tools.measurements.arena.race import TIME_STEP, undisturbed
 
 _STEPS = 200

@@ -9,7 +9,7 @@ too high or too heavy; more substeps are stiffer springs.
 import numpy as np
 
 from tamias2d.scene import Scene
-from tools.measurements.arena.own import Own
+from tamias2d.study.engines.own import Own
 from tools.measurements.arena.race import TIME_STEP
 from tools.measurements.arena.scenes import column, heavy_column
 

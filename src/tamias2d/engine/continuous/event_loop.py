@@ -33,12 +33,15 @@ from tamias2d.engine.continuous.events import (
     update_events_of,
 )
 from tamias2d.engine.continuous.freeze import freeze, is_carried, join_or_carry, leave
-from tamias2d.engine.continuous.impact import rebound, record_impact
+from tamias2d.engine.continuous.impact import contact_point, rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.narrow_phase.seams import is_seam
 from tamias2d.engine.tables import (
     BOUNDING_RADIUS,
     CONTACTS,
     DEPTH_SHARE,
+    DX,
+    DY,
     DYNAMIC,
     FORCE_GAIN,
     GOES_FAR,
@@ -48,12 +51,15 @@ from tamias2d.engine.tables import (
     LEVEL,
     LOCATED,
     MOST_LEVEL,
+    NX,
+    NY,
     PART_TIME,
     PATH_LENGTH,
     REDIRECTED,
     SLOT_A,
     SLOT_B,
     SPENT,
+    STATIC,
     SUPPORTED,
     TOURNAMENT,
     WINNER,
@@ -64,7 +70,10 @@ from tamias2d.engine.tables import (
     Events,
     Integers,
     Shapes,
+    X,
+    Y,
 )
+from tamias2d.generated.continuous_collision import position_later
 
 MOST_IMPACTS = 256  # in a step in all
 MOST_IMPACTS_OF_PAIR = 4  # in a part, for a pair that meets; in one of the shortest one
@@ -278,6 +287,20 @@ def reaches_little(p: int, now: float, bodies: Bodies, shapes: Shapes, contacts:
     return goes_little(i, j, now, 1.0, smaller_radius(s, t, shapes.material), bodies)
 
 
+def meets_seam(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, events: Events) -> bool:
+    """Return whether a body meets a static shape where that joins its ground."""
+    i, j, manifold = shapes.slot[s], shapes.slot[t], events.scratch[0]
+    if bodies.kind[i] != STATIC and bodies.kind[j] != STATIC:
+        return False
+    at, shift = bodies.pose[i], bodies.motion[i]
+    x, y = position_later((at[X], at[Y]), (shift[DX], shift[DY]), now)
+    by_x, by_y = contact_point(manifold)
+    place, normal = (x + by_x, y + by_y), (manifold[NX], manifold[NY])
+    if bodies.kind[i] == STATIC:
+        return is_seam(s, t, place, normal, bodies, shapes, events.ground)
+    return is_seam(t, s, place, (-normal[0], -normal[1]), bodies, shapes, events.ground)
+
+
 def resolve_impact(
     p: int,
     now: float,
@@ -298,6 +321,8 @@ def resolve_impact(
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
     manifold_at(s, t, now, bodies, shapes, events)
     manifold = events.scratch[0]
+    if meets_seam(s, t, now, bodies, shapes, events):
+        return False
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
     impulse = rebound(i, j, now, friction, restitution, control, bodies, manifold)
     if impulse < 0.0:

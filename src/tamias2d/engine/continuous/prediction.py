@@ -12,18 +12,21 @@ from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of
+from tamias2d.engine.narrow_phase.seams import clear_grounds, leave_seams_out
 from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
 from tamias2d.engine.tables import (
     ALL,
     ARRANGED,
     DYNAMIC,
     FORESEEN,
+    GOES_FAR,
     HOLDING,
     ISLANDS_KNOWN,
     LOCATED,
     LOCATED_PAIRS,
     MEETING,
     MOST_LOCATED,
+    NEW_STATIC,
     NORMAL_IMPULSE,
     PART_TIME,
     POINT,
@@ -50,6 +53,11 @@ def foresee(world: World, contacts: Contacts) -> None:
     control, bodies, shapes = world.control, world.bodies, world.shapes
     touching, events = world.touching, world.events
     touching.counts[LOCATED_PAIRS] = 0
+    clear_grounds(bodies, events)
+    if touching.counts[NEW_STATIC] + control.counts[GOES_FAR] > 0 and leave_seams_out(
+        bodies, shapes, contacts, touching, events
+    ):
+        touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
     if touching.counts[MEETING] == 0:
         return
     before = touching.counts[TOUCHING]

@@ -14,6 +14,7 @@ from tamias2d.engine.tables import (
     LOCATED,
     MEETING,
     MOST_LOCATED,
+    NEW_STATIC,
     NX,
     NY,
     PART_SUBSTEPS,
@@ -29,6 +30,7 @@ from tamias2d.engine.tables import (
     SLOT_A,
     SLOT_B,
     SPIN,
+    STATIC,
     TOUCHES,
     TOUCHING,
     VX,
@@ -72,7 +74,7 @@ def find_touching(
     Flags of the last step are aged, unless they were found in this step already. If the contacts
     are those of the last step, with as many points, their arrangement holds.
     """
-    total = marked = 0
+    total = marked = new_static = 0
     deep = False
     same = touching.counts[ARRANGED] == 1
     for p in range(broad_phase.counts[CONTACTS]):
@@ -108,6 +110,8 @@ def find_touching(
             total += 1
             if meets:
                 contacts.flags[p, LOCATED] = MOST_LOCATED
+            static = (bodies.kind[i] == STATIC) | (bodies.kind[j] == STATIC)
+            new_static += 1 if static and contacts.flags[p, TOUCHES] == 0 else 0
             if meets or margin > (CLOSE + AHEAD) * smaller:  # it may change a velocity by much
                 marked += 1
         else:
@@ -115,7 +119,7 @@ def find_touching(
     if not same or touching.counts[TOUCHING] != total:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
     touching.counts[TOUCHING] = total
-    touching.counts[MEETING] = marked
+    touching.counts[MEETING], touching.counts[NEW_STATIC] = marked, new_static
     touching.counts[PRESSED_DEEP] = 1 if deep else 0
 
 

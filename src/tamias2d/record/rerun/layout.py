@@ -16,6 +16,9 @@ WORLD = "/world"
 BODIES = "/world/bodies"
 IMPACTS = "/world/impacts"
 IMPACT_LOG = "/impacts"
+JOINTS = "/world/joints"
+REACTIONS = "/world/reactions"
+JOINT_EVENTS = "/joint_events"
 ABOUT, MODELS, SCENE = "/about", "/models", "/scene"
 ENERGY, MOMENTUM, SPIN = "/plots/energy", "/plots/momentum", "/plots/angular_momentum"
 SPEED = "/plots/speed"
@@ -28,6 +31,7 @@ SERIES = {
 """The lines of each plot."""
 HEADER, SAMPLE = "tamias2d.Recording", "tamias2d.Sample"
 STATE, STILL, IMPACT = "tamias2d.State", "tamias2d.Still", "tamias2d.Impact"
+JOINT_EVENT = "tamias2d.JointEvent"
 """Groups of components that hold the exact history, float64: `State` of what can move, at each
 sample, and `Still` of what cannot, once."""
 

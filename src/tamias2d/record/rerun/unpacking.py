@@ -54,7 +54,7 @@ def unpack(path: Path) -> tuple[Header, Arrays]:
             f"{path}: format {header.format}: this version reads .rrd of format {headers.FORMAT}. "
             f"Open it with tamias2d {header.versions.get('tamias2d')}, or record the run again."
         )
-    found = _totals(columns) | _impacts(columns)
+    found = _totals(columns) | _impacts(columns) | _joint_events(columns)
     history.check_length("times", found["times"], header.samples, where=str(path))
     return header, found | _bodies(header, columns, where=str(path))
 
@@ -88,6 +88,15 @@ def _impacts(columns: Columns) -> Arrays:
         empty = np.empty((0, width)[:width], np.int64 if name == "bodies" else np.float64)
         arrays[f"impacts.{name}"] = rows if len(rows) else empty
     return arrays
+
+
+def _joint_events(columns: Columns) -> Arrays:
+    """All that there are; their steps count them."""
+    rows = {
+        name: _joined(columns, f"{layout.JOINT_EVENT}:{name}", layout.JOINT_EVENTS)
+        for name in history.OF_JOINT_EVENTS
+    }
+    return {f"joint_events.{name}": row for name, row in rows.items() if len(row)}
 
 
 def _bodies(header: Header, columns: Columns, *, where: str) -> Arrays:

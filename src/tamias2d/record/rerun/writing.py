@@ -11,7 +11,7 @@ from tamias2d.balance import kinetic_energy
 from tamias2d.errors import RecordingError
 from tamias2d.record import document, drawing, header as headers, history
 from tamias2d.record.aside import aside, refuse_place
-from tamias2d.record.rerun import bodies, exact, impacts, layout
+from tamias2d.record.rerun import bodies, exact, impacts, joint_events, joints, layout
 from tamias2d.scene import scene_text
 
 if TYPE_CHECKING:
@@ -54,6 +54,7 @@ def write(run: RunData, path: Path) -> None:
 
     stream.log(layout.WORLD, rr.Transform3D(scale=[1, -1, 1]), static=True)  # y is down there
     bodies.draw(stream, run, view, times)
+    joints.draw(stream, run, view, times)
     _scale_bar(stream, view)
     _plots(stream, run, times(slice(None)))
     _history(stream, run, times)
@@ -61,6 +62,9 @@ def write(run: RunData, path: Path) -> None:
         instants = np.rint(run.impacts.time * 1e9).astype(np.int64)
         samples = np.searchsorted(run.times, run.impacts.time)
         impacts.draw(stream, run, view, _times(instants, samples))
+    if len(run.joint_events):
+        instants = np.rint(run.joint_events.time * 1e9).astype(np.int64)
+        joint_events.draw(stream, run, _times(instants, np.arange(len(instants))))
     # Written by us: rerun's own writer can wait for ever for a disk that is full.
     with aside(path) as draft:
         draft.write_bytes(encoded.read() or b"")

@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import Literal
 
 from tamias2d.errors import SceneError
-from tamias2d.scene.catalogue import crowds, stacks
+from tamias2d.scene.catalogue import crowds, mechanisms, stacks
 from tamias2d.scene.reading import read_scene
 from tamias2d.scene.rules import shown
 from tamias2d.scene.scene import Scene
@@ -33,16 +33,35 @@ _MADE: dict[str, Callable[[str], Scene]] = {
     "tumbler": crowds.tumbler,
     "free-discs": crowds.free_discs,
 }
+_LOCATED: dict[str, Callable[[str], Scene]] = {
+    "bridge": mechanisms.bridge,
+    "ball-and-chain": mechanisms.ball_and_chain,
+    "walker": mechanisms.walker,
+}
+"""Those that are made, and in which nothing meets."""
+_JOINTED: dict[str, Callable[[str], Scene]] = {
+    "car": mechanisms.car,
+    "ragdolls": mechanisms.ragdolls,
+    "joint-grid": mechanisms.joint_grid,
+}
+"""Those whose joints and contacts, or joints alone, are too many to be solved exactly."""
 
 
-def names(contacts: Literal["located", "stepped"] | None = None) -> list[str]:
+def names(contacts: Literal["located", "stepped", "jointed"] | None = None) -> list[str]:
     """Return the names of all scenes, or of those with such contacts, in alphabetical order.
 
-    Stepped are those that have too many contacts, or too lasting ones, to be located.
+    Stepped are those that have too many contacts, or too lasting ones, to be located; jointed those
+    of them that have joints.
     """
     entries = [entry.name for entry in files(__name__).iterdir()]
     located = [name.removesuffix(_SUFFIX) for name in entries if name.endswith(_SUFFIX)]
-    found = {None: [*located, *_MADE], "located": located, "stepped": list(_MADE)}
+    located += _LOCATED
+    found = {
+        None: [*located, *_MADE, *_JOINTED],
+        "located": located,
+        "stepped": list(_MADE),
+        "jointed": list(_JOINTED),
+    }
     return sorted(found[contacts])
 
 
@@ -54,9 +73,10 @@ def load(name: str) -> Scene:
         SceneError: the catalogue has no such scene.
     """
     _refuse_unknown(name)
-    if name not in _MADE:
+    make = (_MADE | _LOCATED | _JOINTED).get(name)
+    if make is None:
         return read_scene(text(name), file=f"{name}{_SUFFIX}", name=name)
-    return _MADE[name](name)
+    return make(name)
 
 
 def text(name: str) -> str:
@@ -66,7 +86,7 @@ def text(name: str) -> str:
         SceneError: the catalogue has no such scene.
     """
     _refuse_unknown(name)
-    if name in _MADE:
+    if name in _MADE | _LOCATED | _JOINTED:
         return scene_text(load(name))
     return (files(__name__) / f"{name}{_SUFFIX}").read_text(encoding="utf-8")
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tools.measurements.arena.box2d import Box2D
-from tools.measurements.arena.chipmunk import Chipmunk
-from tools.measurements.arena.own import Own
-from tools.measurements.arena.surfaces import PeerError
+from tamias2d.study.engines.box2d import Box2D
+from tamias2d.study.engines.chipmunk import Chipmunk
+from tamias2d.study.engines.own import Own
+from tamias2d.study.engines.refusal import PeerError
 
 DT = 1 / 60
 SINGLE = 1e-6  # Box2D computes in single precision

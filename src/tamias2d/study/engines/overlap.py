@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from tamias2d.scene import HalfPlane, Scene
+from tamias2d.scene import Body, HalfPlane, Scene
+from tamias2d.scene.filters import filters, may_touch
 from tamias2d.state import Array
-from tools.measurements.arena.pieces import ConvexPart, pieces
+from tamias2d.study.engines.pieces import ConvexPart, pieces
 
 _FLAT = 1e-12  # of a hull's size: an overlap below it may be rounding, and is a distance
 _AT_ONCE = 50_000  # pairs, to bound the memory that they take
@@ -26,10 +27,13 @@ Indices: TypeAlias = NDArray[np.int64]
 
 
 class Overlap(NamedTuple):
-    """The worst: in m, and as a share of the radius of the largest circle in the smaller body."""
+    """The worst: in m, and as shares of the smaller body."""
 
     depth: float
     share: float
+    """of the radius of the largest circle in it"""
+    share_of_size: float
+    """of the radius around it"""
 
 
 class _Solids:
@@ -39,18 +43,19 @@ class _Solids:
         held = [
             (k, piece)
             for k, body in enumerate(scene.bodies)
-            if body.shape is not None and not isinstance(body.shape, HalfPlane)
+            if body.shape is not None and not isinstance(body.shape, HalfPlane) and not body.sensor
             for piece in pieces(body, 0.0)
         ]
-        most = max(len(piece.corners) for _, piece in held)
+        most = max((len(piece.corners) for _, piece in held), default=1)
         self.body = np.array([k for k, _ in held])
         self.moves = np.array([scene.bodies[k].dynamic for k in self.body])
         self.radius = np.array([piece.radius for _, piece in held])
         self.inner = np.array([_inner(piece) for _, piece in held])
+        self.outer = np.array([_outer(scene.bodies[k]) for k, _ in held])
         padded = [
             piece.corners + piece.corners[-1:] * (most - len(piece.corners)) for _, piece in held
         ]
-        self._corners = np.array(padded)
+        self._corners = np.array(padded).reshape(len(padded), most, 2)
 
     def corners(self, state: Array) -> Array:
         """Return (m, c, 2) in world axes, m."""
@@ -65,13 +70,29 @@ def worst(scene: Scene, state: Array) -> Overlap:
     """Return the deepest overlap of a scene in a state (n, 6) of all its bodies, or 0."""
     solids = _Solids(scene)
     corners = solids.corners(state)
-    found = [Overlap(0.0, 0.0), *_in_half_planes(scene, solids, corners)]
+    found = [Overlap(0.0, 0.0, 0.0), *_in_half_planes(scene, solids, corners)]
+    filtered = any(filters(body) for body in scene.bodies)
     for first, second in _near(solids, corners):
         apart = separations(corners[first], corners[second])
         depth = solids.radius[first] + solids.radius[second] - apart
+        if filtered:
+            depth = np.where(_solid_pairs(scene, solids, first, second), depth, 0.0)
         inner = np.minimum(solids.inner[first], solids.inner[second])
-        found.append(Overlap(float(depth.max()), float((depth / inner).max())))
-    return Overlap(max(one.depth for one in found), max(one.share for one in found))
+        outer = np.minimum(solids.outer[first], solids.outer[second])
+        found.append(_worst_of(depth, inner, outer))
+    return Overlap(*(max(column) for column in zip(*found, strict=True)))
+
+
+def _worst_of(depth: Array, inner: Array, outer: Array) -> Overlap:
+    """Return the largest of depths, m, and of their shares of radii in and around bodies, m."""
+    if not len(depth):
+        return Overlap(0.0, 0.0, 0.0)
+    return Overlap(float(depth.max()), float((depth / inner).max()), float((depth / outer).max()))
+
+
+def _solid_pairs(scene: Scene, solids: _Solids, first: Indices, second: Indices) -> Array:
+    pairs = zip(solids.body[first].tolist(), solids.body[second].tolist(), strict=True)
+    return np.array([may_touch(scene.bodies[a], scene.bodies[b]) for a, b in pairs], dtype=bool)
 
 
 def separations(first: Array, second: Array) -> Array:
@@ -132,8 +153,18 @@ def _in_half_planes(scene: Scene, solids: _Solids, corners: Array) -> Iterator[O
     for body in scene.bodies:
         if isinstance(body.shape, HalfPlane) and solids.moves.any():
             height = (corners @ body.shape.normal).min(axis=1) - solids.radius
-            depth = (body.shape.offset - height)[solids.moves]
-            yield Overlap(float(depth.max()), float((depth / solids.inner[solids.moves]).max()))
+            depth = np.where(
+                [may_touch(body, scene.bodies[k]) for k in solids.body],
+                body.shape.offset - height,
+                0.0,
+            )
+            moves = solids.moves
+            yield _worst_of(depth[moves], solids.inner[moves], solids.outer[moves])
+
+
+def _outer(body: Body) -> float:
+    """Return the radius around a body, m."""
+    return body.shape.bounding_radius if body.shape is not None else math.inf
 
 
 def _inner(piece: ConvexPart) -> float:

@@ -1,6 +1,6 @@
-"""A scene in Pymunk, as a game would have it: 10 iterations, no sleeping.
+"""A scene in Pymunk, as a game would have it: 10 iterations if nothing else is asked, no sleeping.
 
-Serves: the measurement of contacts. Hides: how Pymunk is told a scene, and asked.
+Serves: studies and measurements of contacts. Hides: how Pymunk is told a scene, and asked.
 """
 
 import math
@@ -10,8 +10,10 @@ import numpy as np
 
 from tamias2d.scene import Body, Scene
 from tamias2d.state import Array
-from tools.measurements.arena.pieces import ConvexPart, pieces, reaches, size_of
-from tools.measurements.arena.surfaces import friction, restitution
+from tamias2d.study.engines.engine import Pair
+from tamias2d.study.engines.pieces import ConvexPart, pieces, reaches, size_of
+from tamias2d.study.engines.refusal import imported, refuse_untranslated
+from tamias2d.study.engines.surfaces import friction, restitution
 
 ITERATIONS = 10
 _SLOP = 0.005  # of the smallest body's size; its own 0.1 is for lengths in pixels
@@ -22,14 +24,22 @@ class Chipmunk:
 
     name = "Pymunk"
 
-    def __init__(self, scene: Scene, time_step: float) -> None:
-        import pymunk
-        from pymunk import batch
-
-        self._batch, self._time_step = batch, time_step
+    def __init__(
+        self,
+        scene: Scene,
+        time_step: float,
+        iterations: int = ITERATIONS,
+        *,
+        listens: bool = False,
+    ) -> None:
+        pymunk = imported(self.name, "pymunk")
+        refuse_untranslated(scene, self.name)
+        self._batch, self._time_step = imported(self.name, "pymunk.batch"), time_step
+        self._steps = 0
+        self.met: dict[Pair, float] = {}
         self._space = pymunk.Space()
         self._space.gravity = scene.gravity
-        self._space.iterations = ITERATIONS
+        self._space.iterations = iterations
         self._space.collision_slop = _SLOP * 2 * min(reaches(scene))
         size = size_of(scene)
         rubs, parts = friction(scene), restitution(scene)
@@ -40,12 +50,16 @@ class Chipmunk:
                 shape = _shape(pymunk, own, piece)
                 shape.friction, shape.elasticity = math.sqrt(rubs[k]), math.sqrt(parts[k])
                 self._space.add(shape)
-        self._buffer = batch.Buffer()
-        self._places = batch.BodyFields.POSITION
+        self._buffer = self._batch.Buffer()
+        self._places = self._batch.BodyFields.POSITION
+        self._index = {body: k for k, body in enumerate(self.bodies)}
+        if listens:
+            self._space.on_collision(begin=self._begun)
 
     def step(self, count: int = 1) -> None:
         """Go so many time steps ahead, one by one."""
         for _ in range(count):
+            self._steps += 1
             self._space.step(self._time_step)
 
     def read(self) -> Array:
@@ -58,6 +72,10 @@ class Chipmunk:
         """Return (n, 6): positions, orientations and their rates."""
         rows = [(*b.position, b.angle, *b.velocity, b.angular_velocity) for b in self.bodies]
         return np.array(rows, dtype=float)
+
+    def _begun(self, arbiter: Any, space: Any, data: Any) -> None:  # noqa: ARG002
+        a, b = sorted(self._index[shape.body] for shape in arbiter.shapes)
+        self.met.setdefault((a, b), self._steps * self._time_step)
 
     def masses(self) -> Array:
         """Return (n, 2): mass, kg, and inertia, kg m^2; what does not move has infinite ones."""

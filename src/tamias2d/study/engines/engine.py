@@ -1,6 +1,6 @@
 """What is asked of an engine.
 
-Serves: the measurement of contacts. Hides: nothing; this is the contract.
+Serves: studies and measurements of contacts. Hides: nothing; this is the contract.
 """
 
 from collections.abc import Callable
@@ -9,11 +9,16 @@ from typing import Protocol, TypeAlias
 from tamias2d.scene import Scene
 from tamias2d.state import Array
 
+Pair: TypeAlias = tuple[int, int]
+"""Two bodies, the lower one first."""
+
 
 class Engine(Protocol):
     """A scene in an engine, which goes ahead by time steps."""
 
     name: str
+    met: dict[Pair, float]
+    """When pairs first touched: at the end of which step, s. Only what listens fills it."""
 
     def step(self, count: int = 1) -> None:
         """Go so many time steps ahead, in one call where the engine can."""

@@ -7,12 +7,8 @@ Pymunk the product.
 
 from collections.abc import Callable
 
-from tamias2d.errors import SimulationError
 from tamias2d.scene import Body, Scene
-
-
-class PeerError(SimulationError):
-    """A peer cannot do the scene."""
+from tamias2d.study.engines.refusal import PeerError
 
 
 def friction(scene: Scene) -> list[float]:

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 import tamias2d as t2
-from tools.measurements.arena.overlap import separations, worst
+from tamias2d.study.engines.overlap import separations, worst
 
 TURNS = np.linspace(0.0, math.tau, 20_000, endpoint=False)
 DIRECTIONS = np.stack((np.cos(TURNS), np.sin(TURNS)))

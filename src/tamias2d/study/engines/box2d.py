@@ -1,6 +1,6 @@
-"""A scene in Box2D v3 by way of pyb2d3: 4 substeps, no sleeping.
+"""A scene in Box2D v3 by way of pyb2d3: 4 substeps if nothing else is asked, no sleeping.
 
-Serves: the measurement of contacts. Hides: how pyb2d3 is told a scene, and asked.
+Serves: studies and measurements of contacts. Hides: how pyb2d3 is told a scene, and asked.
 """
 
 from math import atan2, cos, sin
@@ -10,8 +10,10 @@ import numpy as np
 
 from tamias2d.scene import Body, Scene
 from tamias2d.state import Array
-from tools.measurements.arena.pieces import ConvexPart, pieces, size_of
-from tools.measurements.arena.surfaces import friction, restitution
+from tamias2d.study.engines.engine import Pair
+from tamias2d.study.engines.pieces import ConvexPart, pieces, size_of
+from tamias2d.study.engines.refusal import imported, refuse_untranslated
+from tamias2d.study.engines.surfaces import friction, restitution
 
 SUBSTEPS = 4
 
@@ -21,10 +23,14 @@ class Box2D:
 
     name = "pyb2d3"
 
-    def __init__(self, scene: Scene, time_step: float) -> None:
-        import pyb2d3
-
-        self._time_step = time_step
+    def __init__(
+        self, scene: Scene, time_step: float, substeps: int = SUBSTEPS, *, listens: bool = False
+    ) -> None:
+        pyb2d3 = imported(self.name, "pyb2d3")
+        refuse_untranslated(scene, self.name)
+        self._time_step, self._substeps, self._listens = time_step, substeps, listens
+        self._steps = 0
+        self.met: dict[Pair, float] = {}
         self._world = pyb2d3.World(gravity=scene.gravity)
         self._world.sleeping_enabled = False
         size = size_of(scene)
@@ -33,16 +39,21 @@ class Box2D:
         self._moving = pyb2d3.Bodies()
         for k, (body, own) in enumerate(zip(scene.bodies, self.bodies, strict=True)):
             surface = pyb2d3.surface_material(friction=rubs[k], restitution=parts[k])
+            shape = pyb2d3.shape_def(material=surface, enable_contact_events=listens)
             for piece in pieces(body, size):
-                own.create_shape(pyb2d3.shape_def(material=surface), _shape(pyb2d3, piece))
+                own.create_shape(shape, _shape(pyb2d3, piece))
             if body.dynamic:
                 own.mass_data = _mass(pyb2d3, body)
                 self._moving.append(own.id)
+        self._index = {own.id: k for k, own in enumerate(self.bodies)}
 
     def step(self, count: int = 1) -> None:
         """Go so many time steps ahead, one by one."""
         for _ in range(count):
-            self._world.step(self._time_step, SUBSTEPS)
+            self._steps += 1
+            self._world.step(self._time_step, self._substeps)
+            if self._listens:
+                self._hear()
 
     def read(self) -> Array:
         """Return the positions (n, 2) of what moves, m, in the way that is the fastest."""
@@ -54,6 +65,13 @@ class Box2D:
             (b.position, b.rotation, b.linear_velocity, b.angular_velocity) for b in self.bodies
         ]
         return np.array([(p.x, p.y, atan2(q.s, q.c), v.x, v.y, spin) for p, q, v, spin in rows])
+
+    def _hear(self) -> None:
+        """Note the pairs that began to touch in the last step."""
+        for begun in self._world.get_contact_events().begin_events():
+            both = (begun.shape_a.body.id, begun.shape_b.body.id)
+            a, b = sorted(self._index[one] for one in both)
+            self.met.setdefault((a, b), self._steps * self._time_step)
 
     def masses(self) -> Array:
         """Return (n, 2): mass, kg, and inertia, kg m^2; what does not move has zeros."""

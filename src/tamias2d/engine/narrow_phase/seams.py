@@ -1,0 +1,171 @@
+"""Seams between static shapes that adjoin: what slides over them does not meet them.
+
+A body that a static shape holds, its ground, meets no side of another one that stands no higher and
+begins where the ground ends. Cost: a pass over the touching contacts, if one of a body with a
+static shape is new.
+"""
+
+from tamias2d.engine.narrow_phase.core import core_of
+from tamias2d.engine.tables import (
+    DYNAMIC,
+    G_AHEAD,
+    G_HEIGHT,
+    G_NX,
+    G_NY,
+    G_SHAPE,
+    GAP,
+    HALF_PLANE,
+    NORMAL_IMPULSE,
+    NX,
+    NY,
+    POINT,
+    POINT_COUNT,
+    PX,
+    PY,
+    SHAPE_RADIUS,
+    STATIC,
+    TOUCHING,
+    VX,
+    VY,
+    Bodies,
+    Contacts,
+    Events,
+    Shapes,
+    Touching,
+    X,
+    Y,
+)
+from tamias2d.state import Array, Vector
+
+LEVEL_WITHIN = 0.02  # of the body's bounding radius: how far off shapes are that count as level
+SAME_WAY = 0.9  # cosine: a contact with such a normal is with the same side as that of the ground
+
+
+def clear_grounds(bodies: Bodies, events: Events) -> None:
+    """Let no body have a ground."""
+    for i in range(len(bodies.kind)):
+        events.ground[i, G_SHAPE] = 0.0
+
+
+def leave_seams_out(
+    bodies: Bodies, shapes: Shapes, contacts: Contacts, touching: Touching, events: Events
+) -> bool:
+    """Note the ground of each body, and take seams off the list; return whether there were some."""
+    for loaded in (True, False):
+        for k in range(touching.counts[TOUCHING]):
+            note_ground(touching.contact[k], loaded, bodies, shapes, contacts, events.ground)
+    stay = 0
+    for k in range(touching.counts[TOUCHING]):
+        p = touching.contact[k]
+        if joins_ground(p, bodies, shapes, contacts, events.ground):
+            contacts.flags[p, POINT_COUNT] = 0
+        else:
+            touching.contact[stay] = p
+            touching.body_a[stay], touching.body_b[stay] = touching.body_a[k], touching.body_b[k]
+            stay += 1
+    found = stay < touching.counts[TOUCHING]
+    touching.counts[TOUCHING] = stay
+    return found
+
+
+def note_ground(
+    p: int, loaded: bool, bodies: Bodies, shapes: Shapes, contacts: Contacts, ground: Array
+) -> None:
+    """Note the side of a static shape if it holds a body, and no other one is farther ahead.
+
+    A side without a load, on which a body lies that has taken no step yet, counts if there is none.
+    """
+    manifold = contacts.manifolds[p]
+    s, t, way = contacts.pairs[p, 0], contacts.pairs[p, 1], 1.0
+    if bodies.kind[shapes.slot[t]] == STATIC:
+        s, t, way = t, s, -1.0
+    i, j = shapes.slot[s], shapes.slot[t]
+    still = bodies.kind[i] == STATIC and bodies.kind[j] == DYNAMIC and shapes.kind[s] != HALF_PLANE
+    if not still or not holds_body(s, loaded, manifold, contacts.flags[p, POINT_COUNT], shapes):
+        return
+    if not loaded and ground[j, G_SHAPE] > 0.0:
+        return
+    normal, motion = (way * manifold[NX], way * manifold[NY]), bodies.motion[j]
+    for n in range(contacts.flags[p, POINT_COUNT]):
+        x, y = contact_place(p, n, normal, bodies, shapes, contacts)
+        ahead = motion[VX] * (x - bodies.pose[j, X]) + motion[VY] * (y - bodies.pose[j, Y])
+        if ground[j, G_SHAPE] == 0.0 or ahead > ground[j, G_AHEAD]:
+            ground[j, G_NX], ground[j, G_NY] = normal
+            ground[j, G_HEIGHT] = normal[0] * x + normal[1] * y
+            ground[j, G_AHEAD], ground[j, G_SHAPE] = ahead, s + 1.0
+
+
+def holds_body(s: int, loaded: bool, manifold: Array, count: int, shapes: Shapes) -> bool:
+    """Return whether a contact had an impulse; or, without one, has two points that are close."""
+    if loaded:
+        load = manifold[NORMAL_IMPULSE] + (manifold[NORMAL_IMPULSE + POINT] if count == 2 else 0.0)
+        return bool(load > 0.0)
+    close = LEVEL_WITHIN * shapes.material[s, SHAPE_RADIUS]
+    return bool(count == 2 and max(manifold[GAP], manifold[GAP + POINT]) < close)
+
+
+def contact_place(
+    p: int, n: int, normal: Vector, bodies: Bodies, shapes: Shapes, contacts: Contacts
+) -> Vector:
+    """Return where a point of a contact is on the static shape, m, with its normal."""
+    i, manifold, at = shapes.slot[contacts.pairs[p, 0]], contacts.manifolds[p], POINT * n
+    half = 0.5 * manifold[GAP + at]
+    x, y = bodies.pose[i, X] + manifold[PX + at], bodies.pose[i, Y] + manifold[PY + at]
+    return x - half * normal[0], y - half * normal[1]
+
+
+def joins_ground(p: int, bodies: Bodies, shapes: Shapes, contacts: Contacts, ground: Array) -> bool:
+    """Return whether a contact is with the side of a static shape that joins a body's ground."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    way = 1.0
+    if bodies.kind[shapes.slot[t]] == STATIC:
+        s, t, way = t, s, -1.0
+    i, j = shapes.slot[s], shapes.slot[t]
+    if ground[j, G_SHAPE] == 0.0 or bodies.kind[i] != STATIC or bodies.kind[j] != DYNAMIC:
+        return False
+    normal = (way * contacts.manifolds[p, NX], way * contacts.manifolds[p, NY])
+    for n in range(contacts.flags[p, POINT_COUNT]):
+        place = contact_place(p, n, normal, bodies, shapes, contacts)
+        if not is_seam(s, t, place, normal, bodies, shapes, ground):
+            return False
+    return True
+
+
+def is_seam(
+    s: int,
+    t: int,
+    place: Vector,
+    normal: Vector,
+    bodies: Bodies,
+    shapes: Shapes,
+    ground: Array,
+) -> bool:
+    """Return whether a body's shape t meets a static one s where that joins the body's ground."""
+    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, SHAPE_RADIUS]
+    same = row[G_SHAPE] == s + 1.0 or row[G_NX] * normal[0] + row[G_NY] * normal[1] > SAME_WAY
+    if row[G_SHAPE] == 0.0 or same or shapes.kind[s] == HALF_PLANE:
+        return False
+    return stands_no_higher(s, slop, row, bodies, shapes) and has_corner(
+        int(row[G_SHAPE]) - 1, place, slop, bodies, shapes
+    )
+
+
+def stands_no_higher(s: int, slop: float, row: Array, bodies: Bodies, shapes: Shapes) -> bool:
+    """Return whether a shape stands no higher than the ground of a body."""
+    core, pose = core_of(s, shapes), bodies.pose[shapes.slot[s]]
+    for k in range(core.first, core.first + core.vertex_count):
+        x, y = pose[X] + shapes.world_vertices[k, 0], pose[Y] + shapes.world_vertices[k, 1]
+        if row[G_NX] * x + row[G_NY] * y + core.radius > row[G_HEIGHT] + slop:
+            return False
+    return True
+
+
+def has_corner(s: int, place: Vector, slop: float, bodies: Bodies, shapes: Shapes) -> bool:
+    """Return whether a shape has a corner at a place."""
+    core, pose = core_of(s, shapes), bodies.pose[shapes.slot[s]]
+    for k in range(core.first, core.first + core.vertex_count):
+        x = pose[X] + shapes.world_vertices[k, 0] - place[0]
+        y = pose[Y] + shapes.world_vertices[k, 1] - place[1]
+        if x * x + y * y <= (core.radius + slop) * (core.radius + slop):
+            return True
+    return False

@@ -1,0 +1,174 @@
+"""From event to event: impacts, and bodies that go from cell to cell.
+
+Cost of an event: O(log n), and a search for each body that is near to those of the event.
+"""
+
+from math import inf
+
+from tamias2d.event_driven.approach import meets, time_of_meeting
+from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
+from tamias2d.event_driven.instant import MOST_IMPULSES, meet, tell
+from tamias2d.event_driven.queue import has_room, is_void, pop, push
+from tamias2d.event_driven.tables import (
+    ACROSS,
+    AT_START,
+    AX,
+    CHANGED,
+    COLUMNS,
+    CROWDED,
+    DEPARTURES,
+    DISC,
+    DONE,
+    END,
+    EVENTS,
+    FIRST,
+    FULL,
+    IMPACTS,
+    INSTANT,
+    LIMIT,
+    MEETING,
+    NOW,
+    NOWHERE,
+    OTHER,
+    SEARCH,
+    SECOND,
+    START,
+    World,
+    Worlds,
+)
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
+
+MOST_EVENTS = 100_000  # of one call, so that Ctrl-C is heard
+
+
+def follow(world: World) -> int:
+    """Go on from event to event up to the limit; return why it ended.
+
+    What is not decided is left as it is, for others to decide: the paths are those before it, and
+    `counts` say who meets.
+    """
+    while world.counts[CHANGED] > 0:
+        if not has_room(most_events(world), world):
+            return CROWDED
+        world.counts[CHANGED] -= 1
+        if not set_out(world.changed[world.counts[CHANGED]], -1, world.numbers[NOW], world):
+            return SEARCH
+    world.counts[AT_START] = 0
+    for _ in range(MOST_EVENTS):
+        if world.counts[EVENTS] == 0 or world.queue[0] > world.numbers[LIMIT]:
+            world.numbers[NOW] = world.numbers[LIMIT]
+            return DONE
+        if not has_room(most_events(world), world):
+            return CROWDED
+        if is_full(world):
+            return FULL
+        status = happen(world)
+        if status != DONE:
+            return status
+    return FULL
+
+
+@inlined
+def happen(world: World) -> int:
+    """Let the first event happen, unless it is void."""
+    time, void = world.queue[0], is_void(0, world)
+    i, j = world.events[0, FIRST], world.events[0, SECOND]
+    pop(world)
+    if void:
+        return DONE
+    world.numbers[NOW] = time
+    if i == j:
+        leave(i, world)
+        world.leaving[i] = NOWHERE
+        return DONE if set_out(i, -1, time, world) else SEARCH
+    if not meet(i, j, time, world):
+        world.counts[MEETING], world.counts[OTHER] = i, j
+        return INSTANT
+    first, second = (i, j) if world.kinds[i] == DISC else (j, i)
+    good = set_out(first, -1, time, world)
+    if good and world.kinds[second] == DISC:
+        good = set_out(second, first, time, world)
+    return DONE if good else SEARCH
+
+
+def most_events(world: World) -> int:
+    """Return how many events may come of one."""
+    return 2 * (len(world.kinds) + 1)
+
+
+@inlined
+def is_full(world: World) -> bool:
+    """Return whether the records have no room for what one instant may add."""
+    impacts = world.counts[IMPACTS] + MOST_IMPULSES > len(world.impacts)
+    few = world.counts[DEPARTURES] + 2 > len(world.departures)
+    return bool(impacts or (few and len(world.departures) > 0))
+
+
+def set_out(k: int, but: int, time: float, world: World) -> bool:
+    """Schedule what happens to a body, but for one other; return whether that can be told.
+
+    It is put into its cell where it is in none yet.
+    """
+    if world.leaving[k] == NOWHERE:
+        enter(k, time, world)
+    world.leaving[k] = time_of_leaving(k, time, world)
+    if world.leaving[k] < inf:
+        push(world.leaving[k], k, k, world)
+    for place in range(gather(k, world)):
+        other = world.near[place]
+        i, j = min(k, other), max(k, other)
+        if other == but or not meets(i, j, world):
+            continue
+        limit = min(world.leaving[i], world.leaving[j], world.numbers[END])
+        meeting = time_of_meeting(i, j, limit, world)
+        if meeting < 0.0:
+            return False
+        if meeting <= limit:
+            push(meeting, i, j, world)
+    return True
+
+
+def follow_worlds(worlds: Worlds) -> int:
+    """Follow worlds, one after the other; return how many were followed to the end."""
+    done = 0
+    for w in range(len(worlds.status)):
+        begin(worlds.bodies[w], worlds.laws[w], worlds.world)
+        worlds.status[w] = 0
+        if follow(worlds.world) == DONE:
+            finish(worlds.world, worlds.samples[w])
+            worlds.status[w] = 1
+            done += 1
+    return done
+
+
+def begin(bodies: Array, laws: Array, world: World) -> None:
+    """Set a world to the start of one of many; none of its bodies is in a cell."""
+    copy(bodies, world.bodies, COLUMNS)
+    copy(laws, world.laws, 2)
+    copy(bodies, world.paths, START)
+    world.paths[:, START] = 0.0
+    world.notes[:, :] = 0
+    world.notes[:, ACROSS] = -1
+    world.bounces[:, :] = 0.0
+    world.leaving[:] = inf
+    world.numbers[NOW] = 0.0
+    world.counts[EVENTS] = world.counts[IMPACTS] = 0
+    world.counts[AT_START] = 1
+    world.counts[CHANGED] = len(world.kinds)
+    for k in range(len(world.kinds)):
+        world.changed[k] = k
+
+
+def finish(world: World, samples: Array) -> None:
+    """Write down all samples that are left, and hand them out."""
+    for k in range(len(world.kinds)):
+        tell(k, inf, world)
+    copy(world.samples, samples, AX)  # the states
+
+
+def copy(source: Array, target: Array, columns: int) -> None:
+    """Copy the first columns of a table."""
+    for row in range(len(source)):
+        for column in range(columns):
+            target[row, column] = source[row, column]

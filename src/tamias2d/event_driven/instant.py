@@ -1,0 +1,393 @@
+"""What happens where two bodies meet and touch nothing else: IM3, or IM9 with friction.
+
+It is what `tamias2d.contact` does at such an instant, operation by operation. Whatever else
+happens at an instant, a contact that lasts above all, is not decided here.
+"""
+
+from math import inf
+
+from tamias2d.contact.rest_time import better_estimate
+from tamias2d.event_driven.approach import (
+    EPSILON,
+    MARGIN,
+    axis_of,
+    meets,
+    position_at,
+    resolution,
+    size_of,
+    state_at,
+)
+from tamias2d.event_driven.cells import gather
+from tamias2d.event_driven.laws import friction_of, restitution_of
+from tamias2d.event_driven.length import hypot
+from tamias2d.event_driven.settling import settle
+from tamias2d.event_driven.tables import (
+    ALONG_X,
+    ALONG_Y,
+    AX,
+    AY,
+    BEST,
+    DEPARTURES,
+    DISC,
+    DOUBT,
+    HELD_BY,
+    IMPACTS,
+    IMPULSE,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    LAST,
+    NORMAL_VELOCITY,
+    NOW,
+    PATH_COLUMNS,
+    PLANE,
+    POINT_X,
+    POINT_Y,
+    RADIUS,
+    SETTLES,
+    SPIN,
+    STALLED,
+    START,
+    TIME,
+    TOLD,
+    TURN,
+    TURNING,
+    VERSION,
+    VX,
+    VY,
+    WITH,
+    A,
+    B,
+    Moving,
+    Pair,
+    World,
+    X,
+    Y,
+)
+from tamias2d.generated import friction, impact, rest
+from tamias2d.kernels.arrays import FloatRows
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
+
+MOST_IMPULSES = 32  # of one pair at one instant
+MOST_REPEATS = 32  # new paths of a body that do not advance in time
+MOST_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
+
+
+@inlined
+def meet(i: int, j: int, time: float, world: World) -> bool:
+    """Set the paths of two bodies after they have met; return whether that is all that happens."""
+    restitution = restitution_of(i, j, world)
+    if restitution < 0.0 or is_bound(i, time, world) or is_bound(j, time, world):
+        return False
+    if touches_third(i, j, time, world):
+        return False
+    a, b = state_at(i, time, world.paths), state_at(j, time, world.paths)
+    tolerance = resolution(a, b, size_of(i, world), size_of(j, world), time)
+    ux, uy, gap, swapped = axis_of(a, b, i, j, world)
+    if gap > tolerance or tolerance > MOST_RESOLUTION * min(reach(i, world), reach(j, world)):
+        return False
+    sign = -1.0 if swapped == 1 else 1.0
+    normal = (sign * ux, sign * uy)
+    arm_a, arm_b = arms(a, b, ux, uy, swapped, i, j, world)
+    noise = speed_of(a, b, arm_a, arm_b) * (64 * EPSILON)
+    before = world.counts[IMPACTS]
+    after_a, after_b, rate = rebound(a, b, arm_a, arm_b, normal, noise, restitution, i, j, world)
+    staying = abs(rate) <= noise
+    opening = opening_acceleration(after_a, after_b, arm_a, arm_b, normal, i, j, world)
+    if not staying and opening < 0.0:
+        staying = rest.bounce_height(rate, opening) <= tolerance
+    if rate < -noise or before == world.counts[IMPACTS] or (staying and not world.counts[SETTLES]):
+        world.counts[IMPACTS] = before
+        return False
+    forecast(i, j, time, rate, opening, restitution, tolerance, world)
+    depart(i, time, after_a, world)
+    depart(j, time, after_b, world)
+    return not staying or settle(i, j, normal, world)
+
+
+@inlined
+def is_bound(k: int, time: float, world: World) -> bool:
+    """Return whether a body rests, or has come to no later time again and again."""
+    note = world.notes[k]
+    repeats = note[STALLED] >= MOST_REPEATS and world.paths[k, START] >= time * (1 - 4 * EPSILON)
+    return bool(note[HELD_BY] > 0 or repeats)
+
+
+def reach(k: int, world: World) -> float:
+    """Return the radius of a body, m; of a half-plane it is infinite."""
+    return inf if world.kinds[k] == PLANE else world.bodies[k, RADIUS]
+
+
+@inlined
+def touches_third(i: int, j: int, time: float, world: World) -> bool:
+    """Return whether one of two bodies that meet touches a third one."""
+    for k in (i, j):
+        if world.kinds[k] != DISC:
+            continue
+        a = state_at(k, time, world.paths)
+        for place in range(gather(k, world)):
+            other = world.near[place]
+            if other in (i, j) or not meets(k, other, world) or is_far(a, k, other, time, world):
+                continue
+            b = state_at(other, time, world.paths)
+            tolerance = resolution(a, b, size_of(k, world), size_of(other, world), time)
+            _, _, gap, _ = axis_of(a, b, k, other, world)
+            if gap <= 2.0 * tolerance:
+                return True
+    return False
+
+
+@inlined
+def is_far(a: Moving, i: int, j: int, time: float, world: World) -> bool:
+    """Return whether a disc in a state is well apart from another one at a time, s."""
+    if world.kinds[j] == PLANE:
+        return False
+    x, y = position_at(j, time, world.paths)
+    apart = (world.bodies[i, RADIUS] + world.bodies[j, RADIUS]) * (1.0 + MARGIN)
+    return bool((x - a[0]) * (x - a[0]) + (y - a[1]) * (y - a[1]) > apart * apart)
+
+
+def arms(
+    a: Moving, b: Moving, ux: float, uy: float, swapped: int, i: int, j: int, world: World
+) -> tuple[Pair, Pair]:
+    """Return the arms of both bodies, from P to Q along an axis, m."""
+    p, q = (b, a) if swapped == 1 else (a, b)
+    radius = world.bodies[i, RADIUS] if swapped == 1 else world.bodies[j, RADIUS]
+    arm_q = (0.0 - radius * ux, 0.0 - radius * uy)
+    arm_p = (arm_q[0] + (q[0] - p[0]), arm_q[1] + (q[1] - p[1]))
+    return (arm_q, arm_p) if swapped == 1 else (arm_p, arm_q)
+
+
+def speed_of(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair) -> float:
+    """Return the size of the terms that make up the velocity of a contact, m/s."""
+    return (
+        hypot(a[3], a[4])
+        + hypot(b[3], b[4])
+        + abs(a[5]) * hypot(arm_a[0], arm_a[1])
+        + abs(b[5]) * hypot(arm_b[0], arm_b[1])
+    )
+
+
+@inlined
+def rebound(
+    a: Moving,
+    b: Moving,
+    arm_a: Pair,
+    arm_b: Pair,
+    normal: Pair,
+    noise: float,
+    restitution: float,
+    i: int,
+    j: int,
+    world: World,
+) -> tuple[Moving, Moving, float]:
+    """Return both states after the impulses of an impact, and the normal velocity, m/s."""
+    rough = friction_of(i, j, world) > 0.0
+    rate = normal_velocity(a, b, arm_a, arm_b, normal)
+    for _ in range(MOST_IMPULSES):
+        if rate >= -noise:
+            break
+        if rough:
+            after_a, after_b, impulse = after_friction(
+                a, b, arm_a, arm_b, normal, rate, restitution, i, j, world
+            )
+        else:
+            after_a, after_b, impulse = after_impulse(
+                a, b, arm_a, arm_b, normal, rate, restitution, i, j, world
+            )
+        note_impact(i, j, b, arm_b, normal, impulse, rate, world)
+        a, b = after_a, after_b
+        rate = normal_velocity(a, b, arm_a, arm_b, normal)
+    return a, b, rate
+
+
+def normal_velocity(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair) -> float:
+    """Return how fast a contact opens, m/s."""
+    return float(
+        impact.normal_velocity((a[3], a[4]), a[5], arm_a, (b[3], b[4]), b[5], arm_b, normal)
+    )
+
+
+@inlined
+def after_impulse(
+    a: Moving,
+    b: Moving,
+    arm_a: Pair,
+    arm_b: Pair,
+    normal: Pair,
+    rate: float,
+    restitution: float,
+    i: int,
+    j: int,
+    world: World,
+) -> tuple[Moving, Moving, float]:
+    """Return both states after an impulse without friction, and its size, N s (IM3)."""
+    body_a, body_b = world.bodies[i], world.bodies[j]
+    mass_a, turn_a = body_a[INVERSE_MASS], body_a[INVERSE_INERTIA]
+    mass_b, turn_b = body_b[INVERSE_MASS], body_b[INVERSE_INERTIA]
+    inverse = impact.inverse_effective_mass(mass_a, turn_a, arm_a, mass_b, turn_b, arm_b, normal)
+    impulse = max(impact.impulse(restitution, rate, inverse), 0.0)
+    if world.kinds[i] == DISC:
+        u, v = impact.velocity_a_after((a[3], a[4]), impulse, normal, mass_a)
+        spin = impact.angular_velocity_a_after(a[5], impulse, arm_a, normal, turn_a)
+        a = (a[0], a[1], a[2], u, v, spin)
+    if world.kinds[j] == DISC:
+        u, v = impact.velocity_b_after((b[3], b[4]), impulse, normal, mass_b)
+        spin = impact.angular_velocity_b_after(b[5], impulse, arm_b, normal, turn_b)
+        b = (b[0], b[1], b[2], u, v, spin)
+    return a, b, impulse
+
+
+@inlined
+def after_friction(
+    a: Moving,
+    b: Moving,
+    arm_a: Pair,
+    arm_b: Pair,
+    normal: Pair,
+    rate: float,
+    restitution: float,
+    i: int,
+    j: int,
+    world: World,
+) -> tuple[Moving, Moving, float]:
+    """Return both states after an impulse with friction, and its normal part, N s (IM9)."""
+    body_a, body_b = world.bodies[i], world.bodies[j]
+    mass_a, turn_a = body_a[INVERSE_MASS], body_a[INVERSE_INERTIA]
+    mass_b, turn_b = body_b[INVERSE_MASS], body_b[INVERSE_INERTIA]
+    inverse = impact.inverse_effective_mass(mass_a, turn_a, arm_a, mass_b, turn_b, arm_b, normal)
+    impulse = max(impact.impulse(restitution, rate, inverse), 0.0)
+    cross = friction.cross_coupling(turn_a, arm_a, turn_b, arm_b, normal)
+    sliding = friction.inverse_sliding_mass(mass_a, turn_a, arm_a, mass_b, turn_b, arm_b, inverse)
+    slip = friction.tangential_velocity(
+        (a[3], a[4]), a[5], arm_a, (b[3], b[4]), b[5], arm_b, normal
+    )
+    closest = friction.tangential_velocity_closest(slip, cross, rate, inverse)
+    sticking = friction.sticking_impulse(closest, sliding)
+    change = friction.normal_change(cross, sticking, inverse)
+    share = friction.share(friction_of(i, j, world), impulse, sticking, change)
+    along = friction.normal_impulse(impulse, share, change)
+    vector = friction.impulse_vector(along, friction.tangential_impulse(share, sticking), normal)
+    if world.kinds[i] == DISC:
+        u, v = friction.velocity_a_after((a[3], a[4]), mass_a, vector)
+        a = (a[0], a[1], a[2], u, v, friction.angular_velocity_a_after(a[5], turn_a, arm_a, vector))
+    if world.kinds[j] == DISC:
+        u, v = friction.velocity_b_after((b[3], b[4]), mass_b, vector)
+        b = (b[0], b[1], b[2], u, v, friction.angular_velocity_b_after(b[5], turn_b, arm_b, vector))
+    return a, b, along
+
+
+@inlined
+def note_impact(
+    i: int,
+    j: int,
+    b: Moving,
+    arm_b: Pair,
+    normal: Pair,
+    impulse: float,
+    rate: float,
+    world: World,
+) -> None:
+    """Record an impulse."""
+    row = world.impacts[world.counts[IMPACTS]]
+    world.counts[IMPACTS] += 1
+    row[TIME], row[A], row[B] = world.numbers[NOW], i, j
+    row[POINT_X], row[POINT_Y] = b[0] + arm_b[0], b[1] + arm_b[1]
+    row[ALONG_X], row[ALONG_Y] = normal
+    row[IMPULSE], row[NORMAL_VELOCITY] = impulse, rate
+
+
+@inlined
+def opening_acceleration(
+    a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair, i: int, j: int, world: World
+) -> float:
+    """Return the second derivative of a gap under the loads alone, m/s^2 (GD15)."""
+    on_a, on_b = pull_on(i, world), pull_on(j, world)
+    points = rest.normal_acceleration(
+        (on_a[0], on_a[1]), on_a[2], arm_a, (on_b[0], on_b[1]), on_b[2], arm_b, normal
+    )
+    if world.kinds[i] == PLANE or world.kinds[j] == PLANE:
+        return float(points)
+    centre = (0.0, 0.0)
+    slip = friction.tangential_velocity(
+        (a[3], a[4]), a[5], centre, (b[3], b[4]), b[5], centre, normal
+    )
+    distance = normal[0] * (b[0] - a[0]) + normal[1] * (b[1] - a[1])
+    return float(
+        rest.gap_acceleration_corner(
+            points, a[5], (0.0, 0.0), b[5], (0.0, 0.0), normal, slip, distance
+        )
+    )
+
+
+def pull_on(k: int, world: World) -> tuple[float, float, float]:
+    """Return the acceleration of a body by its loads, m/s^2 and rad/s^2."""
+    if world.kinds[k] != DISC:
+        return 0.0, 0.0, 0.0
+    body = world.bodies[k]
+    return body[AX], body[AY], body[TURNING]
+
+
+@inlined
+def forecast(
+    i: int,
+    j: int,
+    time: float,
+    rate: float,
+    opening: float,
+    restitution: float,
+    tolerance: float,
+    world: World,
+) -> None:
+    """Note when the bounces of a pair end, s, if they go on as a geometric series (GD5)."""
+    known = True
+    for k, other in ((i, j), (j, i)):
+        known = known and (world.kinds[k] != DISC or world.bounces[k, WITH] == other + 1)
+    last, best, doubt = 0.0, 0.0, -1.0
+    if known:
+        row = world.bounces[i if world.kinds[i] == DISC else j]
+        last, best, doubt = row[LAST], row[BEST], row[DOUBT]
+    if opening * (1 - restitution) < 0.0:
+        end = time + rest.time_to_rest(rate, opening, restitution)
+        if end > 0.0:
+            noise = tolerance / rate / (1 - restitution)
+            last, best, doubt = better_estimate(last, best, doubt, end, noise)
+    for k, other in ((i, j), (j, i)):
+        if world.kinds[k] == DISC:
+            row = world.bounces[k]
+            row[WITH] = other + 1 if doubt >= 0.0 else 0.0
+            row[LAST], row[BEST], row[DOUBT] = last, best, doubt
+
+
+def depart(k: int, time: float, state: Moving, world: World) -> None:
+    """Set the path of a body, if it is one that is pushed."""
+    if world.kinds[k] != DISC:
+        return
+    tell(k, time, world)
+    path, body, note = world.paths[k], world.bodies[k], world.notes[k]
+    stalled = path[START] >= time * (1 - 4 * EPSILON)
+    note[STALLED] = note[STALLED] + 1 if stalled else 0
+    note[VERSION] += 1
+    path[X], path[Y], path[TURN], path[VX], path[VY], path[SPIN] = state
+    path[AX], path[AY], path[TURNING] = body[AX], body[AY], body[TURNING]
+    path[START] = time
+    if len(world.departures) > 0:
+        note_departure(k, world.paths, world.departures[world.counts[DEPARTURES]])
+        world.counts[DEPARTURES] += 1
+
+
+def note_departure(k: int, paths: FloatRows, row: Array) -> None:
+    """Record the new path of a body."""
+    row[0] = k
+    for column in range(PATH_COLUMNS):
+        row[1 + column] = paths[k, column]
+
+
+def tell(k: int, until: float, world: World) -> None:
+    """Write down the states of a body on its path at all samples before a time, s."""
+    note, count = world.notes[k], len(world.kinds)
+    while note[TOLD] < len(world.times) and world.times[note[TOLD]] < until:
+        x, y, turn, u, v, spin = state_at(k, world.times[note[TOLD]], world.paths)
+        row = world.samples[count * note[TOLD] + k]
+        row[0], row[1], row[2], row[3], row[4], row[5] = x, y, turn, u, v, spin
+        note[TOLD] += 1

@@ -1,0 +1,173 @@
+"""What happens in joints at instants: limits that are reached and left, motors, breaking (GD21-23).
+
+The events of a run tell at each time what holds: each limit, each motor, each joint.
+"""
+
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.state import Array
+
+WORDS = (
+    "strikes its lower limit",
+    "strikes its upper limit",
+    "rests on its lower limit",
+    "rests on its upper limit",
+    "leaves its lower limit",
+    "leaves its upper limit",
+    "keeps the speed of its motor",
+    "pushes with the maximum of its motor",
+    "pushes back with the maximum of its motor",
+    "clicks",
+    "breaks",
+)
+"""What an event says of its joint, by its number."""
+STRIKES, RESTS, LEAVES = 0, 2, 4
+"""Of the lower limit; of the upper one it is one more."""
+KEEPS, PUSHES, PUSHES_BACK, CLICKS, BREAKS = 6, 7, 8, 9, 10
+_DRIVES = {0: KEEPS, 1: PUSHES, -1: PUSHES_BACK}
+
+
+class JointEvent(NamedTuple):
+    """One event."""
+
+    time: float
+    joint: int
+    """Its index in the scene."""
+    freedom: int
+    """Of those that the joint governs; 0 where it breaks."""
+    what: int
+    """The number of its word."""
+    value: float = 0.0
+    """The impulse of a limit that is struck, N s or N m s; the angle of a tooth, rad."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class JointEvents:
+    """The m events of a run's joints, in the order of time."""
+
+    time: Array
+    """(m,), s"""
+    joint: NDArray[np.int64]
+    """(m,), index of the joint"""
+    freedom: NDArray[np.int64]
+    """(m,), which of those that the joint governs, 0 for most"""
+    what: NDArray[np.int64]
+    """(m,), index of what `words` says"""
+    value: Array
+    """(m,), impulse of a limit that is struck, N s or N m s; angle of a tooth, rad"""
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def __iter__(self) -> Iterator[JointEvent]:
+        columns = (self.time, self.joint, self.freedom, self.what, self.value)
+        for row in zip(*(column.tolist() for column in columns), strict=True):
+            yield JointEvent(*row)
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What each event says of its joint."""
+        return tuple(WORDS[k] for k in self.what.tolist())
+
+
+def joint_events(found: Iterable[JointEvent] = ()) -> JointEvents:
+    """Return events as arrays."""
+    rows = sorted(found, key=lambda event: event.time)
+    return JointEvents(
+        time=np.array([event.time for event in rows], dtype=np.float64),
+        joint=np.array([event.joint for event in rows], dtype=np.int64),
+        freedom=np.array([event.freedom for event in rows], dtype=np.int64),
+        what=np.array([event.what for event in rows], dtype=np.int64),
+        value=np.array([event.value for event in rows], dtype=np.float64),
+    )
+
+
+Of = tuple[int, int]
+"""A joint's index in the scene, and which of its freedoms."""
+
+
+@dataclass(frozen=True)
+class Mode:
+    """What joints do between two instants."""
+
+    broken: frozenset[int] = frozenset()
+    held: frozenset[tuple[Of, int]] = frozenset()
+    """The limits that hold; -1 for a lower one, 1 for an upper."""
+    driven: tuple[tuple[Of, int], ...] = ()
+    """The motors: 0 where one keeps its speed, else the sense in which it pushes."""
+    teeth: tuple[tuple[Of, float], ...] = ()
+    """The tooth behind which a ratchet does not go back, rad."""
+
+    def after(self, event: JointEvent) -> "Mode":
+        """Return what joints do after an event."""
+        of = (event.joint, event.freedom)
+        broken, held = set(self.broken), set(self.held)
+        driven, teeth = dict(self.driven), dict(self.teeth)
+        if event.what in (RESTS, RESTS + 1):
+            held.add((of, 2 * (event.what - RESTS) - 1))
+        elif event.what in (LEAVES, LEAVES + 1):
+            held.discard((of, 2 * (event.what - LEAVES) - 1))
+        elif event.what in _DRIVES.values():
+            driven[of] = next(sense for sense, what in _DRIVES.items() if what == event.what)
+        elif event.what == CLICKS:
+            teeth[of] = event.value
+        elif event.what == BREAKS:
+            broken.add(event.joint)
+        return Mode(frozenset(broken), frozenset(held), tuple(driven.items()), tuple(teeth.items()))
+
+
+def changes(time: float, before: Mode, after: Mode) -> Iterator[JointEvent]:
+    """Yield the events that lead from one mode to another."""
+    for joint in sorted(after.broken - before.broken):
+        yield JointEvent(time, joint, 0, BREAKS)
+    for (joint, freedom), tooth in after.teeth:
+        if dict(before.teeth).get((joint, freedom)) != tooth:
+            yield JointEvent(time, joint, freedom, CLICKS, tooth)
+    for what, held in ((LEAVES, before.held - after.held), (RESTS, after.held - before.held)):
+        for (joint, freedom), side in sorted(held):
+            if joint not in after.broken:
+                yield JointEvent(time, joint, freedom, what + (side > 0))
+    for (joint, freedom), sense in after.driven:
+        if dict(before.driven).get((joint, freedom)) != sense:
+            yield JointEvent(time, joint, freedom, _DRIVES[sense])
+
+
+@dataclass
+class Timeline:
+    """The events of a scene's joints, and the modes of each mechanism."""
+
+    events: list[JointEvent] = field(default_factory=list)
+    _modes: dict[frozenset[int], list[tuple[float, Mode]]] = field(default_factory=dict)
+
+    def modes(self, joints: frozenset[int]) -> list[tuple[float, Mode]]:
+        """Return since when a mechanism has been in which mode: one list for all who ask."""
+        if joints not in self._modes:
+            found: list[tuple[float, Mode]] = []
+            mode = Mode()
+            for event in self.events:
+                if event.joint in joints:
+                    mode = mode.after(event)
+                    found.append((event.time, mode))
+            self._modes[joints] = found
+        return self._modes[joints]
+
+    def drop(self, joints: frozenset[int], after: float) -> None:
+        """Forget the events of a mechanism after a time, s."""
+        self.events[:] = [e for e in self.events if e.joint not in joints or e.time <= after]
+
+    def replace(self, joints: frozenset[int], since: float, events: Sequence[JointEvent]) -> None:
+        """Put events in the place of those that a mechanism has from a time on."""
+        kept = [e for e in self.events if e.joint not in joints or e.time < since]
+        self.events[:] = [*kept, *events]
+
+
+def mode_at(modes: Sequence[tuple[float, Mode]], time: float) -> Mode:
+    """Return the mode at a time, s; at that of an event the one after it."""
+    k = bisect_right(modes, time, key=lambda entry: entry[0])
+    return modes[k - 1][1] if k else Mode()

@@ -1,0 +1,203 @@
+"""What a joint leaves free: an angle, a travel or a distance, with limits, a motor, a spring.
+
+Each is measured by a constraint of srs/models/joints.md (GD21, GD22, DD64, DD65).
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias, TypeVar
+
+from tamias2d.scene.forms import within
+from tamias2d.scene.rules import RuleError, number, shown
+from tamias2d.suggestions import suggests
+
+_T = TypeVar("_T")
+Measure: TypeAlias = Literal["angle", "travel", "distance"]
+VALUE_OF = {"angle": "joint_angle", "travel": "joint_travel", "distance": "joint_length"}
+"""The parameter at which each measure, as a constraint, is kept."""
+
+
+def limit_symbols(measure: Measure) -> dict[str, str]:
+    """Return the symbol of each value of the limits of a measure."""
+    place = "joint_angle" if measure == "angle" else "joint_travel"
+    return {"lower": place, "upper": place, "restitution": "restitution"}
+
+
+def motor_symbols(measure: Measure) -> dict[str, str]:
+    """Return the symbol of each value of a motor."""
+    if measure == "angle":
+        return {"speed": "motor_spin", "maximum": "joint_torque_most"}
+    return {"speed": "motor_speed", "maximum": "joint_force_most"}
+
+
+def spring_symbols(measure: Measure) -> dict[str, str]:
+    """Return the symbol of each value of a spring."""
+    if measure == "angle":
+        return {
+            "stiffness": "rotary_stiffness",
+            "damping": "rotary_damping",
+            "rest": "joint_angle",
+        }
+    return {"stiffness": "stiffness", "damping": "damping", "rest": "joint_travel"}
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
+class Limits:
+    """How far a joint may turn, rad, or reach, m; at least one end (GD21).
+
+    At an end it keeps `restitution` of its speed, turned around.
+    """
+
+    restitution: float
+    lower: float | None = None
+    upper: float | None = None
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
+class Motor:
+    """What keeps a joint at a `speed`, rad/s or m/s (GD22).
+
+    It does so with a torque, N m, or a force, N, of at most `maximum`; None for what it takes. At
+    speed 0 it is a brake, or dry friction.
+    """
+
+    speed: float
+    maximum: float | None = None
+
+
+@suggests
+@dataclass(frozen=True, kw_only=True)
+class JointSpring:
+    """What pulls a joint to `rest`, rad or m, as at the start unless given (DD64, DD65).
+
+    With `stiffness`, N m/rad or N/m, and `damping`, N m s/rad or kg/s.
+    """
+
+    stiffness: float
+    damping: float = 0.0
+    rest: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Freedom:
+    """One number that a joint leaves free, checked."""
+
+    measure: Measure
+    limits: Limits | None = None
+    motor: Motor | None = None
+    spring: JointSpring | None = None
+    pitch: float | None = None
+    """From one tooth to the next, rad, of a ratchet."""
+
+
+def freedom(
+    measure: Measure,
+    of: str,
+    *,
+    limits: object = None,
+    motor: object = None,
+    spring: object = None,
+) -> tuple[Freedom, ...]:
+    """Return what a joint leaves free, checked, if anything is said of it."""
+    if limits is None and motor is None and spring is None:
+        return ()
+    found = Freedom(
+        measure=measure,
+        limits=_limits(limits, measure, of),
+        motor=_motor(motor, measure, of),
+        spring=_spring(spring, measure, of),
+    )
+    return (found,)
+
+
+def ratchet(of: str, *, pitch: object, restitution: object) -> tuple[Freedom, ...]:
+    """Return an angle that falls back no further than to its last tooth, checked."""
+    remedy = "Give the angle from one tooth to the next, rad."
+    step = number(pitch, "tooth_pitch", of, remedy, at=("pitch",))
+    remedy = "Give the share of the speed that is left, from 0 to 1."
+    kept = number(restitution, "restitution", of, remedy, at=("restitution",))
+    return (Freedom(measure="angle", limits=Limits(restitution=kept), pitch=step),)
+
+
+def at_rest(freedoms: Sequence[Freedom], start: Sequence[float]) -> tuple[Freedom, ...]:
+    """Return the freedoms, with springs that are at rest where nothing else is said."""
+    return tuple(
+        replace(each, spring=replace(each.spring, rest=value))
+        if each.spring and each.spring.rest is None
+        else each
+        for each, value in zip(freedoms, start, strict=True)
+    )
+
+
+def refuse_crossed(freedoms: Sequence[Freedom], start: Sequence[float], of: str) -> None:
+    """Refuse a joint that is beyond its limits at the start."""
+    for each, value in zip(freedoms, start, strict=True):
+        limits = each.limits or Limits(restitution=0)
+        lower = -math.inf if limits.lower is None else limits.lower
+        upper = math.inf if limits.upper is None else limits.upper
+        unit = "rad" if each.measure == "angle" else "m"
+        slight = 1e-9 * (abs(value) + 1e-3)
+        if not lower - slight <= value <= upper + slight:
+            raise RuleError(
+                f"limits of {of}: its {each.measure} is {value:g} {unit} at the start, beyond them "
+                f"({_shown(limits.lower)} to {_shown(limits.upper)} {unit}) (GD21). Move the "
+                "bodies, or the limits.",
+                "limits",
+            )
+
+
+def _shown(value: float | None) -> str:
+    return "any" if value is None else f"{value:g}"
+
+
+def _limits(value: object, measure: Measure, of: str) -> Limits | None:
+    if value is None:
+        return None
+    what = f"limits of {of}"
+    limits = _checked(value, Limits, limit_symbols(measure), what, "limits")
+    lower, upper = limits.lower, limits.upper
+    if lower is None and upper is None:
+        raise RuleError(f"{what}: found none (GD21). Give lower, upper or both.", "limits")
+    if lower is not None and upper is not None and lower >= upper:
+        raise RuleError(
+            f"{what}: lower {lower:g} is not below upper {upper:g} (GD21). Exchange them; a joint "
+            "that does not move is another kind.",
+            *("limits", "lower"),
+        )
+    if measure == "distance" and upper is not None and upper <= 0:
+        raise RuleError(
+            f"{what}: upper {upper:g} m: a distance is positive (GD21). Give a longer one; two "
+            "points at one place are held by a Revolute().",
+            *("limits", "upper"),
+        )
+    return limits
+
+
+def _motor(value: object, measure: Measure, of: str) -> Motor | None:
+    if value is None:
+        return None
+    return _checked(value, Motor, motor_symbols(measure), f"motor of {of}", "motor")
+
+
+def _spring(value: object, measure: Measure, of: str) -> JointSpring | None:
+    if value is None:
+        return None
+    return _checked(value, JointSpring, spring_symbols(measure), f"spring of {of}", "spring")
+
+
+def _checked(value: object, kind: type[_T], symbols: Mapping[str, str], what: str, key: str) -> _T:
+    """Return a value of a kind with numbers within the ranges of their symbols."""
+    remedy = f"Give {kind.__name__}({', '.join(f'{name}=' for name in symbols)})."
+    if not isinstance(value, kind):
+        raise RuleError(f"{what}: found {shown(value)}: must be one (GD21). {remedy}", key)
+    given = {name: getattr(value, name) for name in symbols}
+    with within(key):
+        numbers = {
+            name: number(at, symbols[name], what, remedy, at=(name,))
+            for name, at in given.items()
+            if at is not None
+        }
+    return kind(**{**given, **numbers})

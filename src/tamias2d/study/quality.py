@@ -1,0 +1,152 @@
+"""Runs of a quality: no overlap and no energy from nothing beyond a share, however long they are.
+
+It is what remains to be asked where no run says where single bodies are: in piles, after the
+horizon. Both are looked at in the run itself, so that no other run is needed to certify it.
+"""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tamias2d.balance import balance, kinetic_energy
+from tamias2d.certificate import Certificate, hashes, not_claimed
+from tamias2d.errors import InputError
+from tamias2d.motion import Stepped
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.solve import solve
+from tamias2d.state import Array, History
+from tamias2d.study.companion import RefusedError
+from tamias2d.study.engines.overlap import worst
+from tamias2d.study.invariants import energy_error
+from tamias2d.study.refined import stepped, work_of
+from tamias2d.study.refusal import ToleranceError
+from tamias2d.study.stepped_plan import WORK, first_step, ladder
+
+_MEASURE = (
+    "deepest overlap relative to the radius of the smaller body, and change of the energy that "
+    "neither impacts nor friction account for, relative to the largest kinetic one or to what "
+    "lifts bodies by their radius"
+)
+_LOOKS = 30  # at a pilot run
+_STALE = 16  # times shorter steps must halve what is wrong, or no steps will do
+_MARGIN = 1.5  # times what a pilot saw the whole run may show
+
+
+@dataclass(frozen=True)
+class Quality:
+    """What is wrong with a run, whatever else is known of it."""
+
+    overlap: float
+    """The deepest, relative to the radius of the smaller body."""
+    energy: float | None
+    """From nothing, or lost for no reason; relative. None where a body is driven or pushed."""
+
+    @property
+    def size(self) -> float:
+        """The larger of both."""
+        return max(self.overlap, self.energy or 0.0)
+
+
+def quality_of(scene: Scene, history: History) -> Quality:
+    """Return the quality of a history, at its samples."""
+    energy, _, _ = balance(scene, history)
+    kinetic = kinetic_energy(scene, history.velocity, history.angular_velocity)
+    overlap = max(worst(scene, state).share_of_size for state in _states(history))
+    return Quality(overlap, energy_error(scene, energy, kinetic))
+
+
+def of_quality(
+    scene: Scene, *, duration: float, quality: float, times: Array, progress: bool, work_limit: int
+) -> Run:
+    """Return the cheapest run of a quality at sample times (k,), s, with its certificate.
+
+    Raises as `simulate` does.
+    """
+    first = solve(scene, duration=duration, times=times, progress=progress, work_limit=work_limit)
+    if not isinstance(first.method, Stepped):
+        return _certified(first, quality)
+    work, best = WORK * work_limit, math.inf
+    reached: dict[float, float] = {}
+    looks = np.linspace(0.0, duration, _LOOKS + 1)
+    for step, substeps in ladder(scene, duration, 2 * first_step(duration), duration / 2**22):
+        work -= work_of(scene, duration, step, substeps)
+        reached.setdefault(step, best)
+        before = reached.get(step * _STALE, math.inf)
+        if work < 0 or (math.isfinite(before) and best > before / 2):
+            break
+        try:
+            seen = quality_of(scene, stepped(scene, duration, looks, step, substeps)).size
+        except RefusedError:
+            continue
+        if seen > quality:
+            best = min(best, _MARGIN * seen)
+            continue
+        run = solve(
+            scene,
+            duration=duration,
+            method=Stepped(substeps),
+            time_step=step,
+            times=times,
+            progress=progress,
+        )
+        found = quality_of(scene, _history(run)).size
+        if found <= quality:
+            note = f"{run.method} with steps of {step:.4g} s: the cheapest of quality {quality:g}"
+            return _certified(replace(run, notes=(note, *run.notes[1:])), quality)
+        best = min(best, found)
+    raise _refusal(quality, best)
+
+
+def checked_quality(value: object) -> float:
+    """Return a quality that a run can be asked for; raise `InputError` otherwise."""
+    remedy = "Give a share such as 0.01."
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not number or not 0 < value < 1:  # type: ignore[operator]
+        raise InputError(
+            f"quality {value!r}: must be a number between 0 and 1, a share of a body's radius and "
+            f"of the energy (R5). {remedy}"
+        )
+    return float(value)  # type: ignore[arg-type]
+
+
+def _certified(run: Run, quality: float) -> Run:
+    """Return a run with its certificate; raise `ToleranceError` if it is not of the quality."""
+    found = quality_of(run.scene, _history(run))
+    if found.size > quality:
+        raise _refusal(quality, found.size)
+    energy = "that of the energy is not known: something gives some"
+    if found.energy is not None:
+        energy = f"the energy changes by {found.energy:.1e}"
+    certificate = Certificate(
+        kind="invariants",
+        measure=_MEASURE,
+        bound=found.size,
+        how=f"overlaps are at most {found.overlap:.1e}, and {energy}",
+        claims=(f"overlap and energy at all {len(run.times)} samples",),
+        does_not_claim=(*not_claimed(None), "where single bodies are"),
+        observed_order=None,
+        predictability_horizon=None,
+        hashes=hashes(run.scene),
+    )
+    return replace(run, certificate=certificate)
+
+
+def _refusal(quality: float, best: float) -> ToleranceError:
+    can = "nothing was seen to be reached" if math.isinf(best) else f"{best:.1e} is reached"
+    return ToleranceError(
+        f"quality {quality:g}: no steps within the work limit hold it: {can} (R5, R12). Give that "
+        "or more, a shorter duration, or a larger work_limit.",
+        None if math.isinf(best) else best,
+    )
+
+
+def _history(run: Run) -> History:
+    return History(run.position, run.orientation, run.velocity, run.angular_velocity)
+
+
+def _states(history: History) -> Array:
+    """Return (k, n, 6)."""
+    turning = (history.orientation[..., None], history.angular_velocity[..., None])
+    return np.concatenate((history.position, turning[0], history.velocity, turning[1]), axis=-1)

@@ -1,0 +1,161 @@
+"""Where ever shorter steps lead, in a scene whose contacts are stepped, and how surely.
+
+Steps of different lengths fall differently about impacts, and what several contacts leave open at
+once is decided by how often they are gone through, or by less than can be known of the start. So
+four runs are compared, which differ in their steps by less than an octave, in their substeps, and
+in their starts by next to nothing: as far as they agree the answer has converged. From the horizon
+on they do not, and no step is short enough to say where single bodies are.
+"""
+
+import math
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+
+from tamias2d.errors import InputError, SimulationError
+from tamias2d.scene import Scene
+from tamias2d.scene.restart import restarted
+from tamias2d.simulator import states_at
+from tamias2d.state import Array, History
+from tamias2d.study.companion import RefusedError
+from tamias2d.study.error import distance, radii
+
+_RUNS = ((1.0, 1.0), (2 ** (-1 / 3), 1.5), (2 ** (-2 / 3), 3.0), (0.5, 2.0))
+"""Their steps and substeps, as shares of the first one's. The last one has the shortest steps."""
+_TRUSTED = 3.0
+"""Times as far as these runs are apart they may be from where ever shorter steps lead: at order 1
+the last one is once as far from it as from the first, at order 1/2 two and a half times."""
+_NUDGE = 1e-9
+"""Of the largest radius: by how much the starts of all runs but the last one are moved."""
+SUBSTEPS = 4
+_OVERHEAD = 4
+"""Substeps that the rest of a step costs as much as, measured on piles and stacks."""
+
+
+@dataclass(frozen=True)
+class Refined:
+    """What runs of short steps say of a scene."""
+
+    scene: Scene
+    times: Array
+    """(k,), s"""
+    time_step: float
+    """The shortest, s"""
+    finest: History
+    """With the shortest steps"""
+    doubt: Array
+    """(k,), m: how far it may be, up to each time, from where ever shorter steps lead"""
+    length: Array
+    """(k,), m: how far the body goes by then that goes farthest, or the radius of the largest"""
+    work: float
+    """Of all of them, as `work_of` counts it"""
+    steps: int
+    """Of all of them"""
+
+    @property
+    def share(self) -> float:
+        """How far the finest may be off over the whole time, relative to the length."""
+        return float(self.doubt[-1] / self.length[-1])
+
+    def horizon(self, share: float) -> float | None:
+        """Return the time, s, from which on the doubt is more than a share of the length."""
+        lost = np.flatnonzero(~(self.doubt <= share * self.length))
+        return float(self.times[lost[0]]) if len(lost) else None
+
+    def bound(self, history: History) -> float:
+        """Return how far a history of the same times may be from where steps lead, m."""
+        return float((distance(self.scene, history, self.finest) + self.doubt).max(initial=0.0))
+
+
+def refined(
+    scene: Scene, *, duration: float, times: Array, time_step: float, substeps: int = SUBSTEPS
+) -> Refined:
+    """Return what runs from a time step, s, to half of it say of a scene at times (k,), s.
+
+    Raises:
+        RefusedError: one of them goes beyond float64.
+    """
+    settings = [(time_step * step, round(substeps * sub)) for step, sub in _RUNS]
+    starts = [*(nudged(scene, k) for k in range(1, len(_RUNS))), scene]
+    found = [
+        stepped(start, duration, times, *setting)
+        for start, setting in zip(starts, settings, strict=True)
+    ]
+    apart = np.max([distance(scene, one, other) for one, other in combinations(found, 2)], axis=0)
+    return Refined(
+        scene,
+        times,
+        settings[-1][0],
+        found[-1],
+        _TRUSTED * np.maximum.accumulate(apart),
+        _lengths(scene, found[-1]),
+        sum(work_of(scene, duration, *setting) for setting in settings),
+        sum(math.ceil(duration / step) for step, _ in settings),
+    )
+
+
+def refinements(
+    scene: Scene, *, duration: float, times: Array, time_step: float, work: float
+) -> Iterator[Refined]:
+    """Yield what ever shorter steps say, each time half as long, as far as some work goes.
+
+    Raises:
+        RefusedError: the first runs go beyond float64.
+    """
+    while True:
+        found = refined(scene, duration=duration, times=times, time_step=time_step)
+        work -= found.work
+        yield found
+        if work < 2 * found.work:
+            return
+        time_step /= 2
+
+
+def stepped(
+    scene: Scene, duration: float, times: Array, time_step: float, substeps: int
+) -> History:
+    """Return the states at times (k,), s, without contacts; raise `RefusedError` if there are none.
+
+    What is warned of is told with the run itself.
+    """
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        try:
+            return states_at(
+                scene, time_step=time_step, substeps=substeps, times=times, duration=duration
+            )
+        except (InputError, SimulationError) as fault:
+            raise RefusedError(str(fault)) from fault
+
+
+def nudged(scene: Scene, phase: int, share: float = _NUDGE) -> Scene:
+    """Return a scene whose bodies start elsewhere by a share of the largest radius."""
+    by = share * float(radii(scene).max(initial=0.0))
+    bodies = []
+    for k, body in enumerate(scene.bodies):
+        x, y, turn = (by * math.cos(phase + 2.4 * n + 14.4 * k) for n in range(3))
+        place = (body.position[0] + x, body.position[1] + y)
+        turned = body.orientation + turn / (by / share or 1.0)
+        bodies.append(replace(body, position=place, orientation=turned) if body.dynamic else body)
+    return restarted(scene, bodies)
+
+
+def work_of(scene: Scene, duration: float, time_step: float, substeps: int) -> float:
+    """Return what a run costs, in substeps of one body."""
+    moving = sum(body.dynamic for body in scene.bodies)
+    return moving * math.ceil(duration / time_step) * (_OVERHEAD + substeps)
+
+
+def _lengths(scene: Scene, history: History) -> Array:
+    """Return (k,), m: the way of the farthest body up to each time, or the largest radius."""
+    largest = float(radii(scene).max(initial=0.0)) or math.ulp(0.0)
+    low = np.minimum.accumulate(history.position, axis=0)
+    high = np.maximum.accumulate(history.position, axis=0)
+    turned = np.maximum.accumulate(history.orientation, axis=0)
+    turned = (turned - np.minimum.accumulate(history.orientation, axis=0)) * radii(scene)
+    ways = np.linalg.norm(high - low, axis=-1) + turned
+    lengths: Array = np.maximum(ways.max(axis=1, initial=0.0), largest)
+    return lengths

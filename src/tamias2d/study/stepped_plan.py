@@ -1,0 +1,192 @@
+"""The cheapest steps through contacts that are within a tolerance of where shorter ones lead.
+
+Runs are refined until they agree about the answer. Then steps and substeps are tried from cheap to
+dear, each whole, until one is near enough to that answer.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tamias2d.errors import SceneError, SimulationError
+from tamias2d.motion import Stepped
+from tamias2d.scene import Scene
+from tamias2d.solve import FRAMES, solve
+from tamias2d.state import Array
+from tamias2d.study.companion import RefusedError
+from tamias2d.study.pilot import Estimate
+from tamias2d.study.refined import Refined, refinements, stepped, work_of
+from tamias2d.study.refusal import ToleranceError
+
+LOOSEST = 0.1
+_SHARE = 1 / 3  # of the tolerance may be in doubt
+WORK = 1000.0
+"""Substeps of one body for each step of the work limit: together they take some 0.1 ms."""
+_SUBSTEPS = (1, 2, 4, 8, 16)
+_COARSEST = 2.0 / FRAMES  # s
+_FEWEST = 16  # steps of a run
+_FALLS = 8.0  # times, at most, halving a step makes an error smaller
+_STALE = 4  # halvings in which the doubt must halve, or it never will
+_SAMPLES = 120
+_SOONER = 0.9  # of the time up to which runs agreed is one that can be asked for
+
+
+@dataclass(frozen=True)
+class SteppedPlan:
+    """What to do for a tolerance, and what was found out on the way."""
+
+    refined: Refined
+    estimates: tuple[Estimate, ...]
+    """The cheapest that meets the tolerance first, then what failed"""
+    spent: int
+    """Steps of pilot runs"""
+
+
+def stepped_because(scene: Scene, duration: float) -> str | None:
+    """Return why the contacts of a scene are stepped if nothing is asked for, or None."""
+    try:
+        run = solve(scene, duration=duration, times=[duration])
+    except (SimulationError, SceneError):
+        return None
+    if not isinstance(run.method, Stepped):
+        return None
+    _, _, reason = run.notes[0].partition(": ")
+    return reason.partition(". ")[0]
+
+
+def plan_steps(
+    scene: Scene,
+    *,
+    duration: float,
+    tolerance: float,
+    times: Sequence[float] | Array,
+    work_limit: int,
+    reason: str,
+) -> SteppedPlan:
+    """Return the cheapest steps within a tolerance of where shorter ones lead, at all times, s.
+
+    Raises:
+        ToleranceError: runs do not agree so well, or not up to the end; it says until when.
+    """
+    spread = np.linspace(0.0, duration, _SAMPLES + 1)
+    looked = np.unique(np.concatenate((np.asarray(times, dtype=float), spread)))
+    work = WORK * work_limit
+    seen = _refined(scene, duration, tolerance, looked, work)
+    refined = seen[-1]
+    if not refined.share <= _SHARE * tolerance:
+        raise _beyond(tolerance, duration, seen, reason)
+    failed: dict[int, Estimate] = {}  # the last of each number of substeps
+    spent = sum(found.steps for found in seen)
+    for step, substeps in _ladder(refined, duration):
+        if substeps in failed and (least := failed[substeps].error / _FALLS) > tolerance:
+            failed[substeps] = replace(failed[substeps], error=least)
+            continue
+        estimate = _tried(refined, duration, step, substeps)
+        spent += math.ceil(duration / step)
+        if estimate.error <= tolerance:
+            failed.pop(substeps, None)
+            return SteppedPlan(refined, (estimate, *map(_lost, failed.values())), spent)
+        failed[substeps] = estimate
+    raise _beyond(tolerance, duration, seen, reason)
+
+
+def first_step(duration: float) -> float:
+    """Return the step from which runs are refined, s."""
+    return min(1 / FRAMES, duration / _FEWEST)
+
+
+def ladder(
+    scene: Scene, duration: float, coarsest: float, finest: float
+) -> Iterator[tuple[float, int]]:
+    """Yield steps, s, and substeps from cheap to dear."""
+    steps = [coarsest]
+    while steps[-1] / 2 >= finest * (1 - 1e-9):
+        steps.append(steps[-1] / 2)
+    pairs = [(step, substeps) for step in steps for substeps in _SUBSTEPS]
+    yield from sorted(pairs, key=lambda pair: work_of(scene, duration, *pair))
+
+
+def _ladder(refined: Refined, duration: float) -> Iterator[tuple[float, int]]:
+    coarsest = 2 * first_step(duration)
+    yield from ladder(refined.scene, duration, coarsest, 2 * refined.time_step)
+
+
+def _refined(
+    scene: Scene, duration: float, tolerance: float, times: Array, work: float
+) -> list[Refined]:
+    """Return refinements, the last of which is good enough, or no better than those before."""
+    seen: list[Refined] = []
+    try:
+        for found in refinements(
+            scene, duration=duration, times=times, time_step=first_step(duration), work=work
+        ):
+            seen.append(found)
+            if found.share <= _SHARE * tolerance or _stale(seen, _SHARE * tolerance):
+                break
+    except RefusedError as fault:
+        if not seen:
+            raise ToleranceError(
+                f"tolerance {tolerance:g}: a run by short steps was refused: {fault}", None
+            ) from fault
+    return seen
+
+
+def _stale(seen: list[Refined], share: float) -> bool:
+    """Whether shorter steps brought runs neither nearer to each other nor farther together."""
+    if len(seen) <= _STALE:
+        return False
+    now, then = seen[-1], seen[-1 - _STALE]
+    return now.share > 0.5 * then.share and _agreed(now, share) < 1.1 * _agreed(then, share)
+
+
+def _tried(refined: Refined, duration: float, step: float, substeps: int) -> Estimate:
+    steps = math.ceil(duration / step)
+    method = Stepped(substeps)
+    try:
+        history = stepped(refined.scene, duration, refined.times, step, substeps)
+    except RefusedError as fault:
+        return Estimate(method, step, math.inf, math.inf, None, f"refused: {fault}")
+    error = refined.bound(history) / float(refined.length[-1])
+    return Estimate(method, step, steps, error, None, "the cheapest")
+
+
+def _lost(estimate: Estimate) -> Estimate:
+    """Return an estimate that fails, with the reason."""
+    why = estimate.why
+    if math.isfinite(estimate.error):
+        why = "needs shorter steps, which cost more than the cheapest"
+    return replace(estimate, force_evaluations=math.inf, why=why)
+
+
+def _beyond(tolerance: float, duration: float, seen: list[Refined], reason: str) -> ToleranceError:
+    """Return the error that says until when, and how well, runs agree."""
+    best = min(found.share for found in seen) / _SHARE
+    until = max(_agreed(found, _SHARE * tolerance) for found in seen)
+    remedies = []
+    offer = float(f"{_SOONER * until:.1e}") if until > duration / _SAMPLES else None
+    if offer is not None:
+        remedies.append(f"end the run at {offer:g} s")
+    if best <= LOOSEST:
+        remedies.append(f"give a tolerance of {1.1 * best:.1e} or more")
+    remedies.append("bound overlap and energy instead, for example by a quality of 0.01")
+    said = ", or ".join(remedies)
+    agree = "do not agree so well"
+    if offer is not None:
+        agree = f"agree so well only up to {until:.3g} s of {duration:g} s"
+    return ToleranceError(
+        f"tolerance {tolerance:g}: contacts are stepped, and runs of ever shorter steps {agree} "
+        f"(R5, R12; {reason}). "
+        f"{said[0].upper()}{said[1:]}.",
+        1.1 * best if best <= LOOSEST else None,
+        until=offer,
+    )
+
+
+def _agreed(found: Refined, share: float) -> float:
+    """Return up to which time runs agree within a share of the length, s."""
+    lost = np.flatnonzero(~(found.doubt <= share * found.length))
+    if not len(lost):
+        return float(found.times[-1])
+    return float(found.times[max(lost[0] - 1, 0)])

@@ -1,0 +1,79 @@
+"""Joints and springs as they are drawn: where they are at each sample, and gone once broken."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tamias2d.record import drawing, joint_drawing
+from tools.joint_pictures import kinds
+
+SCENES = kinds()
+
+
+def drawn(name: str) -> tuple[t2.Run, list[joint_drawing.Line]]:
+    run = t2.simulate(SCENES[name], duration=0.3, times=np.linspace(0, 0.3, 4))
+    return run, list(joint_drawing.lines(run, drawing.view_of(run)))
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_every_kind_is_drawn_at_each_sample(name: str) -> None:
+    run, lines = drawn(name)
+    assert lines
+    for line in lines:
+        assert line.points.shape[::2] == (4, 2)
+        assert np.isfinite(line.points).all()
+        assert line.kind in joint_drawing.COLOURS
+    assert {line.name for line in lines} >= {
+        joint.name for joint in run.scene.joints if joint.model != "angle"
+    }
+
+
+def test_a_rod_goes_from_anchor_to_anchor_and_is_gone_once_broken() -> None:
+    run, lines = drawn("break_force=...")
+    rod = next(line for line in lines if line.points.shape[1] == 2)
+    held = run.times < run.joint_events.time[0]
+    assert 0 < held.sum() < 4
+    assert rod.points[held, 1] == pytest.approx(run.position[held, 0], abs=1e-14)
+    assert not np.ptp(rod.points[~held], axis=1).any()
+
+
+def test_a_slide_has_ticks_at_its_limits_and_a_hinge_spokes() -> None:
+    _, lines = drawn("Prismatic(limits=...)")
+    ticks = [line.points[-1].mean(axis=0) for line in lines if line.kind == "limit"]
+    along = np.array((1.0, -0.6)) / np.hypot(1.0, 0.6)
+    assert np.array(ticks) == pytest.approx(np.array([0 * along, 0.9 * along]), abs=1e-14)
+    _, lines = drawn("Revolute(limits=...)")
+    spoke = next(line.points[0] for line in lines if line.kind == "limit")
+    assert np.arctan2(*spoke[1][::-1]) == pytest.approx(-0.8)
+    assert np.arctan2(*spoke[-2][::-1]) == pytest.approx(0.8)
+
+
+def test_arrows_are_in_proportion_to_the_reactions() -> None:
+    run = t2.simulate(SCENES["Weld()"], duration=0.3, times=np.linspace(0, 0.3, 4))
+    view = drawing.view_of(run)
+    found = joint_drawing.reactions(run, view)
+    assert found is not None
+    places, arrows = found
+    force = run.reactions.force[:, :, 1]
+    assert np.hypot(*np.moveaxis(arrows, -1, 0)).max() == pytest.approx(view.reach / 4)
+    scale = arrows[0, 0, 1] / force[0, 0, 1]
+    assert arrows == pytest.approx(scale * force, rel=1e-12)
+    assert places[:, 0] == pytest.approx(np.tile((-0.5, 0.0), (4, 1)), abs=1e-12)
+
+
+def test_the_view_holds_what_bodies_hang_from() -> None:
+    run, _ = drawn("Pulley(posts=...)")
+    view = drawing.view_of(run)
+    assert view.center[1] + view.half[1] > 0.3
+
+
+def test_a_recording_shows_joints_reactions_and_events(tmp_path: Path) -> None:
+    chunk = pytest.importorskip("rerun.chunk")
+    run, _ = drawn("break_force=...")
+    run.save(tmp_path / "run.rrd")
+    paths = {part.entity_path for part in chunk.RrdReader(tmp_path / "run.rrd").stream()}
+    assert any(path.startswith("/world/joints/") for path in paths)
+    assert "/world/reactions" in paths
+    assert "/impacts/joints" in paths

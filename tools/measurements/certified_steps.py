@@ -1,0 +1,128 @@
+"""Whether certificates can be believed where contacts are stepped.
+
+Scenes are simulated for tolerances from 1e-1 to 1e-4; what is refused, for as long as the refusal
+offers. The true answer is where shorter steps lead: two runs by steps that are sixteen and more
+times shorter than those of the run, and by other substeps; the one that is farther away counts.
+"""
+
+import math
+from dataclasses import asdict, dataclass
+from statistics import median
+from typing import Any
+
+import numpy as np
+
+from tamias2d.motion import Stepped
+from tamias2d.run import Run
+from tamias2d.scene import Scene
+from tamias2d.simulate import simulate
+from tamias2d.study.error import distance, scale
+from tamias2d.study.refined import stepped, work_of
+from tamias2d.study.refusal import ToleranceError
+
+TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4)
+_SAMPLES = 60
+_FINER = ((16.18, 5), (23.14, 9))
+"""Of the true answers: in how many parts they take a step of the run, and their substeps"""
+_MOST = 1e8  # substeps of one body that a true answer may take
+
+
+@dataclass(frozen=True)
+class SteppedPair:
+    """What came of one scene and one tolerance."""
+
+    scene: str
+    tolerance: float
+    duration: float
+    """s: up to where it is met"""
+    whole: bool
+    """Whether that is the whole duration of the scene"""
+    bound: float | None
+    error: float | None
+    covered: bool | None
+    method: str
+    refused: str
+
+
+def pairs(name: str, scene: Scene) -> list[SteppedPair]:
+    """Return what came of all tolerances; nothing where contacts are not stepped."""
+    duration = scene.duration or 1.0
+    found = []
+    for tolerance in TOLERANCES:
+        pair = _pair(name, scene, tolerance, duration)
+        if pair is None:
+            return []
+        found.append(pair)
+    return found
+
+
+def summary(found: list[SteppedPair]) -> dict[str, Any]:
+    """Return how many claims were true, how tight, and how much was refused."""
+    claims = [pair for pair in found if pair.covered is not None]
+    tight = [p.bound / p.error for p in claims if p.bound and p.error]
+    return {
+        "pairs": len(found),
+        "claims": len(claims),
+        "coverage": sum(bool(p.covered) for p in claims) / len(claims) if claims else None,
+        "effectivity_median": median(tight) if tight else None,
+        "met_whole": sum(p.whole for p in claims),
+        "met_up_to_a_time": sum(not p.whole for p in claims),
+        "offers_not_met": sum(p.refused != "" for p in found),
+    }
+
+
+def rows(found: list[SteppedPair]) -> list[dict[str, Any]]:
+    """Return pairs as JSON holds them."""
+    return [asdict(pair) for pair in found]
+
+
+def _pair(name: str, scene: Scene, tolerance: float, duration: float) -> SteppedPair | None:
+    until, refused = duration, ""
+    try:
+        run = _run(scene, tolerance, duration)
+    except ToleranceError as first:
+        until, refused, run = first.until or 0.0, f"{first}", None
+        if first.until is not None:
+            try:
+                run, refused = _run(scene, tolerance, first.until), ""
+            except ToleranceError as second:
+                refused = f"{second}"
+    by_steps = run is not None and isinstance(run.method, Stepped)
+    if until == duration and not by_steps:
+        return None
+    error = _error(run) if run is not None and by_steps else None  # located up to the horizon
+    bound = run.certificate.bound if run is not None and run.certificate is not None else None
+    return SteppedPair(
+        name,
+        tolerance,
+        until,
+        until == duration,
+        bound,
+        error,
+        None if error is None or bound is None else error <= bound,
+        "" if run is None else f"{run.method} {run.time_step or ''}",
+        refused,
+    )
+
+
+def _run(scene: Scene, tolerance: float, duration: float) -> Run:
+    times = np.linspace(0.0, duration, _SAMPLES + 1)
+    return simulate(scene, duration=duration, tolerance=tolerance, times=times)
+
+
+def _error(run: Run) -> float | None:
+    """Return how far a run is from the farther one of two true answers; None if these cost much."""
+    step = run.time_step or run.duration
+    worst = 0.0
+    for parts, substeps in _FINER:
+        if work_of(run.scene, run.duration, step / parts, substeps) > _MOST:
+            return None
+        true = stepped(run.scene, run.duration, run.times, step / parts, substeps)
+        worst = max(worst, float(distance(run.scene, run, true).max()))
+    length = max(scale(run), _largest(run.scene))
+    return worst / length if math.isfinite(worst) else math.inf
+
+
+def _largest(scene: Scene) -> float:
+    shapes = [body.shape for body in scene.bodies if body.dynamic and body.shape is not None]
+    return max((shape.bounding_radius for shape in shapes), default=0.0)

@@ -1,0 +1,140 @@
+"""Impacts a second of an elastic gas of discs, located, beside Pymunk.
+
+The discs fill a tenth of a box. Located runs go on for so many impacts that their start does not
+count. Pymunk takes steps in which a disc of mean speed goes a hundredth of its radius, for as long
+as each disc meets about one other, and is compared with the located run: most of its impacts are
+told late by a part of a step, and the positions differ by the median that is given.
+"""
+
+import math
+from argparse import ArgumentParser
+from time import process_time
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+from rich.progress import track
+
+from tamias2d.balance import balance
+from tamias2d.contact import Located
+from tamias2d.event_driven import Discs
+from tamias2d.motion import ClosedForm
+from tamias2d.scene import Disc, HalfPlane, Scene
+from tamias2d.solve import solve
+from tamias2d.study.engines.chipmunk import Chipmunk
+from tamias2d.work_limit import Work
+
+COUNTS = (100, 1000, 10_000)
+IMPACTS = 200_000  # of a located run
+_RADIUS = 0.01  # m
+_SHARE = 0.1  # of the box
+_WAY = 0.01  # of a radius, in a step of Pymunk at mean speed
+_MOST_STEPS = 500  # of Pymunk
+_PILOT = 0.05  # s
+_NO_LIMIT = 10**9
+
+
+def options(parser: ArgumentParser) -> None:
+    """Add what can be chosen."""
+    parser.add_argument("--counts", nargs="+", type=int, default=COUNTS, help="numbers of discs")
+    parser.add_argument("--impacts", type=int, default=IMPACTS, help="of each located run, about")
+    parser.add_argument("--steps", type=int, default=_MOST_STEPS, help="of Pymunk, at most")
+
+
+def gas(count: int, *, share: float = _SHARE, seed: int = 0) -> Scene:
+    """Return discs of one size that fill a box to a share, at velocities by chance, about 1 m/s."""
+    chance = np.random.default_rng(seed)
+    width = math.sqrt(count * math.pi * _RADIUS**2 / share)
+    scene = Scene(gravity=(0.0, 0.0))
+    for normal, offset in (
+        ((1.0, 0.0), 0.0), ((-1.0, 0.0), -width), ((0.0, 1.0), 0.0), ((0.0, -1.0), -width)
+    ):  # fmt: skip
+        scene.add_static(HalfPlane(normal=normal, offset=offset), restitution=1.0)
+    across = math.ceil(math.sqrt(count))
+    step = width / across
+    slack = 0.9 * (step / 2 - _RADIUS)
+    for place in np.sort(chance.permutation(across**2)[:count]).tolist():
+        middle = np.array([place // across + 0.5, place % across + 0.5]) * step
+        scene.add_body(
+            Disc(radius=_RADIUS),
+            mass=1.0,
+            position=tuple((middle + chance.uniform(-slack, slack, 2)).tolist()),
+            velocity=tuple(chance.normal(0.0, 1.0, 2).tolist()),
+            restitution=1.0,
+        )
+    return scene
+
+
+def measure(
+    counts: list[int] | tuple[int, ...] = COUNTS, impacts: int = IMPACTS, steps: int = _MOST_STEPS
+) -> dict[str, Any]:
+    """Return one row for each number of discs."""
+    told = Console(stderr=True)
+    rows = [_row(count, impacts, steps) for count in track(counts, console=told, transient=True)]
+    return {"rows": rows, "share": _SHARE}
+
+
+def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """Return heads and rows for people."""
+    heads = (
+        "discs", "impacts", "a second", "pairs looked at", "energy", "Pymunk: a second",
+        "off by, of a radius",
+    )  # fmt: skip
+    return heads, [
+        (
+            f"{row['discs']}",
+            f"{row['impacts']}",
+            f"{row['impacts_per_second']:.2g}",
+            f"{row['looked_at_per_impact']:.1f}",
+            f"{row['energy_error']:.0e}",
+            f"{row['pymunk_impacts_per_second']:.2g}",
+            f"{row['pymunk_error']:.1g}",
+        )
+        for row in found["rows"]
+    ]
+
+
+def _row(count: int, impacts: int, steps: int) -> dict[str, Any]:
+    scene = gas(count)
+    pace = _followed(scene, _PILOT)["impacts"] / _PILOT
+    return {
+        "discs": count,
+        **_followed(scene, impacts / max(pace, 1.0)),
+        **_pymunk(scene, steps),
+    }
+
+
+def _followed(scene: Scene, duration: float) -> dict[str, Any]:
+    """Return how many impacts a run has, how fast they are found, and how energy is kept."""
+    times = np.array([0.0, duration])
+    motion = ClosedForm().motion(scene, duration, duration)
+    discs = Discs(scene, times, many=True)
+    located = Located(scene, motion, Work(duration, _NO_LIMIT), discs)
+    start = process_time()
+    located.go(duration)
+    spent = process_time() - start
+    found = len(located.impacts)
+    energy, _, _ = balance(scene, discs.history(located.tracks, times))
+    return {
+        "impacts": found,
+        "impacts_per_second": found / spent,
+        "looked_at_per_impact": discs.looked_at / max(found, 1),
+        "energy_error": abs(float(energy[1] / energy[0]) - 1),
+    }
+
+
+def _pymunk(scene: Scene, steps: int) -> dict[str, float]:
+    """Return the impacts a second of Pymunk, and how far off its positions are in the median."""
+    time_step = _WAY * _RADIUS
+    engine = Chipmunk(scene, time_step)
+    start = process_time()
+    engine.step(steps)
+    spent = process_time() - start
+    duration = steps * time_step
+    exact = solve(scene, duration=duration, method=ClosedForm(), times=[duration])
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    way = engine.state()[moving, :2] - exact.position[-1, moving]
+    return {
+        "pymunk_impacts_per_second": len(exact.impacts) / spent,
+        "pymunk_error": float(np.median(np.hypot(*way.T))) / _RADIUS,
+    }
