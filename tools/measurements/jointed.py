@@ -15,8 +15,8 @@ import numpy as np
 from tamias2d.scene import Capsule, Disc, HalfPlane, Revolute, Scene
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
-from tools.measurements.arena.box2d import Box2D
-from tools.measurements.arena.chipmunk import Chipmunk
+from tamias2d.study.engines.box2d import Box2D
+from tamias2d.study.engines.chipmunk import Chipmunk
 
 _STEP = 1 / 60
 _TURN = 60  # steps

@@ -19,9 +19,11 @@ from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
+from tamias2d.engine.joints.flight import mark_joined, take_whole_steps
 from tamias2d.engine.joints.stages import (
     clear_of_joints,
     keep_joint_impulses,
+    note_places,
 )
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
@@ -99,6 +101,8 @@ def step(world: World) -> int:
         valid = gather_state(world.control, world.state, world.bodies)
         if not valid and counts[CHECKED] == 0:
             return INVALID
+    note_places(world)
+    mark_joined(world)
     clear = False
     while counts[STEPS_LEFT] > 0 and not clear:
         status = take_step(world)
@@ -140,6 +144,7 @@ def take_part(world: World) -> int:
         begin_part(world)
         hold_springs_of_part(world)
         left = find_moved(world)
+        take_whole_steps(world)
         counts[STAGE] = PAIRS_KNOWN if update_pairs(left, world) else PAIRS_STALE
     if counts[STAGE] == PAIRS_STALE:
         status = rebuild_pairs(world)

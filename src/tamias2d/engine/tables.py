@@ -151,6 +151,7 @@ BOUNDING_RADIUS = _properties()  # m, of the circle around the body
 MIN_EXTENT = _properties()  # m, half of its least width
 CORE_RADIUS = _properties()  # m, distance of its farthest vertex from its centre
 PROPAGATOR = _properties()  # row of its propagator
+JOINED = _properties()  # 1 if a joint holds it
 
 # propagators (DD41): v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a
 DECAY, GAIN, LIFT = range(3)  # 1, s, s^2
@@ -727,6 +728,8 @@ M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, on
 M_STATUS = _mechanisms()  # one of those below
 M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration
 M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
+M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
+M_GOVERNED = _mechanisms()  # 1 if it has limits or motors
 ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
 
 _joint = Columns()  # whole numbers of a joint
@@ -735,6 +738,17 @@ J_ROWS = _joint()  # how many of them
 J_MEMBER = _joint(3)  # of its bodies A, B and C; 0 for the plane
 J_NODE = _joint(3)  # their nodes, or one of those below
 J_EDGE = _joint(3)  # of the pairs AB, AC and BC, or -1 where one does not move
+J_LAW = _joint()  # what governs its row, one of those below
+J_STATE = _joint()  # whether a limit or a motor holds, one of those below
+
+KEPT, LOWER_LIMIT, UPPER_LIMIT, MOTOR, SPRING = range(5)  # at zero; one row if not KEPT
+HOLDS, FREE_ROW, AT_MOST, AT_LEAST = range(4)  # a motor gives the most forwards, or backwards
+
+_laws = Columns()  # numbers of a law
+LAW_RATE = _laws()  # m/s or rad/s, of a motor
+LAW_MOST = _laws()  # N or N m, of a motor
+LAW_STIFFNESS = _laws()  # N/m or N m/rad
+LAW_DAMPING = _laws()  # kg/s or N m s
 
 STANDS_STILL, UNUSED = -1, -2  # instead of a node: nothing moves there, or the joint asks for none
 
@@ -748,6 +762,8 @@ J_FORCE = _joint_numbers(3)  # N, of each row in the last part of a step
 J_WARM = _joint_numbers(3)  # N s, impulse of each row in the last substep; of meshes only
 J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this part
 J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
+J_GIVEN = _joint_numbers(3)  # N s, impulse of each row over this substep
+J_APART = _joint_numbers(3)  # m or rad, by how much each row was apart at most in this step
 J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved
 J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
@@ -774,6 +790,7 @@ class Joints(NamedTuple):
     mechanisms: Annotated[RankRows, Sized("mechanisms", _mechanisms.width)]
     joints: Annotated[RankRows, Sized("joints", _joint.width)]
     given: Annotated[FloatRows, Sized("joints", 10)]  # parameters
+    laws: Annotated[FloatRows, Sized("joints", _laws.width)]
     numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
     members: Annotated[RankRows, Sized("joined", _joined.width)]
     places: Annotated[FloatRows, Sized("joined", _places.width)]

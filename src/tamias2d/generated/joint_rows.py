@@ -1,4 +1,5 @@
-"""Rows of joints: Revolute joint; Distance joint; Weld; Prismatic joint; Groove; Gear; Pulley.
+"""Rows of joints: Revolute joint; Distance joint; Weld; Prismatic joint; Groove; Gear; Pulley;
+Angle between two bodies; Travel along a line.
 
 Places are rows of x, y (m), orientation (rad), and its cosine and sine. Each row of a joint takes
 ten numbers: its value, then its slopes by x, y and orientation of bodies A, B and C. The second
@@ -25,6 +26,8 @@ KINDS = (
     "groove",
     "gear",
     "pulley",
+    "angle",
+    "travel",
 )
 """By which number of a kind."""
 ROWS_OF_KIND = (
@@ -32,6 +35,8 @@ ROWS_OF_KIND = (
     1,
     3,
     2,
+    1,
+    1,
     1,
     1,
     1,
@@ -832,6 +837,157 @@ def pulley_bends(given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     )
 
 
+def angle_values(given: Any, a: Any, b: Any, row: Any) -> None:
+    """Angle between two bodies: how far each row is from holding.
+
+    Source: angle, srs/models/joints.md:274.
+    """
+    joint_angle = given[0]
+    orientation_a = a[2]
+    orientation_b = b[2]
+    row[0] = orientation_b - orientation_a - joint_angle
+
+
+def angle_rows(given: Any, a: Any, b: Any, row: Any) -> None:
+    """Angle between two bodies: its rows with their slopes.
+
+    Source: angle, srs/models/joints.md:274.
+    """
+    joint_angle = given[0]
+    orientation_a = a[2]
+    orientation_b = b[2]
+    row[0] = orientation_b - orientation_a - joint_angle
+    row[1] = 0
+    row[2] = 0
+    row[3] = -1
+    row[4] = 0
+    row[5] = 0
+    row[6] = 1
+    row[7] = 0.0
+    row[8] = 0.0
+    row[9] = 0.0
+
+
+def angle_bends(row: Any) -> None:
+    """Angle between two bodies: second derivatives of its rows by orientations.
+
+    Source: angle, srs/models/joints.md:274.
+    """
+    row[0] = 0
+    row[1] = 0
+    row[2] = 0.0
+
+
+def travel_values(given: Any, a: Any, b: Any, row: Any) -> None:
+    """Travel along a line: how far each row is from holding.
+
+    Source: travel, srs/models/joints.md:284.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    guide_a_x, guide_a_y = given[2], given[3]
+    anchor_b_x, anchor_b_y = given[4], given[5]
+    joint_travel = given[6]
+    position_a_x, position_a_y = a[0], a[1]
+    cosine_a, sine_a = a[3], a[4]
+    position_b_x, position_b_y = b[0], b[1]
+    cosine_b, sine_b = b[3], b[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cosine_a * guide_a_x - sine_a * guide_a_y,
+        sine_a * guide_a_x + cosine_a * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    row[0] = guide_x * span_x + guide_y * span_y - joint_travel
+
+
+def travel_rows(given: Any, a: Any, b: Any, row: Any) -> None:
+    """Travel along a line: its rows with their slopes.
+
+    Source: travel, srs/models/joints.md:284.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    guide_a_x, guide_a_y = given[2], given[3]
+    anchor_b_x, anchor_b_y = given[4], given[5]
+    joint_travel = given[6]
+    position_a_x, position_a_y = a[0], a[1]
+    cosine_a, sine_a = a[3], a[4]
+    position_b_x, position_b_y = b[0], b[1]
+    cosine_b, sine_b = b[3], b[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cosine_a * guide_a_x - sine_a * guide_a_y,
+        sine_a * guide_a_x + cosine_a * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    row[0] = guide_x * span_x + guide_y * span_y - joint_travel
+    row[1] = -guide_x
+    row[2] = -guide_y
+    row[3] = (-guide_y) * span_x + (guide_x) * span_y - ((-arm_a_y) * guide_x + (arm_a_x) * guide_y)
+    row[4] = guide_x
+    row[5] = guide_y
+    row[6] = guide_x * (-arm_b_y) + guide_y * (arm_b_x)
+    row[7] = 0.0
+    row[8] = 0.0
+    row[9] = 0.0
+
+
+def travel_bends(given: Any, a: Any, b: Any, row: Any) -> None:
+    """Travel along a line: second derivatives of its rows by orientations.
+
+    Source: travel, srs/models/joints.md:284.
+    """
+    anchor_a_x, anchor_a_y = given[0], given[1]
+    guide_a_x, guide_a_y = given[2], given[3]
+    anchor_b_x, anchor_b_y = given[4], given[5]
+    position_a_x, position_a_y = a[0], a[1]
+    cosine_a, sine_a = a[3], a[4]
+    position_b_x, position_b_y = b[0], b[1]
+    cosine_b, sine_b = b[3], b[4]
+    arm_a_x, arm_a_y = (
+        cosine_a * anchor_a_x - sine_a * anchor_a_y,
+        sine_a * anchor_a_x + cosine_a * anchor_a_y,
+    )
+    arm_b_x, arm_b_y = (
+        cosine_b * anchor_b_x - sine_b * anchor_b_y,
+        sine_b * anchor_b_x + cosine_b * anchor_b_y,
+    )
+    guide_x, guide_y = (
+        cosine_a * guide_a_x - sine_a * guide_a_y,
+        sine_a * guide_a_x + cosine_a * guide_a_y,
+    )
+    span_x, span_y = (
+        position_b_x + arm_b_x - position_a_x - arm_a_x,
+        position_b_y + arm_b_y - position_a_y - arm_a_y,
+    )
+    row[0] = (
+        -(guide_x * span_x + guide_y * span_y)
+        - (arm_a_x * guide_x + arm_a_y * guide_y)
+        - (-(arm_a_x * guide_x + arm_a_y * guide_y) + arm_a_x * guide_x + arm_a_y * guide_y)
+    )
+    row[1] = -(arm_b_x * guide_x + arm_b_y * guide_y)
+    row[2] = 0.0
+
+
 def joint_values(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
     """Write how far each row of a joint of a kind is from holding."""
     if kind == 0:
@@ -848,6 +1004,10 @@ def joint_values(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> Non
         gear_values(given, a, b, c, row)
     elif kind == 6:
         pulley_values(given, a, b, c, row)
+    elif kind == 7:
+        angle_values(given, a, b, row)
+    elif kind == 8:
+        travel_values(given, a, b, row)
 
 
 def joint_rows(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
@@ -866,6 +1026,10 @@ def joint_rows(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
         gear_rows(given, a, b, c, row)
     elif kind == 6:
         pulley_rows(given, a, b, c, row)
+    elif kind == 7:
+        angle_rows(given, a, b, row)
+    elif kind == 8:
+        travel_rows(given, a, b, row)
 
 
 def joint_bends(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None:
@@ -884,3 +1048,7 @@ def joint_bends(kind: int, given: Any, a: Any, b: Any, c: Any, row: Any) -> None
         gear_bends(row)
     elif kind == 6:
         pulley_bends(given, a, b, c, row)
+    elif kind == 7:
+        angle_bends(row)
+    elif kind == 8:
+        travel_bends(given, a, b, row)

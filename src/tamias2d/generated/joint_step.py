@@ -245,9 +245,81 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:100.
+    Source: IM15, srs/models/joint_step.md:111.
     """
     return (1 - removed_share) * row_value
+
+
+def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
+    """Rate of a row beyond that of its motor (m/s).
+
+    drive_error = row_rate - drive_rate
+
+    Args:
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+        drive_rate: Rate at which a motor keeps a row, m/s
+
+    Source: IM15, srs/models/joint_step.md:112.
+    """
+    return row_rate - drive_rate
+
+
+def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
+    """The most that a motor gives in a substep, for slopes of length one (N*s).
+
+    row_impulse_most = time_step*row_force_most
+
+    Args:
+        row_force_most: The most that a motor exerts, for slopes of length one, N
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:113.
+    """
+    return time_step * row_force_most
+
+
+def spring_firmness(row_stiffness: Scalar, row_damping: Scalar, time_step: Scalar) -> Scalar:
+    """Impulse that a spring gives in a substep against a rate (kg).
+
+    spring_firmness = time_step*(row_damping + time_step*row_stiffness)
+
+    Args:
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_damping: Force of a damper for a row's rate, kg/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:114.
+    """
+    return time_step * (row_damping + time_step * row_stiffness)
+
+
+def spring_error(
+    row_value: Scalar,
+    row_rate: Scalar,
+    row_given: Scalar,
+    row_stiffness: Scalar,
+    row_damping: Scalar,
+    firmness: Scalar,
+    time_step: Scalar,
+) -> Scalar:
+    """Rate of a row that its spring has not answered yet (m/s).
+
+    spring_error = (time_step*(row_stiffness*row_value + row_damping*row_rate) +
+    row_given)/firmness
+
+    Args:
+        row_value: Number of a joint's equation that is zero where it holds, m
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+        row_given: Impulse that a row has had in a substep so far, N*s
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_damping: Force of a damper for a row's rate, kg/s
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:115.
+    """
+    return (time_step * (row_stiffness * row_value + row_damping * row_rate) + row_given) / firmness
 
 
 def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
@@ -259,7 +331,7 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:101.
+    Source: IM15, srs/models/joint_step.md:118.
     """
     return (-row_force) * row_bend
 
@@ -274,7 +346,7 @@ def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
         leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:102.
+    Source: IM15, srs/models/joint_step.md:119.
     """
     return largest(inertia, time_step * time_step * leaning)
 
@@ -287,7 +359,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:103.
+    Source: IM15, srs/models/joint_step.md:120.
     """
     return sqrt(kick_decay)
 
@@ -301,7 +373,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:104.
+    Source: IM15, srs/models/joint_step.md:121.
     """
     return kick_gain / (1 + half_decay)
 
@@ -316,7 +388,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:105.
+    Source: IM15, srs/models/joint_step.md:122.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -331,7 +403,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:106.
+    Source: IM15, srs/models/joint_step.md:123.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -345,6 +417,6 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:107.
+    Source: IM15, srs/models/joint_step.md:124.
     """
     return largest(kinetic_energy_start + work, 0.0)

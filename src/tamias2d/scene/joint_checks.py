@@ -89,9 +89,7 @@ def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
     return joint
 
 
-def _checked_start(
-    joint: Joint, bodies: Sequence[Body], of: str, *, at_rest: bool = False
-) -> None:
+def _checked_start(joint: Joint, bodies: Sequence[Body], of: str, *, at_rest: bool = False) -> None:
     start = Start(joint, bodies)
     _refuse_singular(start, bodies, of)
     if joint.rigid:

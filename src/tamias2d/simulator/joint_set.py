@@ -4,6 +4,7 @@ Serves: the frame loop. Hides: that the engine knows joints by their places, whi
 come and go, and in which order it takes them: the same in whatever order they came.
 """
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any, cast
@@ -14,10 +15,29 @@ from numpy.typing import NDArray
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.joints.rows import JointRow
 from tamias2d.engine.saved_checks import require
-from tamias2d.engine.tables import ABSENT, BOUNDING_RADIUS, DYNAMIC, J_STEP_TOTAL, J_WARM, KINEMATIC
+from tamias2d.engine.tables import (
+    ABSENT,
+    AT_LEAST,
+    AT_MOST,
+    BOUNDING_RADIUS,
+    DYNAMIC,
+    FREE_ROW,
+    HOLDS,
+    J_APART,
+    J_STATE,
+    J_STEP_TOTAL,
+    J_WARM,
+    KEPT,
+    KINEMATIC,
+    LOWER_LIMIT,
+    MOTOR,
+    SPRING,
+    UPPER_LIMIT,
+)
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, shown
@@ -26,7 +46,10 @@ from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
 _KEPT = slice(J_STEP_TOTAL, J_WARM + MOST_ROWS)  # numbers of a joint that a step leaves to the next
-_COUNT = _KEPT.stop - _KEPT.start
+_COUNT = _KEPT.stop - _KEPT.start + 1  # and its state
+_STATES = (HOLDS, FREE_ROW, AT_MOST, AT_LEAST)
+APART = 1e-3
+"""Of the size of a joint, or rad: one that is farther apart is told."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,8 +85,10 @@ class JointSet:
     def __init__(self, joints: Iterable[Joint] = ()) -> None:
         """Hold the joints of a scene, or those that were saved."""
         self._joints = {joint.name: joint for joint in joints}
-        refuse_own_equations(self._joints.values())
-        self._places: list[int] = []  # in the arrays of the engine, as joints were added
+        refuse_unknown(self._joints.values())
+        self._places = np.zeros(0, dtype=np.int64)  # of rows in the arrays, as joints were added
+        self._owner = np.zeros(0, dtype=np.int64)  # of each row its joint
+        self._most_apart = np.zeros((0, MOST_ROWS))
         self._saved: Array | None = None  # impulses of the last step, as long as it is from a file
         self._restored = False
         self.new = bool(self._joints)
@@ -93,7 +118,7 @@ class JointSet:
         """
         name = self._free_name(name)
         joint = checked_joint(kind, name, ends, anchors, collide, bodies, at_rest=True)
-        refuse_own_equations([joint])
+        refuse_unknown([joint])
         self._joints[name] = joint
         self._change()
         return joint
@@ -120,37 +145,57 @@ class JointSet:
 
     def settle(self, engine: Engine) -> None:
         """Tell the engine which joints there are."""
-        joints = list(self._joints.values())
-        rank = engine.rank
-        order = sorted(range(len(joints)), key=lambda k: _place(joints[k], rank))
-        places = engine.set_joints([joint_row(joints[k]) for k in order], restored=self._restored)
-        self._places = [0] * len(joints)
-        for k, place in zip(order, places, strict=True):
-            self._places[k] = place
+        joints, rank = list(self._joints.values()), engine.rank
+        rows = [(k, row) for k, joint in enumerate(joints) for row in joint_rows(joint)]
+        order = sorted(range(len(rows)), key=lambda n: _place(rows[n][1], rank))
+        places = engine.set_joints([rows[n][1] for n in order], restored=self._restored)
+        self._owner = np.array([k for k, _ in rows], dtype=np.int64)
+        self._places = np.zeros(len(rows), dtype=np.int64)
+        self._places[order] = places
+        sizes = np.array([_size(joint, engine) for joint in joints])
+        lengths = np.array([[unit == "m" for unit in _units(row)] for _, row in rows]).reshape(
+            -1, MOST_ROWS
+        )
+        self._most_apart = APART * np.where(lengths, sizes[self._owner, None], 1.0)
         if self._saved is not None and self._restored:
-            engine.world.joints.numbers[self._places, _KEPT] = self._saved
+            held = engine.world.joints
+            held.numbers[self._places, _KEPT] = self._saved[:, :-1]
+            held.joints[self._places, J_STATE] = self._saved[:, -1]
         self.new = self._restored = False
+
+    def apart(self, engine: Engine) -> tuple[Joint, float] | None:
+        """Return a joint that was far apart within the last steps, and by how much; or None."""
+        found = engine.world.joints.numbers[self._places, J_APART : J_APART + MOST_ROWS]
+        if not (found > self._most_apart).any():
+            return None
+        worst = np.unravel_index(np.argmax(found / self._most_apart), found.shape)
+        return list(self._joints.values())[self._owner[worst[0]]], float(found[worst])
 
     def forget_report(self) -> None:
         """Note that a step is taken."""
         self._saved = None
 
     def totals(self, engine: Engine) -> Array:
-        """Return what the last step left (j, 15): first the impulses on A, B and C.
+        """Return what the last step left of each row: first the impulses on A, B and C.
 
-        These are three numbers each, N s, N s and N m s.
+        These are three numbers each, N s, N s and N m s; the last number is the row's state.
         """
         if self._saved is not None:
             return self._saved
-        found = np.zeros((len(self._joints), _COUNT))
-        if not self.new:
-            found[:] = engine.world.joints.numbers[self._places, _KEPT]
-        return found
+        if self.new:
+            rows = sum(len(joint_rows(joint)) for joint in self._joints.values())
+            return np.zeros((rows, _COUNT))
+        held = engine.world.joints
+        states = held.joints[self._places, J_STATE].astype(float)
+        return np.column_stack((held.numbers[self._places, _KEPT], states))
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
-        totals = self.totals(engine)[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3)
         joints = list(self._joints.values())
+        owner = [k for k, joint in enumerate(joints) for _ in joint_rows(joint)]
+        totals = np.zeros((len(joints), len(ENDS), 3))
+        of_rows = self.totals(engine)[:, : 3 * len(ENDS)].reshape(-1, len(ENDS), 3)
+        np.add.at(totals, owner, of_rows)
         torque = totals[:, :, 2] / time_step
         force = totals[:, :, :2] / time_step
         for k, joint in enumerate(joints):
@@ -185,7 +230,8 @@ class JointSet:
         name = "joints"
         try:
             joints = [_joint_of(one) for one in data]
-            rows = [joint_row(joint) for joint in joints]
+            refuse_unknown(joints)
+            rows = [row for joint in joints for row in joint_rows(joint)]
         except (TypeError, ValueError, KeyError, AttributeError, RuleError):
             require(False, name, "are no joints")
         require(len({joint.name for joint in joints}) == len(joints), name, "have one name")
@@ -199,8 +245,9 @@ class JointSet:
         own = cls(joints)
         if joints:
             fits = totals is not None and totals.dtype == np.float64
-            require(fits and totals.shape == (len(joints), _COUNT), name, "have no impulses")  # type: ignore[union-attr]
+            require(fits and totals.shape == (len(rows), _COUNT), name, "have no impulses")  # type: ignore[union-attr]
             require(np.isfinite(cast(Array, totals)), name, "must be numbers")
+            require(np.isin(cast(Array, totals)[:, -1], _STATES), name, "have no states")
             own._saved, own._restored = cast(Array, totals).copy(), True
         return own
 
@@ -222,30 +269,82 @@ class JointSet:
         return name
 
 
-def refuse_own_equations(joints: Iterable[Joint]) -> None:
-    """Raise `RuleError` where a joint is none of the kinds that steps know."""
+def refuse_unknown(joints: Iterable[Joint]) -> None:
+    """Raise `RuleError` where a joint has what steps do not know."""
     for joint in joints:
-        if joint.model not in KINDS:
+        if what := _unknown(joint):
             raise RuleError(
-                f"joint '{joint.name}': steps know {', '.join(KINDS)}, and no equation of one's "
-                "own (R13). Take one of these, or simulate(scene, ...) without Stepped(), which "
-                "takes any.",
+                f"joint '{joint.name}' ({joint.kind}): steps know no {what} (R13). Leave it out, "
+                "or take simulate(scene, ...) without Stepped(), which knows it.",
                 "joints",
             )
 
 
-def joint_row(joint: Joint) -> JointRow:
-    """Return a joint as the engine takes it."""
+def _unknown(joint: Joint) -> str | None:
+    """Return what steps do not know of a joint, or None."""
+    if joint.model not in KINDS:
+        return "equation of one's own"
+    if joint.breaks:
+        return "breaking of joints"
+    if any(each.pitch is not None for each in joint.freedoms):
+        return "ratchets"
+    if any(each.limits and each.limits.restitution > 0 for each in joint.freedoms):
+        return "restitution of limits but 0"
+    return None
+
+
+def joint_rows(joint: Joint) -> list[JointRow]:
+    """Return a joint as the engine takes it: what it keeps, then what governs its freedoms."""
+    kept = [_row(joint)] if joint.rigid else []
+    return [*kept, *(row for each in joint.freedoms for row in _governed(joint, each))]
+
+
+def _governed(joint: Joint, freedom: Freedom) -> Iterable[JointRow]:
+    limits, motor, spring = freedom.limits, freedom.motor, freedom.spring
+    if limits and limits.lower is not None:
+        yield _row(joint.measured(freedom, limits.lower), LOWER_LIMIT)
+    if limits and limits.upper is not None:
+        yield _row(joint.measured(freedom, limits.upper), UPPER_LIMIT)
+    if motor:
+        most = math.inf if motor.maximum is None else motor.maximum
+        yield _row(joint.measured(freedom, 0.0), MOTOR, (motor.speed, most, 0.0, 0.0))
+    if spring:
+        rest = cast(float, spring.rest)
+        numbers = (0.0, 0.0, spring.stiffness, spring.damping)
+        yield _row(joint.measured(freedom, rest), SPRING, numbers)
+
+
+def _row(
+    joint: Joint, law: int = KEPT, numbers: tuple[float, float, float, float] = (0.0,) * 4
+) -> JointRow:
     given = [joint.given[name] for name in joint.functions.parameters]
-    numbers = [x for value in given for x in (value if isinstance(value, tuple) else (value,))]
-    return JointRow(joint.model, joint.ends, tuple(map(float, numbers)), not joint.collide)
+    parts = [x for value in given for x in (value if isinstance(value, tuple) else (value,))]
+    apart = not joint.collide
+    return JointRow(joint.model, joint.ends, tuple(map(float, parts)), apart, law, numbers)
 
 
-def _place(joint: Joint, rank: IntArray) -> tuple[Any, ...]:
-    """Return by what joints are ordered: their bodies in canonical order, then what they are."""
-    row = joint_row(joint)
+def _size(joint: Joint, engine: Engine) -> float:
+    """Return how large a joint and the bodies that it holds are, m; infinite if they are points."""
+    lengths = [
+        math.hypot(*anchor)
+        for anchor, k in zip(joint.anchors, joint.ends, strict=True)
+        if k is not None
+    ]
+    lengths += [float(engine.world.state.properties[k, BOUNDING_RADIUS]) for k in joint.bodies]
+    lengths += [abs(float(value)) for name, value in joint.parameters if name == "joint_length"]
+    return max(lengths) or math.inf
+
+
+def _place(row: JointRow, rank: IntArray) -> tuple[Any, ...]:
+    """Return by what rows are ordered: their bodies in canonical order, then what they are."""
     bodies = [-1 if body is None else int(rank[body]) for body in row.ends]
-    return bodies, row.kind, row.given, row.apart
+    return bodies, row.law, row.kind, row.given, row.numbers, row.apart
+
+
+def _units(row: JointRow) -> list[str]:
+    """Return the units of the rows of a joint, of as many as there may be."""
+    units = CONSTRAINTS[row.kind].units
+    return [*units, *["1"] * (MOST_ROWS - len(units))]
 
 
 def _separations(joints: Sequence[Joint], pose: Array) -> tuple[Array, Array]:
@@ -253,7 +352,8 @@ def _separations(joints: Sequence[Joint], pose: Array) -> tuple[Array, Array]:
     lengths, angles = np.zeros(len(joints)), np.zeros(len(joints))
     of_model: dict[str, list[int]] = {}
     for k, joint in enumerate(joints):
-        of_model.setdefault(joint.model, []).append(k)
+        if joint.rigid:
+            of_model.setdefault(joint.model, []).append(k)
     poses = np.vstack((pose, np.zeros((1, 3))))  # the last one is the plane's
     for model, own in of_model.items():
         values: dict[str, Any] = {}
@@ -278,7 +378,8 @@ def _joint_of(data: Mapping[str, Any]) -> Joint:
         (str(name), (float(value[0]), float(value[1])) if isinstance(value, list) else float(value))
         for name, value in data["parameters"]
     )
-    joint = Joint(**{**data, "parameters": parameters, "equations": ()})
+    freedoms = tuple(_freedom_of(each) for each in data["freedoms"])
+    joint = Joint(**{**data, "parameters": parameters, "equations": (), "freedoms": freedoms})
     anchors = tuple((float(x), float(y)) for x, y in joint.anchors)
     ends = tuple(None if body is None else int(body) for body in joint.ends)
     if len(anchors) != len(ENDS) or len(ends) != len(ENDS) or joint.model not in KINDS:
@@ -290,6 +391,13 @@ def _joint_of(data: Mapping[str, Any]) -> Joint:
         ends=(ends[0], ends[1], ends[2]),
         anchors=(anchors[0], anchors[1], anchors[2]),
     )
+
+
+def _freedom_of(data: Mapping[str, Any]) -> Freedom:
+    """Return what a joint leaves free, of plain data."""
+    kinds: dict[str, Any] = {"limits": Limits, "motor": Motor, "spring": JointSpring}
+    parts = {key: None if data[key] is None else kind(**data[key]) for key, kind in kinds.items()}
+    return Freedom(**{**data, **parts})
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
 from tamias2d.simulator.batch import scene_batch
 from tamias2d.simulator.exclusive import busy, exclusive
 from tamias2d.simulator.invalid_state import invalid_state
-from tamias2d.simulator.joint_set import JointSet, Reactions, Standing
+from tamias2d.simulator.joint_set import APART, JointSet, Reactions, Standing
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
 from tamias2d.simulator.selection import Bodies, selected
@@ -148,8 +148,8 @@ class Simulator(Views):
             SimulationError: a force that varies has no finite value.
 
         Warns:
-            StepWarning: the time step is too long for a force that varies, once for each; or for
-                springs, once.
+            StepWarning: the time step is too long for a force that varies or for a joint, once for
+                each; or for springs, once.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
@@ -173,6 +173,8 @@ class Simulator(Views):
         """Take some steps, or raise `RuleError`."""
         if (invalid := self._engine.step(count)) is not None:
             raise invalid_state(invalid, self._engine.kind, self._name_of)
+        if len(self._joints):
+            self._warn_apart()
         if self._warned.get(_LOSSY) is None and (row := self._engine.lossy_springs) >= 0:
             self._warned[_LOSSY] = (
                 f"springs of {self._name_of(row)}, before {self.time:.6g} s: in the shortest parts "
@@ -180,6 +182,19 @@ class Simulator(Views):
                 "and their energy is not kept (IM14). Give a shorter step."
             )
             warn(self._warned[_LOSSY], StepWarning, stacklevel=3)
+
+    def _warn_apart(self) -> None:
+        """Warn of a joint that was far apart, once for each."""
+        if (found := self._joints.apart(self._engine)) is None:
+            return
+        joint, much = found
+        if (key := f"joint {joint.name}") not in self._warned:
+            self._warned[key] = (
+                f"joint '{joint.name}' ({joint.kind}), before {self.time:.6g} s: it was {much:.2g} "
+                f"apart (m or rad) in a step of {self._time_step:.6g} s, more than {APART:g} of "
+                "its size (R13). Give a shorter step or more substeps."
+            )
+            warn(self._warned[key], StepWarning, stacklevel=4)
 
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
@@ -246,7 +261,7 @@ class Simulator(Views):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What was warned of so far: each force, and springs, for which the step is too long."""
+        """What was warned of so far: forces, joints and springs for which the step is too long."""
         return tuple(self._warned.values())
 
     # -- pushing

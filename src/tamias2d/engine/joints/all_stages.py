@@ -2,6 +2,7 @@
 
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.islands import join_islands
+from tamias2d.engine.joints.flight import mark_joined, take_whole_steps, unless_joined
 from tamias2d.engine.joints.stages import (
     activate_joined,
     begin_joints,
@@ -11,6 +12,7 @@ from tamias2d.engine.joints.stages import (
     join_slabs,
     keep_joint_impulses,
     note_mechanisms,
+    note_places,
     relax_in_turns,
     relax_joints,
     solve_joints,
@@ -27,12 +29,16 @@ JOINT_STAGES = (
     join_islands,
     join_slabs,
     keep_joint_impulses,
+    mark_joined,
     note_joined_support,
     note_mechanisms,
+    note_places,
     relax_in_turns,
     relax_joints,
     solve_joints,
     charge_joined,
     support_joined,
+    take_whole_steps,
+    unless_joined,
     without_kept_apart,
 )

@@ -16,18 +16,25 @@ from tamias2d.engine.tables import (
     DY,
     E_NODE_A,
     HELD_INVERSE_INERTIA,
+    HOLDS,
     I_NODE,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    J_APART,
     J_EDGE,
     J_FIRMNESS,
     J_FORCE,
     J_KIND,
+    J_LAW,
     J_MEMBER,
     J_NODE,
     J_ROW,
     J_ROWS,
+    J_STATE,
     JOINED_SLOT,
+    KEPT,
+    LAW_DAMPING,
+    LAW_STIFFNESS,
     LEANING,
     M_JOINT,
     M_MESHED,
@@ -41,6 +48,7 @@ from tamias2d.engine.tables import (
     PLACE_X,
     PLACE_Y,
     SPIN,
+    SPRING,
     VX,
     VY,
     Bodies,
@@ -59,6 +67,7 @@ from tamias2d.generated.joint_step import (
     inertia_held,
     leaning,
     row_yield,
+    spring_firmness,
 )
 from tamias2d.generated.soft_contact import shift_later, turn_later
 from tamias2d.kernels.assembled import inlined
@@ -68,23 +77,48 @@ FIRM = 1e8  # firmness of a row, for each unit of its own mass
 ENDS_OF_JOINT = 3
 
 
-def linearise(n: int, bodies: Bodies, joints: Joints) -> bool:
+def linearise(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Write the rows of a mechanism where its bodies are, and factor its matrix."""
     first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
     place_members(first + 1, last + 1, 0.0, bodies, joints)
-    meshed = joints.mechanisms[n, M_MESHED] == 1
-    for pivot in range(first, first if meshed else last):
-        clear_pivot(pivot, joints.sparse, joints.factors)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
         place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
         joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+        note_apart(ends, numbers)
+    factor_mechanism(n, substep, bodies, joints)
+
+
+def note_apart(ends: Integers, numbers: Array) -> None:
+    """Note by how much the rows of a joint are apart, if that is more than before."""
+    for r in range(ends[J_ROWS] if ends[J_LAW] == KEPT else 0):
+        numbers[J_APART + r] = max(numbers[J_APART + r], abs(numbers[J_ROW + ROW * r]))
+
+
+def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Find how firm the rows of a mechanism are that hold, and factor its matrix."""
+    meshed = joints.mechanisms[n, M_MESHED] == 1
+    first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+    for pivot in range(first, first if meshed else last):
+        clear_pivot(pivot, joints.sparse, joints.factors)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[J_ROWS]):
-            numbers[J_FIRMNESS + r] = firmness_of(r, ends, numbers, bodies, joints)
+            firm = firmness_of(r, ends, numbers, bodies, joints)
+            numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
             if not meshed:
                 add_joint_row(r, ends, numbers, joints)
-    return True if meshed else factor(n, joints.sparse, joints.factors)
+    if not meshed:
+        factor(n, joints.sparse, joints.factors)
+
+
+def firmness_by_law(firm: float, j: int, substep: float, joints: Joints) -> float:
+    """Return how firm a row is, kg, where one that is kept is so firm."""
+    if joints.joints[j, J_LAW] == SPRING:
+        law = joints.laws[j]
+        return min(firm, spring_firmness(law[LAW_STIFFNESS], law[LAW_DAMPING], substep))
+    return firm if joints.joints[j, J_STATE] == HOLDS else 0.0
 
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:

@@ -1,5 +1,6 @@
 """Joints as rows of the engine's arrays: which bodies they hold, and how these form mechanisms."""
 
+import math
 from collections.abc import Iterable, Sequence
 from itertools import chain, combinations
 from typing import NamedTuple
@@ -14,24 +15,34 @@ from tamias2d.engine.tables import (
     E_NODE_A,
     E_NODE_B,
     FILL,
+    HOLDS,
     I_NODE,
     ISLANDS_KNOWN,
     J_EDGE,
     J_KIND,
+    J_LAW,
     J_MEMBER,
     J_NODE,
     J_ROWS,
+    J_STATE,
     JOINED_BODY,
     JOINTS,
+    KEPT,
+    LOWER_LIMIT,
+    M_DRIVEN,
+    M_GOVERNED,
     M_JOINT,
     M_MESHED,
     M_TIED,
     MECHANISMS,
+    MOTOR,
     PIVOT_COUNT,
     PIVOT_FIRST,
     PIVOT_NODE,
+    SPRING,
     STANDS_STILL,
     UNUSED,
+    UPPER_LIMIT,
 )
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
@@ -50,6 +61,20 @@ class JointRow(NamedTuple):
     """Its parameters, SI units."""
     apart: bool
     """Whether its bodies may not touch each other."""
+    law: int = KEPT
+    """What governs it, one of those in `tables`."""
+    numbers: tuple[float, float, float, float] = (0.0, math.inf, 0.0, 0.0)
+    """Of its law: rate, maximum, stiffness and damping."""
+
+    @property
+    def driven(self) -> bool:
+        """Whether it may give energy."""
+        return (self.law == MOTOR and self.numbers[0] != 0) or self.law == SPRING
+
+    @property
+    def governed(self) -> bool:
+        """Whether it may hold or not."""
+        return self.law in (LOWER_LIMIT, UPPER_LIMIT, MOTOR)
 
 
 def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
@@ -146,6 +171,10 @@ def _write_joints(
                 for end, body in zip(ENDS, row.ends, strict=True)
             ]
             joints.mechanisms[n, M_TIED] |= STANDS_STILL in nodes
+            joints.mechanisms[n, M_DRIVEN] |= row.driven
+            joints.mechanisms[n, M_GOVERNED] |= row.governed
+            joints.joints[j, [J_LAW, J_STATE]] = row.law, HOLDS
+            joints.laws[j] = row.numbers
             joints.joints[j, J_MEMBER : J_MEMBER + 3] = own
             joints.joints[j, J_NODE : J_NODE + 3] = nodes
             joints.joints[j, J_EDGE : J_EDGE + 3] = [

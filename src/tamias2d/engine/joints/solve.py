@@ -7,30 +7,36 @@ Cost: a visit to each joint and a substitution for each iteration.
 """
 
 from tamias2d.engine.direct.cholesky import substitute
+from tamias2d.engine.joints.governed import choose_rows
+from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, place_members
+from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, factor_mechanism, place_members
 from tamias2d.engine.tables import (
     CHANGE,
-    HELD_INVERSE_INERTIA,
     I_NODE,
-    INVERSE_MASS,
     J_AIM,
     J_ERROR,
     J_FIRMNESS,
+    J_GIVEN,
     J_IMPULSE,
     J_KIND,
+    J_LAW,
     J_MEMBER,
     J_NODE,
-    J_PULL,
     J_ROW,
     J_ROWS,
-    J_TOTAL,
     J_WARM,
     JOINED_SLOT,
+    LAW_DAMPING,
+    LAW_RATE,
+    LAW_STIFFNESS,
+    LOWER_LIMIT,
+    M_GOVERNED,
     M_JOINT,
     M_MESHED,
+    MOTOR,
     SPIN,
-    SUBSTEP_START,
+    UPPER_LIMIT,
     VX,
     VY,
     Bodies,
@@ -39,36 +45,57 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.joint_rows import ROW, joint_values
 from tamias2d.generated.joint_step import (
     angular_momentum_later,
-    angular_velocity_later,
+    drive_error,
     momentum_later,
     row_aim,
     row_error,
     row_impulse,
     row_rate,
-    velocity_later,
+    spring_error,
 )
 
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 MOST_ITERATIONS_OF_JOINTS = 5
+MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
 SOLVED_RATE = 1e-4  # of the largest error of the first iteration: as good as solved
 
 
 def aim_joints(n: int, length: float, joints: Joints) -> None:
     """Note to which values a substep brings the rows of a mechanism, which were just written.
 
-    Its length is a share of that of a substep of a whole step: shorter ones remove less.
+    Its length is a share of that of a substep of a whole step: shorter ones remove less. A limit
+    aims at nothing unless it is passed already.
     """
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        numbers = joints.numbers[j]
+        numbers, law = joints.numbers[j], joints.joints[j, J_LAW]
         for r in range(joints.joints[j, J_ROWS]):
-            numbers[J_AIM + r] = row_aim(numbers[J_ROW + ROW * r], REMOVED_BY_JOINTS * length)
+            value = numbers[J_ROW + ROW * r]
+            if law == LOWER_LIMIT:
+                value = min(value, 0.0)
+            elif law == UPPER_LIMIT:
+                value = max(value, 0.0)
+            numbers[J_AIM + r] = row_aim(value, REMOVED_BY_JOINTS * length)
+            numbers[J_GIVEN + r] = 0.0
 
 
 def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Change the velocities of a mechanism so that a substep, s, leads to what its rows aim at.
 
-    Again, they have changed little. A mesh is solved once only: what is left of its rows is made
-    up for in the next substep.
+    Again, they have changed little. Limits push only, and motors give no more than they can.
+    """
+    bring_to_aims(n, again, substep, bodies, joints)
+    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_GOVERNED] == 1 else 0):
+        find_position_errors(n, substep, bodies, joints)
+        if not choose_rows(n, substep, bodies, joints):
+            return
+        factor_mechanism(n, substep, bodies, joints)
+        bring_to_aims(n, True, substep, bodies, joints)
+
+
+def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a mechanism so that a substep brings its rows where they are to be.
+
+    A mesh is solved once only: what is left of its rows is made up for in the next substep.
     """
     if joints.mechanisms[n, M_MESHED] == 1:
         find_position_errors(n, substep, bodies, joints)
@@ -99,7 +126,9 @@ def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None
     for _ in range(1 if joints.mechanisms[n, M_MESHED] == 1 else 2):
         for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
             for r in range(joints.joints[j, J_ROWS]):
-                joints.numbers[j, J_ERROR + r] = rate_of_row(j, r, bodies, joints)
+                kept = joints.joints[j, J_LAW] < MOTOR
+                rate = rate_of_row(j, r, bodies, joints) if kept else 0.0
+                joints.numbers[j, J_ERROR + r] = rate
         solve_joint_errors(n, bodies, joints)
 
 
@@ -107,7 +136,9 @@ def start_impulses(n: int, share: float, joints: Joints) -> None:
     """Let a mesh start from a share of the impulses of the last substep."""
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_IMPULSE + r] = share * joints.numbers[j, J_WARM + r]
+            numbers = joints.numbers[j]
+            own = share if numbers[J_FIRMNESS + r] > 0.0 else 0.0
+            numbers[J_IMPULSE + r] = own * numbers[J_WARM + r]
 
 
 def keep_impulses(n: int, joints: Joints) -> None:
@@ -129,10 +160,25 @@ def find_position_errors(n: int, substep: float, bodies: Bodies, joints: Joints)
         place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
         joint_values(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
         for r in range(ends[J_ROWS]):
-            error = row_error(numbers[J_ROW + ROW * r], numbers[J_AIM + r], substep)
+            error = error_of_row(j, r, substep, bodies, joints)
             numbers[J_ERROR + r] = error
             size += numbers[J_FIRMNESS + r] * error * error
     return size
+
+
+def error_of_row(j: int, r: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Return the rate that a row of a joint has too much, whose value is that to which it leads."""
+    numbers, law = joints.numbers[j], joints.laws[j]
+    value, firm = numbers[J_ROW + ROW * r], numbers[J_FIRMNESS + r]
+    if joints.joints[j, J_LAW] < MOTOR:
+        return row_error(value, numbers[J_AIM + r], substep)
+    rate = rate_of_row(j, r, bodies, joints)
+    if joints.joints[j, J_LAW] == MOTOR:
+        return drive_error(rate, law[LAW_RATE])
+    stiffness, damping = law[LAW_STIFFNESS], law[LAW_DAMPING]
+    if firm == 0.0:
+        return 0.0
+    return spring_error(value, rate, numbers[J_GIVEN + r], stiffness, damping, firm, substep)
 
 
 def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
@@ -191,29 +237,3 @@ def add_to_ends(j: int, r: int, impulse: float, joints: Joints) -> None:
             change[CHANGE + 2] = angular_momentum_later(
                 change[CHANGE + 2], impulse, numbers[at + 2]
             )
-
-
-def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: Joints) -> None:
-    """Give the bodies of a joint the impulse of a row, and add it to those of the step.
-
-    It is not what contacts have done, and so it also changes with what the substep began.
-    """
-    ends, numbers = joints.joints[j], joints.numbers[j]
-    numbers[J_PULL + r] += impulse
-    for end in range(ENDS_OF_JOINT):
-        i, at = joints.members[ends[J_MEMBER + end], JOINED_SLOT], J_ROW + ROW * r + 1 + 3 * end
-        slope, turning, to = (numbers[at], numbers[at + 1]), numbers[at + 2], J_TOTAL + 3 * end
-        numbers[to], numbers[to + 1] = momentum_later(
-            (numbers[to], numbers[to + 1]), impulse, slope
-        )
-        numbers[to + 2] = angular_momentum_later(numbers[to + 2], impulse, turning)
-        if ends[J_NODE + end] >= 0:
-            inverse_mass = bodies.properties[i, INVERSE_MASS]
-            now, state = bodies.motion[i], bodies.substep_state[i]
-            by_x, by_y = velocity_later((0.0, 0.0), impulse, slope, inverse_mass)
-            held = joints.places[ends[J_MEMBER + end], HELD_INVERSE_INERTIA]
-            turn = angular_velocity_later(0.0, impulse, turning, held)
-            now[VX], now[VY], now[SPIN] = now[VX] + by_x, now[VY] + by_y, now[SPIN] + turn
-            state[SUBSTEP_START] += by_x
-            state[SUBSTEP_START + 1] += by_y
-            state[SUBSTEP_START + 2] += turn

@@ -6,8 +6,10 @@ ends of each substep; one that is touched is solved before and after the contact
 """
 
 from tamias2d.engine.joints.energy import bound_mechanism
+from tamias2d.engine.joints.governed import begin_motors
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
+from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.lanes import relax
 from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
@@ -20,6 +22,7 @@ from tamias2d.engine.tables import (
     IMPULSE_RATIO,
     IN_CONTACT,
     INCREMENT,
+    J_APART,
     J_FORCE,
     J_PULL,
     J_STEP_TOTAL,
@@ -28,6 +31,7 @@ from tamias2d.engine.tables import (
     JOINED_BODY,
     JOINED_SLOT,
     JOINTS,
+    M_DRIVEN,
     M_JOINT,
     M_STATUS,
     MECHANISMS,
@@ -65,14 +69,21 @@ def clear_of_joints(clear: bool, world: World) -> bool:
     return clear and world.joints.counts[JOINTS] == 0
 
 
-def note_mechanisms(world: World) -> None:
-    """Note where the members of mechanisms are, and which of these are awake, before arranging."""
+def note_places(world: World) -> None:
+    """Note which slots the members of mechanisms have, as a batch of steps begins."""
     joints = world.joints
     if joints.counts[JOINTS] == 0:
         return
     joints.members[0, JOINED_SLOT] = len(world.bodies.kind) - 1  # the plane is the idle body
     for m in range(1, len(joints.members)):
         joints.members[m, JOINED_SLOT] = world.state.slot_of_body[joints.members[m, JOINED_BODY]]
+
+
+def note_mechanisms(world: World) -> None:
+    """Place the members of mechanisms, and note which of these are awake, before arranging."""
+    joints = world.joints
+    if joints.counts[JOINTS] == 0:
+        return
     place_members(0, len(joints.members), 0.0, world.bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
         asleep = is_asleep(n, world.islands, joints)
@@ -125,7 +136,7 @@ def begin_joints(substep: float, world: World) -> None:
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
             note_node_masses(n, substep, bodies, joints)
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
-            linearise(n, bodies, joints)
+            linearise(n, substep, bodies, joints)
             if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
                 kick_half(n, False, bodies, joints)
 
@@ -133,7 +144,7 @@ def begin_joints(substep: float, world: World) -> None:
 def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
     """Begin to add up the impulses of a part; those of a mesh count for a substep of this one."""
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for k in range(J_TOTAL, J_PULL + 3):
+        for k in range(J_TOTAL, J_APART + 3):
             joints.numbers[j, k] = 0.0
         for k in range(J_WARM, J_WARM + 3):
             joints.numbers[j, k] *= ratio
@@ -167,17 +178,18 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
         if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
             if not again:
                 aim_joints(n, length, joints)
+                begin_motors(n, substep, bodies, joints)
             keep_positions(n, again, substep, bodies, joints)
 
 
-def relax_joints(world: World) -> None:
+def relax_joints(substep: float, world: World) -> None:
     """Find the rows where bodies are, and let the velocities of touched mechanisms fit them."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            linearise(n, bodies, joints)
+            linearise(n, substep, bodies, joints)
     fit_velocities(bodies, joints)
 
 
@@ -208,13 +220,22 @@ def end_joints(world: World) -> None:
         if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
             keep_velocities(n, 0.5, bodies, joints)
-            bound_mechanism(n, world.control, bodies, joints, world.islands)
+            if joints.mechanisms[n, M_DRIVEN] == 0:
+                bound_mechanism(n, world.control, bodies, joints, world.islands)
 
 
 def charge_touched(world: World) -> None:
-    """Charge all that moves for what it does against forces, if contacts touch mechanisms."""
+    """Charge all that moves for what it does against forces, if contacts touch mechanisms.
+
+    One that is driven may give any energy.
+    """
+    joints = world.joints
     energy = world.constraints.energy
-    if world.joints.counts[MECHANISMS_AWAKE] > 0 and world.joints.counts[MECHANISMS_TOUCHED] > 0:
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_DRIVEN] == 1 and joints.mechanisms[n, M_STATUS] != ASLEEP:
+            energy[TOTAL_WORK] = UNLIMITED
+            return
+    if joints.counts[MECHANISMS_AWAKE] > 0 and joints.counts[MECHANISMS_TOUCHED] > 0:
         lost = min(energy[TOTAL_WORK], 0.0)
         energy[TOTAL_ENERGY_START] = kinetic_energy_most(energy[TOTAL_ENERGY_START], lost)
         energy[TOTAL_WORK] = max(energy[TOTAL_WORK], 0.0)

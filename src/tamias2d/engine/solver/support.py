@@ -5,6 +5,7 @@ supports move against each other has no bound. A free island is seen from its ce
 moved when the step began: there, gravity does no work that contacts could take for theirs.
 """
 
+from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.tables import (
     ACTIVE,
     DYNAMIC,
@@ -15,6 +16,7 @@ from tamias2d.engine.tables import (
     J_MEMBER,
     J_NODE,
     JOINED_SLOT,
+    M_DRIVEN,
     M_JOINT,
     MECHANISMS,
     MOMENTUM_X,
@@ -114,13 +116,14 @@ def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
 def charge_joined(islands: Islands, joints: Joints) -> None:
     """Charge the islands of mechanisms for what they do against gravity and forces (IM15).
 
-    Joints that bring bodies back would otherwise lift them for nothing, again and again.
+    Joints that bring bodies back would otherwise lift them for nothing, again and again. One that
+    is driven may give any energy.
     """
     for n in range(joints.counts[MECHANISMS]):
         root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
         row = islands.energy[root]
         row[ENERGY_START] = kinetic_energy_most(row[ENERGY_START], min(row[WORK], 0.0))
-        row[WORK] = max(row[WORK], 0.0)
+        row[WORK] = UNLIMITED if joints.mechanisms[n, M_DRIVEN] == 1 else max(row[WORK], 0.0)
 
 
 def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
