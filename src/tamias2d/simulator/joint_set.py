@@ -17,14 +17,9 @@ from tamias2d.engine.joints.rows import JointRow
 from tamias2d.engine.saved_checks import require
 from tamias2d.engine.tables import (
     ABSENT,
-    AT_LEAST,
-    AT_MOST,
     BOUNDING_RADIUS,
     DYNAMIC,
-    FREE_ROW,
-    HOLDS,
     J_APART,
-    J_STATE,
     J_STEP_TOTAL,
     J_WARM,
     KEPT,
@@ -46,8 +41,7 @@ from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
 _KEPT = slice(J_STEP_TOTAL, J_WARM + MOST_ROWS)  # numbers of a joint that a step leaves to the next
-_COUNT = _KEPT.stop - _KEPT.start + 1  # and its state
-_STATES = (HOLDS, FREE_ROW, AT_MOST, AT_LEAST)
+_COUNT = _KEPT.stop - _KEPT.start
 APART = 1e-3
 """Of the size of a joint, or rad: one that is farther apart is told."""
 
@@ -153,19 +147,17 @@ class JointSet:
         self._places = np.zeros(len(rows), dtype=np.int64)
         self._places[order] = places
         sizes = np.array([_size(joint, engine) for joint in joints])
-        lengths = np.array([[unit == "m" for unit in _units(row)] for _, row in rows]).reshape(
-            -1, MOST_ROWS
-        )
-        self._most_apart = APART * np.where(lengths, sizes[self._owner, None], 1.0)
+        units = np.array([_units(row) for _, row in rows]).reshape(-1, MOST_ROWS)
+        self._most_apart = APART * np.where(units == "m", sizes[self._owner, None], 1.0)
         if self._saved is not None and self._restored:
-            held = engine.world.joints
-            held.numbers[self._places, _KEPT] = self._saved[:, :-1]
-            held.joints[self._places, J_STATE] = self._saved[:, -1]
+            engine.world.joints.numbers[self._places, _KEPT] = self._saved
         self.new = self._restored = False
 
     def apart(self, engine: Engine) -> tuple[Joint, float] | None:
         """Return a joint that was far apart within the last steps, and by how much; or None."""
-        found = engine.world.joints.numbers[self._places, J_APART : J_APART + MOST_ROWS]
+        numbers = engine.world.joints.numbers
+        found = numbers[self._places, J_APART : J_APART + MOST_ROWS]
+        numbers[:, J_APART : J_APART + MOST_ROWS] = 0.0
         if not (found > self._most_apart).any():
             return None
         worst = np.unravel_index(np.argmax(found / self._most_apart), found.shape)
@@ -178,16 +170,14 @@ class JointSet:
     def totals(self, engine: Engine) -> Array:
         """Return what the last step left of each row: first the impulses on A, B and C.
 
-        These are three numbers each, N s, N s and N m s; the last number is the row's state.
+        These are three numbers each, N s, N s and N m s.
         """
         if self._saved is not None:
             return self._saved
         if self.new:
             rows = sum(len(joint_rows(joint)) for joint in self._joints.values())
             return np.zeros((rows, _COUNT))
-        held = engine.world.joints
-        states = held.joints[self._places, J_STATE].astype(float)
-        return np.column_stack((held.numbers[self._places, _KEPT], states))
+        return engine.world.joints.numbers[self._places, _KEPT]
 
     def reactions(self, engine: Engine, time_step: float) -> Reactions:
         """Return what joints exerted in the last step, and how well they hold now."""
@@ -247,7 +237,6 @@ class JointSet:
             fits = totals is not None and totals.dtype == np.float64
             require(fits and totals.shape == (len(rows), _COUNT), name, "have no impulses")  # type: ignore[union-attr]
             require(np.isfinite(cast(Array, totals)), name, "must be numbers")
-            require(np.isin(cast(Array, totals)[:, -1], _STATES), name, "have no states")
             own._saved, own._restored = cast(Array, totals).copy(), True
         return own
 
@@ -325,11 +314,8 @@ def _row(
 
 def _size(joint: Joint, engine: Engine) -> float:
     """Return how large a joint and the bodies that it holds are, m; infinite if they are points."""
-    lengths = [
-        math.hypot(*anchor)
-        for anchor, k in zip(joint.anchors, joint.ends, strict=True)
-        if k is not None
-    ]
+    held = zip(joint.anchors, joint.ends, strict=True)
+    lengths = [math.hypot(*anchor) for anchor, body in held if body is not None]
     lengths += [float(engine.world.state.properties[k, BOUNDING_RADIUS]) for k in joint.bodies]
     lengths += [abs(float(value)) for name, value in joint.parameters if name == "joint_length"]
     return max(lengths) or math.inf

@@ -28,6 +28,14 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.joint_step import row_impulse_most
 
 
+def begin_rows(n: int, joints: Joints) -> None:
+    """Let the limits of a mechanism be free as a part of a step begins, and its motors hold."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        law = joints.joints[j, J_LAW]
+        limits = (law == LOWER_LIMIT) | (law == UPPER_LIMIT)
+        joints.joints[j, J_STATE] = FREE_ROW if limits else HOLDS
+
+
 def begin_motors(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Let the motors of a mechanism that gave the most that they can do so again, to begin with."""
     if joints.mechanisms[n, M_GOVERNED] == 0:

@@ -15,7 +15,6 @@ from tamias2d.engine.tables import (
     E_NODE_A,
     E_NODE_B,
     FILL,
-    HOLDS,
     I_NODE,
     ISLANDS_KNOWN,
     J_EDGE,
@@ -24,7 +23,6 @@ from tamias2d.engine.tables import (
     J_MEMBER,
     J_NODE,
     J_ROWS,
-    J_STATE,
     JOINED_BODY,
     JOINTS,
     KEPT,
@@ -173,7 +171,7 @@ def _write_joints(
             joints.mechanisms[n, M_TIED] |= STANDS_STILL in nodes
             joints.mechanisms[n, M_DRIVEN] |= row.driven
             joints.mechanisms[n, M_GOVERNED] |= row.governed
-            joints.joints[j, [J_LAW, J_STATE]] = row.law, HOLDS
+            joints.joints[j, J_LAW] = row.law
             joints.laws[j] = row.numbers
             joints.joints[j, J_MEMBER : J_MEMBER + 3] = own
             joints.joints[j, J_NODE : J_NODE + 3] = nodes

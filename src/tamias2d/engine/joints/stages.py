@@ -6,7 +6,7 @@ ends of each substep; one that is touched is solved before and after the contact
 """
 
 from tamias2d.engine.joints.energy import bound_mechanism
-from tamias2d.engine.joints.governed import begin_motors
+from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.solver.energy import UNLIMITED
@@ -22,8 +22,8 @@ from tamias2d.engine.tables import (
     IMPULSE_RATIO,
     IN_CONTACT,
     INCREMENT,
-    J_APART,
     J_FORCE,
+    J_GIVEN,
     J_PULL,
     J_STEP_TOTAL,
     J_TOTAL,
@@ -135,6 +135,7 @@ def begin_joints(substep: float, world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
             note_node_masses(n, substep, bodies, joints)
+            begin_rows(n, joints)
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
             linearise(n, substep, bodies, joints)
             if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
@@ -144,7 +145,7 @@ def begin_joints(substep: float, world: World) -> None:
 def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
     """Begin to add up the impulses of a part; those of a mesh count for a substep of this one."""
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        for k in range(J_TOTAL, J_APART + 3):
+        for k in range(J_TOTAL, J_GIVEN + 3):
             joints.numbers[j, k] = 0.0
         for k in range(J_WARM, J_WARM + 3):
             joints.numbers[j, k] *= ratio
