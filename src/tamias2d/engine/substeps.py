@@ -167,7 +167,7 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     slabs = constraints.slabs
     first, last = bodies_of_stage(slab, constraints)
     integrate_positions(substep, first, last, bodies, world.touching)
-    relax_joints(substep, world)
+    relax_joints(world)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(True, tree, tree_end, substep, bodies, constraints, world.direct)
     relax(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)

@@ -729,7 +729,7 @@ M_STATUS = _mechanisms()  # one of those below
 M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration
 M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
-M_GOVERNED = _mechanisms()  # 1 if it has limits or motors
+M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
 
 _joint = Columns()  # whole numbers of a joint

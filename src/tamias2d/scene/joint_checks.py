@@ -10,8 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from tamias2d.scene.bodies import Body
-from tamias2d.scene.freedoms import at_rest as freedoms_at_rest
-from tamias2d.scene.freedoms import refuse_crossed
+from tamias2d.scene.freedoms import at_rest as freedoms_at_rest, refuse_crossed
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joint_start import Start
 from tamias2d.scene.joints import End, Joint

@@ -261,25 +261,12 @@ class JointSet:
 def refuse_unknown(joints: Iterable[Joint]) -> None:
     """Raise `RuleError` where a joint has what steps do not know."""
     for joint in joints:
-        if what := _unknown(joint):
+        if what := joint.beyond_steps:
             raise RuleError(
                 f"joint '{joint.name}' ({joint.kind}): steps know no {what} (R13). Leave it out, "
                 "or take simulate(scene, ...) without Stepped(), which knows it.",
                 "joints",
             )
-
-
-def _unknown(joint: Joint) -> str | None:
-    """Return what steps do not know of a joint, or None."""
-    if joint.model not in KINDS:
-        return "equation of one's own"
-    if joint.breaks:
-        return "breaking of joints"
-    if any(each.pitch is not None for each in joint.freedoms):
-        return "ratchets"
-    if any(each.limits and each.limits.restitution > 0 for each in joint.freedoms):
-        return "restitution of limits but 0"
-    return None
 
 
 def joint_rows(joint: Joint) -> list[JointRow]:

@@ -77,8 +77,8 @@ FIRM = 1e8  # firmness of a row, for each unit of its own mass
 ENDS_OF_JOINT = 3
 
 
-def linearise(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Write the rows of a mechanism where its bodies are, and factor its matrix."""
+def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Write the rows of a mechanism where its bodies are, and factor its matrix for velocities."""
     first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
     place_members(first + 1, last + 1, 0.0, bodies, joints)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
@@ -87,7 +87,7 @@ def linearise(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
         place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
         joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
         note_apart(ends, numbers)
-    factor_mechanism(n, substep, bodies, joints)
+    factor_mechanism(n, 0.0, bodies, joints)
 
 
 def note_apart(ends: Integers, numbers: Array) -> None:
@@ -97,7 +97,10 @@ def note_apart(ends: Integers, numbers: Array) -> None:
 
 
 def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Find how firm the rows of a mechanism are that hold, and factor its matrix."""
+    """Find how firm the rows of a mechanism are that hold, and factor its matrix.
+
+    Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
+    """
     meshed = joints.mechanisms[n, M_MESHED] == 1
     first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
     for pivot in range(first, first if meshed else last):

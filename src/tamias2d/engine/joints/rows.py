@@ -26,7 +26,6 @@ from tamias2d.engine.tables import (
     JOINED_BODY,
     JOINTS,
     KEPT,
-    LOWER_LIMIT,
     M_DRIVEN,
     M_GOVERNED,
     M_JOINT,
@@ -40,7 +39,6 @@ from tamias2d.engine.tables import (
     SPRING,
     STANDS_STILL,
     UNUSED,
-    UPPER_LIMIT,
 )
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
@@ -71,8 +69,8 @@ class JointRow(NamedTuple):
 
     @property
     def governed(self) -> bool:
-        """Whether it may hold or not."""
-        return self.law in (LOWER_LIMIT, UPPER_LIMIT, MOTOR)
+        """Whether it is a limit, a motor or a spring."""
+        return self.law != KEPT
 
 
 def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:

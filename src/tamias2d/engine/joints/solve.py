@@ -83,6 +83,8 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
 
     Again, they have changed little. Limits push only, and motors give no more than they can.
     """
+    if joints.mechanisms[n, M_GOVERNED] == 1 and not again:
+        factor_mechanism(n, substep, bodies, joints)
     bring_to_aims(n, again, substep, bodies, joints)
     for _ in range(MOST_CHOICES if joints.mechanisms[n, M_GOVERNED] == 1 else 0):
         find_position_errors(n, substep, bodies, joints)
@@ -126,8 +128,9 @@ def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None
     for _ in range(1 if joints.mechanisms[n, M_MESHED] == 1 else 2):
         for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
             for r in range(joints.joints[j, J_ROWS]):
-                kept = joints.joints[j, J_LAW] < MOTOR
-                rate = rate_of_row(j, r, bodies, joints) if kept else 0.0
+                rate = rate_of_row(j, r, bodies, joints)
+                if joints.joints[j, J_LAW] == MOTOR:
+                    rate = drive_error(rate, joints.laws[j, LAW_RATE])
                 joints.numbers[j, J_ERROR + r] = rate
         solve_joint_errors(n, bodies, joints)
 

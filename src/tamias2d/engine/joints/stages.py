@@ -32,6 +32,7 @@ from tamias2d.engine.tables import (
     JOINED_SLOT,
     JOINTS,
     M_DRIVEN,
+    M_GOVERNED,
     M_JOINT,
     M_STATUS,
     MECHANISMS,
@@ -99,7 +100,10 @@ def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
 
 
 def activate_joined(world: World) -> None:
-    """Make the bodies of mechanisms active, and note which mechanisms contacts touch."""
+    """Make the bodies of mechanisms active, and note which mechanisms contacts touch.
+
+    Those with limits, motors or springs are solved as those that are touched.
+    """
     joints, bodies = world.joints, world.bodies
     awake = touched_ones = 0
     for n in range(joints.counts[MECHANISMS]):
@@ -108,6 +112,7 @@ def activate_joined(world: World) -> None:
             touched = 0
             for m in range(first + 1, last + 1):
                 touched += bodies.moved[joints.members[m, JOINED_SLOT]]
+            touched += joints.mechanisms[n, M_GOVERNED]
             joints.mechanisms[n, M_STATUS] = IN_CONTACT if touched > 0 else FREE_OF_CONTACTS
             awake += 1
             touched_ones += touched > 0
@@ -137,7 +142,7 @@ def begin_joints(substep: float, world: World) -> None:
             note_node_masses(n, substep, bodies, joints)
             begin_rows(n, joints)
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
-            linearise(n, substep, bodies, joints)
+            linearise(n, bodies, joints)
             if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
                 kick_half(n, False, bodies, joints)
 
@@ -183,14 +188,14 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
             keep_positions(n, again, substep, bodies, joints)
 
 
-def relax_joints(substep: float, world: World) -> None:
+def relax_joints(world: World) -> None:
     """Find the rows where bodies are, and let the velocities of touched mechanisms fit them."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            linearise(n, substep, bodies, joints)
+            linearise(n, bodies, joints)
     fit_velocities(bodies, joints)
 
 
@@ -221,8 +226,7 @@ def end_joints(world: World) -> None:
         if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
             keep_velocities(n, 0.5, bodies, joints)
-            if joints.mechanisms[n, M_DRIVEN] == 0:
-                bound_mechanism(n, world.control, bodies, joints, world.islands)
+            bound_mechanism(n, world.control, bodies, joints, world.islands)
 
 
 def charge_touched(world: World) -> None:
