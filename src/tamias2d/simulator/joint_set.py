@@ -304,7 +304,7 @@ def _size(joint: Joint, engine: Engine) -> float:
     held = zip(joint.anchors, joint.ends, strict=True)
     lengths = [math.hypot(*anchor) for anchor, body in held if body is not None]
     lengths += [float(engine.world.state.properties[k, BOUNDING_RADIUS]) for k in joint.bodies]
-    lengths += [abs(float(value)) for name, value in joint.parameters if name == "joint_length"]
+    lengths += [value for value in (joint.given.get("joint_length"),) if isinstance(value, float)]
     return max(lengths) or math.inf
 
 
