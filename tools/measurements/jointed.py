@@ -222,7 +222,10 @@ def random_mechanism(seed: int) -> Scene:
     rng, scene = random.Random(seed), Scene(gravity=(0.0, -_G))
     for k in range(rng.randint(2, 8)):
         place, turn = (rng.uniform(-2, 2), rng.uniform(-2, 2)), rng.uniform(-3, 3)
-        size: dict[str, Any] = {"mass": 10 ** rng.uniform(-1, 1), "inertia": 10 ** rng.uniform(-2, 0)}
+        size: dict[str, Any] = {
+            "mass": 10 ** rng.uniform(-1, 1),
+            "inertia": 10 ** rng.uniform(-2, 0),
+        }
         scene.add_body(None, position=place, orientation=turn, **size)
         if k or rng.random() < 0.7:
             _tie(scene, rng, rng.randrange(k) if k else None, k)

@@ -11,7 +11,7 @@ from tamias2d.engine.continuous.event_queue import update_event
 from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
-from tamias2d.engine.joints.flight import unless_joined
+from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.tables import (

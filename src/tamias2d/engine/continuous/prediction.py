@@ -10,7 +10,7 @@ from tamias2d.engine.continuous.conservative_advancement import place_vertices, 
 from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
-from tamias2d.engine.joints.flight import unless_joined
+from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.seams import clear_grounds, leave_seams_out

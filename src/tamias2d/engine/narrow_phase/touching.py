@@ -1,6 +1,6 @@
 """Which contacts touch, or may in this step, and where. Cost: linear in the contacts."""
 
-from tamias2d.engine.joints.flight import unless_joined
+from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import (
     ARRANGED,
