@@ -103,7 +103,9 @@ def test_specialisation(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_jointed() -> None:
-    found = jointed.measure(seconds=1, side=3, ragdolls=1)
-    assert len(found["rows"]) == 3 * 4
-    assert {len(row) for row in jointed.table(found)[1]} == {6}
+    found = jointed.measure(seconds=1, side=3, ragdolls=1, heap=1, random=2)
+    assert len(found["rows"]) == 3 * 6
+    heads, rows = jointed.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert jointed.notes(found)
     assert all(row["last"] < 1e-3 for row in found["rows"] if row["program"] == "Tamias2D")

@@ -222,11 +222,8 @@ def random_mechanism(seed: int) -> Scene:
     rng, scene = random.Random(seed), Scene(gravity=(0.0, -_G))
     for k in range(rng.randint(2, 8)):
         place, turn = (rng.uniform(-2, 2), rng.uniform(-2, 2)), rng.uniform(-3, 3)
-        size: dict[str, Any] = {
-            "mass": 10 ** rng.uniform(-1, 1),
-            "inertia": 10 ** rng.uniform(-2, 0),
-        }
-        scene.add_body(None, position=place, orientation=turn, **size)
+        mass, inertia = 10 ** rng.uniform(-1, 1), 10 ** rng.uniform(-2, 0)
+        scene.add_body(None, mass=mass, inertia=inertia, position=place, orientation=turn)
         if k or rng.random() < 0.7:
             _tie(scene, rng, rng.randrange(k) if k else None, k)
         if k > 2 and rng.random() < 0.2:
