@@ -26,6 +26,7 @@ from tamias2d.engine.tables import (
     LEAST_LEVEL,
     LEVEL,
     LIST_HOLDS,
+    MEETING,
     MOST_LEVEL,
     NEXT_LEVEL,
     PART_SUBSTEPS,
@@ -36,6 +37,7 @@ from tamias2d.engine.tables import (
     SLOT_B,
     SPIN,
     STAGE,
+    START_NOTED,
     SUBSTEPS,
     TICK,
     TIME_STEP,
@@ -95,9 +97,16 @@ def is_last_part(control: Control) -> bool:
     return counts[TICK] + (1 << (MOST_LEVEL - counts[LEVEL])) == 1 << MOST_LEVEL
 
 
-def note_start(bodies: Bodies) -> None:
-    """Note poses and velocities as a part begins that may have to be taken again."""
-    for i in range(len(bodies.pose)):
+def note_start(world: World) -> None:
+    """Note poses and velocities as a part begins, if it may have to be taken again.
+
+    A body that stands may go far, too, once another one has met it.
+    """
+    control, bodies, touching = world.control, world.bodies, world.touching
+    counts = control.counts
+    noted = counts[GOES_FAR] == 1 or touching.counts[MEETING] > 0
+    counts[START_NOTED] = 1 if noted else 0
+    for i in range(len(bodies.pose) if noted else 0):
         for n in range(3):
             bodies.start[i, n], bodies.start[i, 3 + n] = bodies.pose[i, n], bodies.motion[i, n]
 

@@ -56,7 +56,6 @@ from tamias2d.engine.tables import (
     CONTACTS,
     DONE,
     FLOWN,
-    GOES_FAR,
     IN_FLIGHT,
     INVALID,
     KINEMATIC,
@@ -133,10 +132,7 @@ def take_step(world: World) -> int:
 
 
 def take_part(world: World) -> int:
-    """Take a part of a step, or return which array is too short; called again, it continues.
-
-    The stages stand in one function, because each level of calls is compiled once more.
-    """
+    """Take a part of a step, or return which array is too short; called again, it continues."""
     control, bodies, shapes, islands = world.control, world.bodies, world.shapes, world.islands
     broad_phase, buffers, touching = world.broad_phase, world.buffers, world.touching
     counts = control.counts
@@ -167,34 +163,44 @@ def take_part(world: World) -> int:
         status = arrange(world, contacts)
         if status != DONE:
             return status
-        if counts[GOES_FAR] == 1:
-            note_start(bodies)
+        note_start(world)
         solve_contacts(world, contacts)
         counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:
-        if counts[STAGE] == OUT_OF_BOUNDS:
-            left = find_leaving(world)
-            if not update_pairs(left, world):
-                status = rebuild_pairs(world)
-                if status != DONE:
-                    return status
-            control.progress[UPDATES_LEFT] -= 1.0
-        near = current_contacts(broad_phase, buffers)
-        updates, flown = int(control.progress[UPDATES_LEFT]), control.progress[FLOWN]
-        flown = solve_continuous(
-            control, bodies, shapes, broad_phase, near, world.events, updates, flown
-        )
-        if flown == TOO_LONG:
-            release_springs(bodies, world.springs)
-            retake_part(world, near)
-            return AGAIN
-        control.progress[FLOWN] = flown
-        counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
+        status = fly(world)
+        if status != DONE:
+            return status
     if islands.counts[SLEEP_STEPS] > 0 and is_last_part(control):
         fall_asleep(control, bodies, islands)
     release_springs(bodies, world.springs)
     broad_phase.counts[STEPS_SINCE] += 1
     counts[STAGE] = AT_START
+    return DONE
+
+
+def fly(world: World) -> int:
+    """Let bodies go on until they arrive or one leaves its bounds; return whether they could."""
+    control, bodies, shapes, broad_phase = (
+        world.control, world.bodies, world.shapes, world.broad_phase,
+    )  # fmt: skip
+    if control.counts[STAGE] == OUT_OF_BOUNDS:
+        left = find_leaving(world)
+        if not update_pairs(left, world):
+            status = rebuild_pairs(world)
+            if status != DONE:
+                return status
+        control.progress[UPDATES_LEFT] -= 1.0
+    near = current_contacts(broad_phase, world.buffers)
+    updates, flown = int(control.progress[UPDATES_LEFT]), control.progress[FLOWN]
+    flown = solve_continuous(
+        control, bodies, shapes, broad_phase, near, world.events, updates, flown
+    )
+    if flown == TOO_LONG:
+        release_springs(bodies, world.springs)
+        retake_part(world, near)
+        return AGAIN
+    control.progress[FLOWN] = flown
+    control.counts[STAGE] = OUT_OF_BOUNDS if flown <= 1.0 else ARRIVING
     return DONE
 
 

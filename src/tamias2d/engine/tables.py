@@ -86,6 +86,7 @@ STEPS_TAKEN = _control()  # since the start
 TICK = _control()  # at which a part of the step begins; a step has 2**MOST_LEVEL of them
 LEVEL = _control()  # a part is this power of a half of the step
 GOES_FAR = _control()  # 1 if a body goes farther in this part than a fraction of its width
+START_NOTED = _control()  # 1 if the part can be taken again, as shorter ones
 RETAKEN = _control()  # 1 if the part was begun before, and was too long
 LEAST_LEVEL = _control()  # of the parts of this step: longer ones had too many impacts
 FINEST = _control()  # level of the shortest part of the last step

@@ -24,6 +24,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from tamias2d import storage
+from tamias2d.kernels.linking import EntryCompiler, HelperCompiler
 
 _DIGEST = hashlib.sha256().digest_size
 
@@ -43,7 +44,8 @@ def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
 
     def decorator(*signatures: str, cache: bool = False, **options: Any) -> Any:
         def compile_(function: FunctionType) -> Any:
-            made: Any = numba.njit(**options)(function)
+            compiler = HelperCompiler if options.get("no_cpython_wrapper") else EntryCompiler
+            made: Any = numba.njit(pipeline_class=compiler, **options)(function)
             if made is function:  # NUMBA_DISABLE_JIT
                 return made
             if cache:
@@ -81,12 +83,12 @@ class KernelCache(_Cache):
         if content[:_DIGEST] != _digest(key, payload):
             return None
         found = pickle.loads(payload)
-        return CompileResult._rebuild(target_context, *found)  # type: ignore[no-untyped-call]
+        return CompileResult._rebuild(target_context, *found)
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep the code for some types; where that cannot be done, say so once and go on."""
         key = self._key(sig, data.codegen)
-        payload = dumps(data._reduce())  # type: ignore[no-untyped-call]
+        payload = dumps(data._reduce())
         try:
             storage.make_private(self._folder)
             _replace(self._path(key), _digest(key, payload) + payload)

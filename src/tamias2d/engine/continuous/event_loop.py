@@ -13,6 +13,7 @@ simulation (1996).
 
 from tamias2d.engine.continuous.bend import bend_paths, is_first
 from tamias2d.engine.continuous.bounds import path_length, time_of_leaving
+from tamias2d.engine.continuous.clusters import hold, is_carried, join_or_carry, leave
 from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.event_queue import (
     build_tournament,
@@ -32,7 +33,6 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
     update_events_of,
 )
-from tamias2d.engine.continuous.freeze import freeze, is_carried, join_or_carry, leave
 from tamias2d.engine.continuous.impact import contact_point, rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.seams import is_seam
@@ -44,7 +44,6 @@ from tamias2d.engine.tables import (
     DY,
     DYNAMIC,
     FORCE_GAIN,
-    GOES_FAR,
     GRAVITY_X,
     GRAVITY_Y,
     HALF_PLANE,
@@ -59,6 +58,7 @@ from tamias2d.engine.tables import (
     SLOT_A,
     SLOT_B,
     SPENT,
+    START_NOTED,
     STATIC,
     SUPPORTED,
     TOURNAMENT,
@@ -77,9 +77,9 @@ from tamias2d.generated.continuous_collision import position_later
 
 MOST_IMPACTS = 256  # in a step in all
 MOST_IMPACTS_OF_PAIR = 4  # in a part, for a pair that meets; in one of the shortest one
-MOST_FREEZES = 128  # in one step, for every body: more than it takes until nothing is carried on
+MOST_JOINS = 128  # in one step, for every body: more than it takes until nothing is carried on
 TOO_LONG = -1.0  # a part of the step that is to be taken in shorter ones
-MOST_UPDATES = 32  # of pairs in one step, and as many for bodies that cannot be frozen
+MOST_UPDATES = 32  # of pairs in one step, and as many for bodies that cannot be held
 
 
 def solve_continuous(
@@ -96,23 +96,18 @@ def solve_continuous(
 
     Returns the fraction of the step at which a body leaves its bounds, if updates are left: pairs
     are to be updated, and this is to be called again with it as `since`. Otherwise returns
-    `MISSED`. A body that leaves its bounds when no updates are left is frozen there.
+    `MISSED`. A body that leaves its bounds when no updates are left is held there.
     """
     if since == 0.0:
-        begin_continuous(control, bodies)
-        for k in range(len(bodies.kind)):
-            events.together[k] = k
-        control.progress[DEPTH_SHARE] = SHALLOW
+        begin_continuous(control, bodies, events)
     body_count, event_count = len(bodies.kind), len(bodies.kind) + broad_phase.counts[CONTACTS]
     found = find_all_events(since, control, bodies, shapes, broad_phase, contacts, events)
     if found == 0:
         return MISSED
     list_contacts_by_body(broad_phase, contacts, events, body_count)
     build_tournament(event_count, events.times, events.queue)
-    level = control.counts[LEVEL]
-    of_pair = MOST_IMPACTS_OF_PAIR if level < MOST_LEVEL else 1
-    impacts_left = (MOST_IMPACTS >> level) + of_pair * found
-    last = -MOST_FREEZES * body_count
+    impacts_left = most_impacts(found, control.counts[LEVEL])
+    last = -MOST_JOINS * body_count
     while impacts_left > last:
         event = events.queue[TOURNAMENT, WINNER]
         now = events.times[event]
@@ -125,25 +120,25 @@ def solve_continuous(
             wide = bodies.properties[event, BOUNDING_RADIUS]
             if may_retake(path_length(event, bodies.motion, bodies.properties), wide, control):
                 return TOO_LONG
-            i, j, frozen = event, event, True
-            freeze(i, now, control, bodies, events.together)
+            i, j, joins = event, event, True
+            hold(i, now, control, bodies, events.together)
         else:
-            p, frozen = event - body_count, impacts_left <= 0
-            if frozen and pair_may_retake(p, now, control, bodies, shapes, contacts):
+            p, joins = event - body_count, impacts_left <= 0
+            if joins and pair_may_retake(p, now, control, bodies, shapes, contacts):
                 return TOO_LONG
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
             count_located(contacts.flags[p])
-            if not handle_meeting(p, now, frozen, control, bodies, shapes, contacts, events):
+            if not handle_meeting(p, now, joins, control, bodies, shapes, contacts, events):
                 update_event(event, event_count, events.times, events.queue)
                 continue
         share = 1.0 if impacts_left <= 0 else control.progress[DEPTH_SHARE]
-        stays = bodies.kind[i] != DYNAMIC or frozen
+        stays = bodies.kind[i] != DYNAMIC or joins
         for one, other in ((i, -1), (j, -1 if stays else i)):
             update_body(
                 one, other, now, share, control, bodies, shapes, broad_phase, contacts, events
             )
-        if frozen:
+        if joins:
             update_others(i, now, share, control, bodies, shapes, broad_phase, contacts, events)
     return MISSED
 
@@ -214,7 +209,7 @@ def update_others(
 def may_retake(length: float, deep: float, control: Control) -> bool:
     """Return whether shorter parts make a way, m, short."""
     shortest = length / (1 << (MOST_LEVEL - control.counts[LEVEL]))
-    return bool((control.counts[GOES_FAR] == 1) & (length > deep) & (shortest <= deep))
+    return bool((control.counts[START_NOTED] == 1) & (length > deep) & (shortest <= deep))
 
 
 def pair_may_retake(
@@ -235,13 +230,21 @@ def count_located(flags: Integers) -> None:
         flags[LOCATED] = flags[LOCATED] - 1 if flags[LOCATED] > 1 else SPENT
 
 
-def begin_continuous(control: Control, bodies: Bodies) -> None:
-    """Note how far each body goes, and which ones had contacts while gravity acts.
+def most_impacts(found: int, level: int) -> int:
+    """Return how many impacts a part may have in which so many pairs meet."""
+    of_pair = MOST_IMPACTS_OF_PAIR if level < MOST_LEVEL else 1
+    return (MOST_IMPACTS >> level) + of_pair * found
+
+
+def begin_continuous(control: Control, bodies: Bodies, events: Events) -> None:
+    """Note how far each body goes, alone, and which ones had contacts while gravity acts.
 
     The solver notes no velocity gained by forces for bodies with contacts.
     """
     falls = control.settings[GRAVITY_X] != 0.0 or control.settings[GRAVITY_Y] != 0.0
+    control.progress[DEPTH_SHARE] = SHALLOW
     for i in range(len(bodies.kind)):
+        events.together[i] = i
         flight = bodies.flight[i]
         held = flight[FORCE_GAIN] == 0.0 and flight[FORCE_GAIN + 1] == 0.0
         length = path_length(i, bodies.motion, bodies.properties)
@@ -252,18 +255,18 @@ def begin_continuous(control: Control, bodies: Bodies) -> None:
 def handle_meeting(
     p: int,
     now: float,
-    frozen: bool,
+    joins: bool,
     control: Control,
     bodies: Bodies,
     shapes: Shapes,
     contacts: Contacts,
     events: Events,
 ) -> bool:
-    """Resolve the impact of a pair, or freeze it; return whether its paths have changed.
+    """Resolve the impact of a pair, or join it; return whether its paths have changed.
 
     Otherwise its event is the next one after now.
     """
-    if frozen:
+    if joins:
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         if reaches_little(p, now, bodies, shapes, contacts):
             later, changed = MISSED, False

@@ -14,6 +14,7 @@ from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.narrow_phase.touching import opening
 from tamias2d.engine.tables import (
     ANGLE,
     CONTACT_OF_BODY,
@@ -35,8 +36,6 @@ from tamias2d.engine.tables import (
     PATH_LENGTH,
     POINT,
     POINT_COUNT,
-    PX,
-    PY,
     REDIRECTED,
     SENSOR,
     SHAPE_RADIUS,
@@ -50,15 +49,12 @@ from tamias2d.engine.tables import (
     Events,
     Integers,
     Shapes,
-    X,
-    Y,
 )
 from tamias2d.generated.continuous_collision import (
     closing_bound,
     fraction_closest,
     motion_bound,
 )
-from tamias2d.generated.soft_contact import row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
@@ -159,16 +155,9 @@ def closing_at_points(
 ) -> float:
     """Return how far two bodies that touch come together at most, m."""
     manifold, a, b = contacts.manifolds[p], bodies.motion[i], bodies.motion[j]
-    normal = (manifold[NX], manifold[NY])
-    span_x, span_y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
     least = 0.0
     for n in range(contacts.flags[p, POINT_COUNT]):
-        x, y = manifold[PX + POINT * n], manifold[PY + POINT * n]
-        change = row_velocity(
-            (a[DX], a[DY]), a[DANGLE], turning_arm((x, y), normal),
-            (b[DX], b[DY]), b[DANGLE], turning_arm((x - span_x, y - span_y), normal), normal,
-        )  # fmt: skip
-        least = min(least, change)
+        least = min(least, opening(n, i, j, DX, bodies, manifold))
     return closing_bound(
         least,
         a[DANGLE],

@@ -53,11 +53,14 @@ def leave_seams_out(
     """Note the ground of each body, and take seams off the list; return whether there were some."""
     for loaded in (True, False):
         for k in range(touching.counts[TOUCHING]):
-            note_ground(touching.contact[k], loaded, bodies, shapes, contacts, events.ground)
+            if is_with_static(k, bodies, touching):
+                note_ground(touching.contact[k], loaded, bodies, shapes, contacts, events.ground)
     stay = 0
     for k in range(touching.counts[TOUCHING]):
         p = touching.contact[k]
-        if joins_ground(p, bodies, shapes, contacts, events.ground):
+        if is_with_static(k, bodies, touching) and joins_ground(
+            p, bodies, shapes, contacts, events.ground
+        ):
             contacts.flags[p, POINT_COUNT] = 0
         else:
             touching.contact[stay] = p
@@ -66,6 +69,12 @@ def leave_seams_out(
     found = stay < touching.counts[TOUCHING]
     touching.counts[TOUCHING] = stay
     return found
+
+
+def is_with_static(k: int, bodies: Bodies, touching: Touching) -> bool:
+    """Return whether a touching contact is with a static body."""
+    a, b = bodies.kind[touching.body_a[k]], bodies.kind[touching.body_b[k]]
+    return bool((a == STATIC) | (b == STATIC))
 
 
 def note_ground(

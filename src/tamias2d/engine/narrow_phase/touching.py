@@ -79,9 +79,7 @@ def find_touching(
     deep = False
     same = touching.counts[ARRANGED] == 1
     for p in range(broad_phase.counts[CONTACTS]):
-        if contacts.flags[p, TOUCHES] != 0 and not again:
-            contacts.flags[p, TOUCHES] = WAS_TOUCHING * (contacts.flags[p, TOUCHES] & IS_TOUCHING)
-        contacts.flags[p, LOCATED] = 0
+        age_flags(again, contacts.flags[p])
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         if islands.counts[SLEEPING] > 0 and islands.links[i, AWAKE] + islands.links[j, AWAKE] == 0:
@@ -124,6 +122,13 @@ def find_touching(
     touching.counts[PRESSED_DEEP] = 1 if deep else 0
 
 
+def age_flags(again: bool, flags: Integers) -> None:
+    """Let what touched in the step before have touched, unless this step was looked at already."""
+    if flags[TOUCHES] != 0 and not again:
+        flags[TOUCHES] = WAS_TOUCHING * (flags[TOUCHES] & IS_TOUCHING)
+    flags[LOCATED] = 0
+
+
 def smallest_gap(manifold: Array, count: int) -> float:
     """Return the smallest gap of some points, m."""
     gap: float = manifold[GAP]
@@ -158,12 +163,18 @@ def will_meet(
 
 def opening_speed(n: int, i: int, j: int, bodies: Bodies, manifold: Array) -> float:
     """Return how fast the gap of a point opens, m/s."""
+    return opening(n, i, j, VX, bodies, manifold)
+
+
+def opening(n: int, i: int, j: int, first: int, bodies: Bodies, manifold: Array) -> float:
+    """Return how fast the gap of a point opens, m/s; or how far, m, where `first` is `DX`."""
     x, y = manifold[PX + n * POINT], manifold[PY + n * POINT]
     span_x, span_y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
     normal, a, b = (manifold[NX], manifold[NY]), bodies.motion[i], bodies.motion[j]
     return row_velocity(
-        (a[VX], a[VY]), a[SPIN], turning_arm((x, y), normal),
-        (b[VX], b[VY]), b[SPIN], turning_arm((x - span_x, y - span_y), normal), normal,
+        (a[first], a[first + 1]), a[first + 2], turning_arm((x, y), normal),
+        (b[first], b[first + 1]), b[first + 2],
+        turning_arm((x - span_x, y - span_y), normal), normal,
     )  # fmt: skip
 
 

@@ -13,7 +13,6 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from tamias2d.scene import Body, HalfPlane, Scene
 from tamias2d.scene.filters import filters, may_touch
@@ -143,6 +142,8 @@ def _near(solids: _Solids, corners: Array) -> Iterator[tuple[Indices, Indices]]:
 
 def _close(low: Array, high: Array) -> tuple[Indices, Indices]:
     """Return pairs whose centres are no farther apart than two of the largest can reach."""
+    from scipy.spatial import cKDTree  # a quarter of a second, for what few ask for
+
     reach = np.linalg.norm(high - low, axis=1).max(initial=0.0)
     pairs = cKDTree((low + high) / 2).query_pairs(reach, output_type="ndarray")
     return pairs[:, 0], pairs[:, 1]

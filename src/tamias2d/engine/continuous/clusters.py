@@ -1,4 +1,4 @@
-"""Bodies that meet when a part of a step may have no more impacts: they go on together in it.
+"""Clusters: bodies that meet when a part of a step may have no more impacts go on together in it.
 
 Their centre of mass goes its way. A body that meets something that is driven or stands, such as a
 wall, is carried along. Those that go together are linked in circles. Cost: linear in their number,
@@ -65,7 +65,7 @@ def is_carried(i: int, flight: Array, kind: Integers) -> bool:
     return carrier_rank(i, flight, kind) >= CARRIED_BY_BODY
 
 
-def freeze(i: int, now: float, control: Control, bodies: Bodies, together: Integers) -> None:
+def hold(i: int, now: float, control: Control, bodies: Bodies, together: Integers) -> None:
     """Let a body stay where it is for the rest of the step."""
     if bodies.kind[i] == DYNAMIC:
         leave(i, together)
