@@ -10,6 +10,7 @@ from tamias2d.engine.tables import (
     JOINED,
     JOINED_SLOT,
     MECHANISMS,
+    START_NOTED,
     Bodies,
     World,
 )
@@ -27,8 +28,8 @@ def mark_joined(world: World) -> None:
 
 
 def take_whole_steps(world: World) -> None:
-    """Forget that bodies go far, for which steps would be taken in parts."""
-    world.control.counts[GOES_FAR] = 0
+    """Forget that bodies go far, or may, for which steps would be taken in parts."""
+    world.control.counts[GOES_FAR] = world.control.counts[START_NOTED] = 0
 
 
 @inlined

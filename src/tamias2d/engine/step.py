@@ -164,6 +164,7 @@ def take_part(world: World) -> int:
         if status != DONE:
             return status
         note_start(world)
+        take_whole_steps(world)
         solve_contacts(world, contacts)
         counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:
