@@ -8,8 +8,8 @@ from tamias2d.engine.direct.solve import prepare_trees, solve_trees
 from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.stages import (
     begin_joints,
-    charge_touched,
     end_joints,
+    look_at_touched,
     relax_in_turns,
     relax_joints,
     solve_joints,
@@ -182,7 +182,7 @@ def end_slab(slab: int, world: World, contacts: Contacts) -> None:
     first, last = slabs[slab, S_BODY], slabs[slab + 1, S_BODY]
     end_joints(world)
     sum_step_energy(first, last, world.control, bodies, touching, constraints.energy)
-    charge_touched(world)
+    look_at_touched(world)
     if constraints.counts[BOUNCING] == 0:
         first, last = slabs[slab, S_CONTACT], slabs[slab + 1, S_CONTACT]
         store_impulses(first, last, world.control, bodies, contacts, touching, constraints)

@@ -557,6 +557,7 @@ MOMENT_X = _energy()  # kg m, of the mass
 MOMENT_Y = _energy()
 MOMENT_OF_INERTIA = _energy()  # kg m^2
 DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
+KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()
 SLEEP_STEPS = _islands()  # slow steps until an island sleeps, 0 for never

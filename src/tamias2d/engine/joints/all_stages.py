@@ -6,11 +6,11 @@ from tamias2d.engine.joined import mark_joined, take_whole_steps, unless_joined
 from tamias2d.engine.joints.stages import (
     activate_joined,
     begin_joints,
-    charge_touched,
     clear_of_joints,
     end_joints,
     join_slabs,
     keep_joint_impulses,
+    look_at_touched,
     note_mechanisms,
     note_places,
     relax_in_turns,
@@ -23,7 +23,7 @@ from tamias2d.engine.solver.support import charge_joined, support_joined
 JOINT_STAGES = (
     activate_joined,
     begin_joints,
-    charge_touched,
+    look_at_touched,
     clear_of_joints,
     end_joints,
     join_islands,

@@ -31,7 +31,6 @@ from tamias2d.engine.tables import (
     JOINED_BODY,
     JOINED_SLOT,
     JOINTS,
-    M_DRIVEN,
     M_GOVERNED,
     M_JOINT,
     M_STATUS,
@@ -47,8 +46,7 @@ from tamias2d.engine.tables import (
     SUBSTEPS,
     TICK,
     TIME_STEP,
-    TOTAL_ENERGY_START,
-    TOTAL_WORK,
+    TOTAL_ENERGY_NOW,
     Bodies,
     Islands,
     Joints,
@@ -59,7 +57,6 @@ from tamias2d.generated.joint_step import (
     half_gain,
     kick_velocity_later,
     kick_velocity_start,
-    kinetic_energy_most,
 )
 
 RELAXING_ROUNDS = 2  # of joints and contacts, when their velocities are relaxed, besides the first
@@ -229,21 +226,11 @@ def end_joints(world: World) -> None:
             bound_mechanism(n, world.control, bodies, joints, world.islands)
 
 
-def charge_touched(world: World) -> None:
-    """Charge all that moves for what it does against forces, if contacts touch mechanisms.
-
-    One that is driven may give any energy.
-    """
-    joints = world.joints
+def look_at_touched(world: World) -> None:
+    """Let the energy of each island be looked at if contacts touch mechanisms, not their sum."""
     energy = world.constraints.energy
-    for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_DRIVEN] == 1 and joints.mechanisms[n, M_STATUS] != ASLEEP:
-            energy[TOTAL_WORK] = UNLIMITED
-            return
-    if joints.counts[MECHANISMS_AWAKE] > 0 and joints.counts[MECHANISMS_TOUCHED] > 0:
-        lost = min(energy[TOTAL_WORK], 0.0)
-        energy[TOTAL_ENERGY_START] = kinetic_energy_most(energy[TOTAL_ENERGY_START], lost)
-        energy[TOTAL_WORK] = max(energy[TOTAL_WORK], 0.0)
+    if world.joints.counts[MECHANISMS_AWAKE] > 0 and world.joints.counts[MECHANISMS_TOUCHED] > 0:
+        energy[TOTAL_ENERGY_NOW] = 2.0 * UNLIMITED
 
 
 def kick_half(n: int, ahead: bool, bodies: Bodies, joints: Joints) -> None:
