@@ -12,6 +12,7 @@ import time
 import warnings
 from collections.abc import Callable
 from copy import deepcopy
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -175,7 +176,7 @@ def falling_ragdolls(count: int) -> Scene:
     scene = Scene(gravity=(0.0, -_G))
     scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), **_SURFACE)
     for n in range(count):
-        _ragdoll(scene, 1.5 * n, 0.5)
+        _ragdoll(scene, 1.5 * n, 0.5, -1 - n)
     return scene
 
 
@@ -185,17 +186,23 @@ def ragdoll_heap(count: int, seed: int = 0) -> Scene:
     for normal, offset in (((0.0, 1.0), 0.0), ((1.0, 0.0), -2.0), ((-1.0, 0.0), -2.5)):
         scene.add_static(HalfPlane(normal=normal, offset=offset), **_SURFACE)
     for n in range(count):
-        _ragdoll(scene, rng.uniform(-1.0, 1.0), 0.5 + 2.0 * n)
+        _ragdoll(scene, rng.uniform(-1.0, 1.0), 0.5 + 2.0 * n, -1 - n)
     return scene
 
 
-def _ragdoll(scene: Scene, x: float, y: float) -> None:
-    """Add a doll that stands upright; the axes of its capsules point upwards."""
+def _ragdoll(scene: Scene, x: float, y: float, group: int) -> None:
+    """Add a doll that stands upright, in a group of limbs that do not touch each other.
+
+    The axes of its capsules point upwards.
+    """
 
     def limb(at: tuple[float, float], length: float, radius: float, mass: float) -> int:
         place = (x + at[0], y + at[1])
         shape = Capsule(length=length, radius=radius)
-        return scene.add_body(shape, mass=mass, position=place, orientation=math.pi / 2, **_SURFACE)
+        up = math.pi / 2
+        return scene.add_body(
+            shape, mass=mass, position=place, orientation=up, group=group, **_SURFACE
+        )
 
     hip, torso = limb((0, 0.95), 0.1, 0.09, 10.0), limb((0, 1.2), 0.2, 0.09, 25.0)
     _hinge(scene, hip, torso, 0.1, -0.15)
@@ -304,9 +311,11 @@ def _rates(sim: Simulator) -> Array:
 
 
 def _bare(scene: Scene) -> Scene:
-    """Return the bodies of a scene without its joints, which its engines are told apart."""
+    """Return the bodies of a scene without joints and groups, which its engines are told apart."""
     bare = deepcopy(scene)
     bare._joints.clear()
+    bare._bodies[:] = [replace(body, group=0) for body in bare._bodies]
+    bare._shown = ()
     return bare
 
 
@@ -315,6 +324,11 @@ class _Box2D(Box2D):
 
     def __init__(self, scene: Scene, time_step: float) -> None:
         super().__init__(_bare(scene), time_step)
+        import pyb2d3
+
+        for body, own in zip(scene.bodies, self.bodies, strict=True):
+            for shape in own.shapes:
+                shape.filter = pyb2d3.make_filter(group_index=body.group)
         ground = self._world.create_body()
         for joint in scene.joints:
             a, b = (ground if k is None else self.bodies[k] for k in joint.ends[:2])
@@ -329,6 +343,9 @@ class _Pymunk(Chipmunk):
         import pymunk
 
         super().__init__(_bare(scene), time_step)
+        for body, own in zip(scene.bodies, self.bodies, strict=True):
+            for shape in own.shapes:
+                shape.filter = pymunk.ShapeFilter(group=-body.group)
         for joint in scene.joints:
             a, b = (
                 self._space.static_body if k is None else self.bodies[k] for k in joint.ends[:2]
