@@ -28,6 +28,7 @@ from tamias2d.scene import (
     Scene,
     Weld,
     Wheel,
+    catalogue,
 )
 from tamias2d.simulate import simulate
 from tamias2d.simulator import Simulator
@@ -294,6 +295,16 @@ def test_motor_keeps_its_speed_or_gives_the_most_that_it_can() -> None:
     sim.step(1)
     assert sim.angular_velocity[0] * 60 == pytest.approx((4.0 - G) / 1.1, rel=1e-6)
     assert sim.reactions.torque[0, 1] == pytest.approx(4.0, rel=1e-5)  # arms at the end
+
+
+def test_motor_that_gives_the_most_tears_no_mechanism() -> None:
+    """Jansen's legs weigh thirty times their crank, which has to reach its speed with them."""
+    sim = plain(catalogue.load("walker"))
+    for _ in range(5):
+        sim.step()
+        assert sim.reactions.separation.max() < 1e-8
+        assert abs(sim.reactions.torque[sim.joints.index("motor"), 1]) < 20.0 * (1 + 1e-6)
+    assert sim.angular_velocity[0] == pytest.approx(-math.pi, rel=1e-6)
 
 
 def test_brake_holds_what_it_can() -> None:

@@ -23,6 +23,7 @@ from tamias2d.engine.tables import (
     J_LAW,
     J_MEMBER,
     J_NODE,
+    J_RESIDUAL,
     J_ROW,
     J_ROWS,
     J_WARM,
@@ -88,10 +89,32 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
     bring_to_aims(n, again, substep, bodies, joints)
     for _ in range(MOST_CHOICES if joints.mechanisms[n, M_GOVERNED] == 1 else 0):
         find_position_errors(n, substep, bodies, joints)
+        note_rates(n, bodies, joints)
         if not choose_rows(n, substep, bodies, joints):
             return
         factor_mechanism(n, substep, bodies, joints)
+        return_to_rates(n, bodies, joints)
         bring_to_aims(n, True, substep, bodies, joints)
+
+
+def note_rates(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Note the rates of all rows of a mechanism."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            joints.numbers[j, J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
+
+
+def return_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Let the rows that hold have the rates again that they had before some changed their state.
+
+    Else what changed would tear the joints, and positions would be looked for far away.
+    """
+    start_impulses(n, 0.0, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            rate = rate_of_row(j, r, bodies, joints)
+            joints.numbers[j, J_ERROR + r] = rate - joints.numbers[j, J_RESIDUAL + r]
+    solve_joint_errors(n, bodies, joints)
 
 
 def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
