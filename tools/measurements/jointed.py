@@ -25,6 +25,7 @@ from tamias2d.scene import (
     Distance,
     Groove,
     HalfPlane,
+    Joint,
     Prismatic,
     Revolute,
     Scene,
@@ -39,7 +40,7 @@ _STEP = 1 / 60
 _TURN = 60  # steps
 _G = 10.0
 _SURFACE: dict[str, Any] = {"friction": 0.6, "restitution": 0.0}
-_APART = 1e-3  # m
+_APART = 1e-3  # of the reach of a joint, or rad
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -83,9 +84,9 @@ def notes(found: dict[str, Any]) -> list[str]:
     of = found["mechanisms"]
     return [
         "gain: the most that energy rose in a step, of all that gravity gave or motion had",
-        f"{of['count']} random mechanisms: {of['apart']} were ever more than {_APART:g} m apart, "
-        f"{of['untold']} of them without a warning; {of['risen']} gained more than 1e-9 of their "
-        f"energy in a step, at most {of['gain']:.1e}",
+        f"{of['count']} random mechanisms: {of['apart']} were ever more than {_APART:g} of their "
+        f"reach apart, {of['untold']} of them without a warning; {of['risen']} gained more than "
+        f"1e-9 of their energy in a step, at most {of['gain']:.1e}",
     ]
 
 
@@ -260,6 +261,12 @@ def _local(scene: Scene, k: int, at: tuple[float, float]) -> tuple[float, float]
     return c * x + s * y, c * y - s * x
 
 
+def _size(joint: Joint) -> float:
+    """Return how far a joint reaches from the middles of its bodies, m."""
+    held = zip(joint.anchors, joint.ends, strict=True)
+    return max(math.hypot(*anchor) for anchor, body in held if body is not None)
+
+
 def _mechanisms(count: int, seconds: int) -> dict[str, Any]:
     """Follow random mechanisms; return how many came apart or gained energy."""
     apart = untold = risen = 0
@@ -271,12 +278,13 @@ def _mechanisms(count: int, seconds: int) -> dict[str, Any]:
             warnings.simplefilter("ignore", StepWarning)
             sim = Simulator(scene, time_step=_STEP)
             sim.step()
-            most = 0.0
+            most, sizes = 0.0, np.array([_size(joint) for joint in scene.joints])
             for _ in range(seconds * 60):
                 seen.look(np.column_stack((sim.position, sim.orientation)), _rates(sim))
                 sim.step()
                 told = sim.reactions
-                most = max(most, float(np.hypot(told.separation, told.angular_separation).max()))
+                lengths = told.separation / sizes
+                most = max(most, float(lengths.max()), float(told.angular_separation.max()))
         apart += most > _APART
         untold += most > _APART and not sim.warnings
         risen += seen.gain > 1e-9
