@@ -33,6 +33,7 @@ from tamias2d.scene import (
 from tamias2d.simulate import simulate
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import ground, plain
+from tools.measurements.jointed import ragdoll_heap
 
 G = 10.0
 
@@ -394,6 +395,18 @@ def test_jointed_bodies_rest_on_the_ground_and_sleep_as_one() -> None:
     sim.apply_impulse(4, (0.0, 2.0))
     sim.step()
     assert not sim.asleep[1:].any()
+
+
+def test_heap_of_ragdolls_gains_no_energy_and_holds() -> None:
+    scene = ragdoll_heap(3, seed=2)
+    sim, size = Simulator(scene), 0.0
+    for _ in range(300):
+        before = energy(sim, scene)
+        size = max(size, before)
+        sim.step()
+        assert energy(sim, scene) <= before + 1e-13 * size  # rounding of the sums
+        assert sim.reactions.separation.max() < 1e-4
+    assert np.abs(sim.velocity).max() < 2.0
 
 
 def test_chain_that_hangs_still_falls_asleep_and_wakes_when_it_is_cut() -> None:
