@@ -16,6 +16,8 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
     from tamias2d.ensemble import (
         Grid as Grid,
         Mean as Mean,
+        Simulators as Simulators,
+        WorldContacts as WorldContacts,
         ensemble as ensemble,
         ensemble_mean as ensemble_mean,
         random_stream as random_stream,
@@ -96,7 +98,8 @@ _HOMES = {
     "certificate": "Certificate",
     "cost": "Cost",
     "engine.contact_report": "Contacts",
-    "ensemble": "Grid Mean ensemble ensemble_mean random_stream sensitivities world_scene",
+    "ensemble": "Grid Mean Simulators WorldContacts ensemble ensemble_mean random_stream "
+    "sensitivities world_scene",
     "errors": "ArgumentError InputError RecordingError SceneError SimulationError SpecError "
     "StepWarning TamiasError",
     "motion": "ClosedForm Dop853 DormandPrince5 ExplicitEuler ExponentialDrag JointError "

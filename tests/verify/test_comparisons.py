@@ -50,6 +50,7 @@ WRONG: list[tuple[str, str, Change]] = [
     ("OE3", "certified", put("exact", "bodies", "light", "position",
                              "vector(1.501[m]*cos(time*sqrt(0.5[1/s^2])), 0[m])")),
     ("OE3", "certified", put("certified", "tolerance", "0.1")),
+    ("OJ24", "worlds", put("worlds", "bodies", "bob", "position", "vector(0[m], 0.65[m])")),
     ("OA12b", "conserves", put("conserves", "schemes", {"explicit_euler": "30"})),
     ("OA9j", "schemes", put("schemes", "steps", "26")),
     ("OA9j", "schemes", put("schemes", "durations", {"dop853": "1 s"})),

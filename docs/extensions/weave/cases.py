@@ -29,6 +29,7 @@ _NAMES = {
     "conserves": "laws of conservation",
     "reference": "scipy's solution",
     "parallel": "independent program",
+    "worlds": "many worlds",
     "refuses": "refusals",
     "pace": "time taken",
 }
@@ -54,7 +55,7 @@ def _case(item: Item, woven: Woven) -> Iterator[str]:
             f"`{scene}` of the [catalogue](/gallery.md)" if isinstance(scene, str) else "its own"
         )
         yield f"*Scene:* {where}{time}.\n"
-    for key, lead in (("exact", "at any time"), ("final", "at the end")):
+    for key, lead in (("exact", "at any time"), ("final", "at the end"), ("worlds", "mean")):
         if bodies := data.get(key, {}).get("bodies"):
             yield f"*Exact {lead}:*\n"
             yield display(stack(_exact_lines(bodies, woven)))

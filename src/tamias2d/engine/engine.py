@@ -207,6 +207,16 @@ class Engine(Store):
         """Let islands fall asleep that have been slow for so many steps; 0 for never."""
         self.world.islands.counts[SLEEP_STEPS] = steps
 
+    def start_over(self) -> None:
+        """Forget all steps, where the arrays hold what they did before the first one."""
+        control, bodies = self.world.control, self.world.bodies
+        substeps = control.counts[SUBSTEPS]
+        control.counts[:], control.progress[:] = 0, 0.0
+        control.counts[SUBSTEPS] = substeps
+        bodies.propagators[:] = bodies.propagators_of_level[0]
+        self._alone, self._course_known = True, False
+        self.revision += 1
+
     # -- answers
 
     def contact_report(self) -> Touching:

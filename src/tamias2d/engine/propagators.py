@@ -8,19 +8,15 @@ from numpy.typing import NDArray
 from tamias2d.engine.parts import part_substeps
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
-    ANGULAR,
-    DECAY,
-    GAIN,
-    LIFT,
     MOST_LEVEL,
-    ONE_SUBSTEP,
     PROPAGATOR,
     SUBSTEPS,
     TIME_STEP,
-    WHOLE_STEP,
 )
 from tamias2d.generated import drag
-from tamias2d.state import Array
+from tamias2d.state import Array, IntArray
+
+_ONE, _OTHER, _NONE = (1.0, 0.0), (0.0, 1.0), (0.0, 0.0)
 
 
 class Propagators:
@@ -63,11 +59,10 @@ class Propagators:
         world = self._store.world
         world.state.drag_rates[:] = rates
         settings, counts = world.control.settings, world.control.counts
-        for level in range(MOST_LEVEL + 1):
-            substeps = part_substeps(int(counts[SUBSTEPS]), level)
-            world.bodies.propagators_of_level[level] = propagators(
-                rates, settings[TIME_STEP] / 2**level, substeps
-            )
+        levels = range(MOST_LEVEL + 1)
+        times = settings[TIME_STEP] / 2.0 ** np.array(levels)
+        substeps = [part_substeps(int(counts[SUBSTEPS]), level) for level in levels]
+        world.bodies.propagators_of_level[:] = propagators(rates, times, np.array(substeps))
         world.bodies.propagators[:] = world.bodies.propagators_of_level[0]
 
     def _note_rows(self) -> None:
@@ -75,13 +70,13 @@ class Propagators:
         self._row = {tuple(pair): k for k, pair in enumerate(rates)}
 
 
-def propagators(rates: Array, time: float, substeps: int) -> Array:
-    """Return (k, 12), how bodies move in a time, s, and in a substep, for rates (k, 2), 1/s."""
-    found = np.zeros((len(rates), 12))
-    one, none = (1.0, 0.0), (0.0, 0.0)
-    for start, length in ((WHOLE_STEP, time), (ONE_SUBSTEP, time / substeps)):
-        for at, rate in ((start, rates[:, 0]), (start + ANGULAR, rates[:, 1])):
-            found[:, at + DECAY] = drag.velocity(one, none, rate, length)[0]
-            found[:, at + GAIN] = drag.position(none, one, none, rate, length)[0]
-            found[:, at + LIFT] = drag.position(none, none, one, rate, length)[0]
-    return found
+def propagators(rates: Array, times: Array, substeps: IntArray) -> Array:
+    """Return (l, k, 12), how bodies move in times (l,), s, and in a substep of each.
+
+    Rates are (k, 2). All are computed at once: of few bodies, calls cost more than numbers.
+    """
+    lengths = np.stack((times, times / substeps), axis=-1)[:, None, :, None]
+    slowed = rates[:, None, :]
+    decay = drag.velocity(_ONE, _NONE, slowed, lengths)[0]
+    gain, lift = drag.position(_NONE, _ONE, _OTHER, slowed, lengths)
+    return np.stack((decay, gain, lift), axis=-1).reshape(len(times), len(rates), 12)

@@ -59,18 +59,34 @@ def restored_engine(
     capacities = check_saved(arrays)
     engine = Engine(gravity=(0.0, 0.0), time_step=time_step, substeps=substeps, compiled=compiled)
     engine.resize(**vars(capacities))
-    own = named_arrays(engine.world)
-    for field in saved_fields():
-        if field.name in own:
-            own[field.name][...] = arrays[field.name]
+    _fill(engine.world, arrays)
     engine.world.control.settings[TIME_STEP] = time_step
-    _derive(engine.world, arrays)
     engine.world.control.counts[STEPS_TAKEN] = steps
     engine.size = len(arrays["rank"])
     engine.begin(arrays["rank"].copy())
     if engine.world.broad_phase.counts[LIST_HOLDS]:
         _derive_list(engine.world)
     return engine
+
+
+def rewind(engine: Engine, start: Arrays) -> None:
+    """Bring an engine back to what `saved_arrays` told of it before its first step.
+
+    The arrays of its bodies stay where they are; none may have come or gone since.
+    """
+    candidates, contacts = start["broad_phase.candidates"], start["contacts.pairs"]
+    engine.resize(candidates=len(candidates), contacts=len(contacts))  # a list follows from these
+    _fill(engine.world, start)
+    engine.start_over()
+
+
+def _fill(world: World, arrays: Arrays) -> None:
+    """Fill all arrays with a saved state, and with what follows from it."""
+    own = named_arrays(world)
+    for field in saved_fields():
+        if field.name in own:
+            own[field.name][...] = arrays[field.name]
+    _derive(world, arrays)
 
 
 def _derive(world: World, arrays: Arrays) -> None:

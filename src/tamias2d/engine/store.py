@@ -70,12 +70,13 @@ class Store:
 
     def reserve_shapes(self, shapes: int, vertices: int) -> None:
         """Reserve rows for so many shapes and vertices in all."""
-        capacities, taken = self.capacities, self.capacities.shapes
+        capacities, taken, longer = self.capacities, self.capacities.shapes, {}
         if shapes > capacities.shapes:
-            self.resize(shapes=max(shapes, capacities.shapes * 3 // 2))
-            self.world.state.body_of_shape[taken:] = capacities.slots - 1
+            longer["shapes"] = max(shapes, capacities.shapes * 3 // 2)
         if vertices > capacities.vertices:
-            self.resize(vertices=max(vertices, capacities.vertices * 3 // 2))
+            longer["vertices"] = max(vertices, capacities.vertices * 3 // 2)
+        self.resize(**longer)
+        self.world.state.body_of_shape[taken:] = capacities.slots - 1
 
     def set_pair_overrides(self, rows: Array) -> None:
         """Set what two shapes have together: rows (k, 4), sorted by shapes."""

@@ -9,10 +9,13 @@ from tamias2d.ensemble.mean import Mean, ensemble_mean
 from tamias2d.ensemble.run_ensemble import ensemble
 from tamias2d.ensemble.sampling import Grid, random_stream
 from tamias2d.ensemble.sensitivity import sensitivities
+from tamias2d.ensemble.simulators import Simulators, WorldContacts
 
 __all__ = [
     "Grid",
     "Mean",
+    "Simulators",
+    "WorldContacts",
     "ensemble",
     "ensemble_mean",
     "random_stream",

@@ -55,7 +55,7 @@ def executors_of(workers: int | None, client: Any, *, threads: bool = False) -> 
                 "workers",
             )
         return _Cluster(client)
-    count = _cores() if workers is None else checked_count(workers, "workers", 1)
+    count = cores() if workers is None else checked_count(workers, "workers", 1)
     if count == 1:
         return None
     return _Threads(count) if threads else _Processes(count)
@@ -80,7 +80,8 @@ def done(
         executor = executors.executor()
         try:
             while left or begun:
-                while left and len(begun) < executors.waiting:
+                most = 1 if deaths else executors.waiting  # alone, a task takes no other with it
+                while left and len(begun) < most:
                     make = left.popleft()
                     begun[executor.submit(make())] = make
                 for future in wait(begun, return_when=FIRST_COMPLETED).done:
@@ -108,7 +109,8 @@ def done(
                 future.cancel()
 
 
-def _cores() -> int:
+def cores() -> int:
+    """Return how many cores this process may use."""
     try:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # macOS, Windows

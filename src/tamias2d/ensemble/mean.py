@@ -35,7 +35,8 @@ from tamias2d.work_limit import WORK_LIMIT
 CONFIDENCE = 0.99
 """With which the statistical error is stated."""
 _QUANTILE = 2.5758293035489004  # of a normal distribution, that so many are within
-_FIRST = 100  # worlds of a new level, from which its variance is estimated
+_FIRST = 100  # worlds of level 0, from which its variance is estimated
+_FIRST_FINER = 32  # worlds of a finer level, each of which costs more
 _LEVELS = 12  # at most: the finest step is 1/2048 of the first one
 _LEAST_ORDER = 0.5  # of the discretisation error, that is believed; impacts may spoil a higher one
 _NOISE = 1.0  # standard deviations by which changes may be off where an order is judged
@@ -268,7 +269,9 @@ class Estimate:
             self._add_level()
 
     def _add_level(self) -> None:
-        self._values.append(self._sampler.values(len(self._values), 0, _FIRST))
+        level = len(self._values)
+        first = _FIRST if level == 0 else _FIRST_FINER
+        self._values.append(self._sampler.values(level, 0, first))
 
     def _more(self) -> bool:
         """Add the worlds that the variances ask for; return whether there were any."""

@@ -100,17 +100,29 @@ def ensemble(
         quantities=quantities,
         work_limit=work_limit,
     )
-    threads = client is None and workers != 1 and mostly_followed(described, request)
-    executors = executors_of(workers, client, threads=threads)
-    hands = 1 if executors is None else executors.waiting // 2
-    size = _chunk(chunk, len(described), hands, request)
     found: Dataset
     with _told(progress) as told:
-        if out is None:
-            found = _in_memory(described, request, size, executors, told)
-        else:
-            found = _stored(described, request, size, executors, told, Store(Path(out)))
+        found = _computed(described, request, out, chunk, workers, client, told)
     return found
+
+
+def _computed(
+    worlds: VariedWorlds | MadeWorlds,
+    request: Request,
+    out: str | Path | None,
+    chunk: int | None,
+    workers: int | None,
+    client: Any,
+    told: Told,
+) -> Any:
+    """Return the dataset of all worlds, computed where they are to be."""
+    threads = client is None and workers != 1 and mostly_followed(worlds, request)
+    executors = executors_of(workers, client, threads=threads)
+    hands = 1 if executors is None else executors.waiting // 2
+    size = _chunk(chunk, len(worlds), hands, request)
+    if out is None:
+        return _in_memory(worlds, request, size, executors, told)
+    return _stored(worlds, request, size, executors, told, Store(Path(out)))
 
 
 def _in_memory(

@@ -59,20 +59,9 @@ def sensitivities(
     """
     from scipy.stats import sobol_indices
 
-    count = checked_count(worlds, "worlds", 2)
-    if count & (count - 1):
-        raise RuleError(
-            f"worlds {count}: must be a power of 2, as Sobol's sequence has it (R5). Give one such "
-            f"as {2 ** count.bit_length()}.",
-            "worlds",
-        )
-    if not 0 < confidence < 1:
-        raise RuleError(
-            f"confidence {confidence!r}: must lie between 0 and 1 (R5). Give one such as 0.95.",
-            "confidence",
-        )
+    count = _power_of_two(worlds)
+    _refuse_no_share(confidence)
     _refuse_no_distributions(vary)
-
     ask = partial(
         _quantities,
         scene,
@@ -97,6 +86,25 @@ def sensitivities(
         spread = found.bootstrap(confidence_level=confidence)
     shares: Dataset = _dataset(found, spread, list(vary), confidence)
     return shares
+
+
+def _power_of_two(worlds: int) -> int:
+    count = checked_count(worlds, "worlds", 2)
+    if count & (count - 1):
+        raise RuleError(
+            f"worlds {count}: must be a power of 2, as Sobol's sequence has it (R5). Give one such "
+            f"as {2 ** count.bit_length()}.",
+            "worlds",
+        )
+    return count
+
+
+def _refuse_no_share(confidence: float) -> None:
+    if not 0 < confidence < 1:
+        raise RuleError(
+            f"confidence {confidence!r}: must lie between 0 and 1 (R5). Give one such as 0.95.",
+            "confidence",
+        )
 
 
 def _refuse_no_distributions(vary: Mapping[str, Any]) -> None:

@@ -13,12 +13,11 @@ from numpy.typing import NDArray
 from tamias2d.balance import balance
 from tamias2d.ensemble.discs import followed
 from tamias2d.ensemble.request import Request, kept_of
-from tamias2d.ensemble.worlds import Worlds
+from tamias2d.ensemble.worlds import Worlds, refuse_other_bodies
 from tamias2d.errors import InputError, SceneError, SimulationError, TamiasError
 from tamias2d.motion import Stepped
 from tamias2d.record.dataset import BODIES, DIMENSIONS
 from tamias2d.scene import Scene
-from tamias2d.scene.rules import RuleError
 from tamias2d.simulate import simulate
 from tamias2d.simulator import states_at
 from tamias2d.solve import planned
@@ -72,7 +71,7 @@ def solved_block(worlds: Worlds, request: Request, first: int, last: int) -> Blo
     for row in left.tolist():
         world = first + row
         scene = worlds.scene(world)
-        _refuse_other_bodies(scene, world, request)
+        refuse_other_bodies(scene, world, request.names)
         try:
             found, outcome[row] = _solved(scene, request)
         except _REFUSALS as fault:
@@ -119,13 +118,3 @@ def _stepped(plan: Plan, method: Stepped, request: Request) -> Arrays:
         name: known[name][:, bodies] if BODIES in DIMENSIONS[name] else known[name]
         for name in request.keep
     }
-
-
-def _refuse_other_bodies(scene: Scene, world: int, request: Request) -> None:
-    names = tuple(body.name for body in scene.bodies)
-    if names != request.names:
-        raise RuleError(
-            f"world {world} of the ensemble: found the bodies {', '.join(names)}: must be those of "
-            f"world 0, {', '.join(request.names)} (R1). Make scenes of the same bodies.",
-            "scene",
-        )

@@ -74,11 +74,12 @@ def plot(dataset: Any, path: str | Path) -> None:
     for axis, (bands, ends) in enumerate(panels):
         for k, name in enumerate(names):
             _bands(bands, dataset[TIMES].values, some[:, :, k, axis], _colour(k), name)
-        lowest, highest = bands.get_ylim()
-        bins = np.linspace(lowest, highest, _BINS + 1)
+        last, (lowest, highest) = some[:, -1, :, axis], bands.get_ylim()
+        bins = np.linspace(min(lowest, last.min()), max(highest, last.max()), _BINS + 1)
         for k in range(len(names)):
             style = {"alpha": 0.6, "orientation": "horizontal", "color": _colour(k)}
-            ends.hist(some[:, -1, k, axis], bins=bins, **style)
+            ends.hist(last[:, k], bins=bins, **style)
+        ends.locator_params(axis="x", integer=True)
         bands.set(ylabel=f"{'xy'[axis]}, m")
         bands.margins(x=0)
     panels[0, 0].set_title(f"90 % and half of {len(some)} worlds, and their median", size="medium")

@@ -119,3 +119,14 @@ def worlds_of(
     values = sampled(scene, {} if vary is None else vary, worlds, seed, design)
     count = len(next(iter(values.values())))
     return VariedWorlds(scene, values, count)
+
+
+def refuse_other_bodies(scene: Scene, world: int, names: tuple[str, ...]) -> None:
+    """Raise `RuleError` unless the scene of a world has the bodies of world 0, by their names."""
+    found = tuple(body.name for body in scene.bodies)
+    if found != names:
+        raise RuleError(
+            f"world {world} of the ensemble: found the bodies {', '.join(found)}: must be those of "
+            f"world 0, {', '.join(names)} (R1). Make scenes of the same bodies.",
+            "scene",
+        )

@@ -209,6 +209,30 @@ def normal_velocity(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair
 
 
 @inlined
+def inverses(k: int, world: World) -> Pair:
+    """Return the inverses of the mass, 1/kg, and of the inertia, 1/(kg m^2), of a body."""
+    return world.bodies[k, INVERSE_MASS], world.bodies[k, INVERSE_INERTIA]
+
+
+@inlined
+def smooth_impulse(
+    arm_a: Pair,
+    arm_b: Pair,
+    normal: Pair,
+    rate: float,
+    restitution: float,
+    i: int,
+    j: int,
+    world: World,
+) -> tuple[float, float]:
+    """Return the impulse without friction, N s (IM3), and the inverse effective mass, 1/kg."""
+    mass_a, turn_a = inverses(i, world)
+    mass_b, turn_b = inverses(j, world)
+    inverse = impact.inverse_effective_mass(mass_a, turn_a, arm_a, mass_b, turn_b, arm_b, normal)
+    return max(impact.impulse(restitution, rate, inverse), 0.0), inverse
+
+
+@inlined
 def after_impulse(
     a: Moving,
     b: Moving,
@@ -222,11 +246,9 @@ def after_impulse(
     world: World,
 ) -> tuple[Moving, Moving, float]:
     """Return both states after an impulse without friction, and its size, N s (IM3)."""
-    body_a, body_b = world.bodies[i], world.bodies[j]
-    mass_a, turn_a = body_a[INVERSE_MASS], body_a[INVERSE_INERTIA]
-    mass_b, turn_b = body_b[INVERSE_MASS], body_b[INVERSE_INERTIA]
-    inverse = impact.inverse_effective_mass(mass_a, turn_a, arm_a, mass_b, turn_b, arm_b, normal)
-    impulse = max(impact.impulse(restitution, rate, inverse), 0.0)
+    mass_a, turn_a = inverses(i, world)
+    mass_b, turn_b = inverses(j, world)
+    impulse, _ = smooth_impulse(arm_a, arm_b, normal, rate, restitution, i, j, world)
     if world.kinds[i] == DISC:
         u, v = impact.velocity_a_after((a[3], a[4]), impulse, normal, mass_a)
         spin = impact.angular_velocity_a_after(a[5], impulse, arm_a, normal, turn_a)
@@ -252,11 +274,9 @@ def after_friction(
     world: World,
 ) -> tuple[Moving, Moving, float]:
     """Return both states after an impulse with friction, and its normal part, N s (IM9)."""
-    body_a, body_b = world.bodies[i], world.bodies[j]
-    mass_a, turn_a = body_a[INVERSE_MASS], body_a[INVERSE_INERTIA]
-    mass_b, turn_b = body_b[INVERSE_MASS], body_b[INVERSE_INERTIA]
-    inverse = impact.inverse_effective_mass(mass_a, turn_a, arm_a, mass_b, turn_b, arm_b, normal)
-    impulse = max(impact.impulse(restitution, rate, inverse), 0.0)
+    mass_a, turn_a = inverses(i, world)
+    mass_b, turn_b = inverses(j, world)
+    impulse, inverse = smooth_impulse(arm_a, arm_b, normal, rate, restitution, i, j, world)
     cross = friction.cross_coupling(turn_a, arm_a, turn_b, arm_b, normal)
     sliding = friction.inverse_sliding_mass(mass_a, turn_a, arm_a, mass_b, turn_b, arm_b, inverse)
     slip = friction.tangential_velocity(

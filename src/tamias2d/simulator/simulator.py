@@ -15,7 +15,7 @@ from tamias2d.engine.batch import Batch
 from tamias2d.engine.contact_report import Contacts, Touching
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.saved_checks import UnfitError
-from tamias2d.engine.saved_state import restored_engine, saved_arrays
+from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError, StepWarning
 from tamias2d.scene import Scene, scene_text
@@ -132,6 +132,10 @@ class Simulator(Views):
         self._lock = Lock()
         self._engine = engine
         self._look()
+        self._forget()
+
+    def _forget(self) -> None:
+        """Forget what was asked for and told so far."""
         self._varying: VaryingLoads | None = None
         self._warned: dict[str, str] = {}
         self._pushed: Array | None = None  # loads for the next step only
@@ -175,7 +179,9 @@ class Simulator(Views):
             raise invalid_state(invalid, self._engine.kind, self._name_of)
         if len(self._joints):
             self._warn_apart()
-        if self._warned.get(_LOSSY) is None and (row := self._engine.lossy_springs) >= 0:
+        if self._scene is None or _LOSSY in self._warned:
+            return
+        if (row := self._engine.lossy_springs) >= 0:
             self._warned[_LOSSY] = (
                 f"springs of {self._name_of(row)}, before {self.time:.6g} s: in the shortest parts "
                 f"of a time step of {self._time_step:.6g} s, too, they turn too far to be solved, "
@@ -602,6 +608,15 @@ class Simulator(Views):
         self._joints = JointSet.restored(about.joints, arrays.get("joints"), engine.kind)
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)
+
+    def _start(self) -> dict[str, NDArray[Any]]:
+        """Return the state before the first step, to which `_rewind` leads back."""
+        self._settle_between()
+        return saved_arrays(self._engine)
+
+    def _rewind(self, start: Mapping[str, NDArray[Any]]) -> None:
+        rewind(self._engine, start)
+        self._forget()
 
     @exclusive
     def digest(self) -> str:

@@ -23,7 +23,7 @@ class Views:
 
     def _look(self) -> None:
         """Look at the arrays of the engine anew, which adding may put elsewhere."""
-        self._position = self._engine.pose[:, :2]
+        self._position = self._engine.pose[..., :2]
 
     @property
     @between_calls
@@ -51,56 +51,56 @@ class Views:
     @between_calls
     def orientation(self) -> Array:
         """Counter-clockwise, unbounded, rad: a view (n,)."""
-        return self._engine.pose[:, 2]
+        return self._engine.pose[..., 2]
 
     @orientation.setter
     @exclusive
     def orientation(self, value: ArrayLike) -> None:
-        _write(self._engine.pose[:, 2], value, "orientation")
+        _write(self._engine.pose[..., 2], value, "orientation")
 
     @property
     @between_calls
     def velocity(self) -> Array:
         """m/s: a view (n, 2)."""
-        return self._engine.velocity[:, :2]
+        return self._engine.velocity[..., :2]
 
     @velocity.setter
     @exclusive
     def velocity(self, value: ArrayLike) -> None:
-        _write(self._engine.velocity[:, :2], value, "velocity")
+        _write(self._engine.velocity[..., :2], value, "velocity")
 
     @property
     @between_calls
     def angular_velocity(self) -> Array:
         """rad/s: a view (n,)."""
-        return self._engine.velocity[:, 2]
+        return self._engine.velocity[..., 2]
 
     @angular_velocity.setter
     @exclusive
     def angular_velocity(self, value: ArrayLike) -> None:
-        _write(self._engine.velocity[:, 2], value, "angular_velocity")
+        _write(self._engine.velocity[..., 2], value, "angular_velocity")
 
     @property
     @between_calls
     def force(self) -> Array:
         """Applied besides gravity until it is changed, N: a view (n, 2)."""
-        return self._engine.load[:, :2]
+        return self._engine.load[..., :2]
 
     @force.setter
     @exclusive
     def force(self, value: ArrayLike) -> None:
-        _write(self._engine.load[:, :2], value, "force")
+        _write(self._engine.load[..., :2], value, "force")
 
     @property
     @between_calls
     def torque(self) -> Array:
         """Applied until it is changed, N m: a view (n,)."""
-        return self._engine.load[:, 2]
+        return self._engine.load[..., 2]
 
     @torque.setter
     @exclusive
     def torque(self, value: ArrayLike) -> None:
-        _write(self._engine.load[:, 2], value, "torque")
+        _write(self._engine.load[..., 2], value, "torque")
 
     @property
     @between_calls

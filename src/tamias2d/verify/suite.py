@@ -19,6 +19,7 @@ from tamias2d.verify import (
     results,
     schemes,
     values,
+    worlds,
 )
 from tamias2d.verify.case import Case
 from tamias2d.verify.items import items, label_order, links, meant
@@ -35,6 +36,7 @@ COMPARISONS: dict[str, Comparison] = {
     "certified": certified.compare,
     "published": published.compare,
     "reference": reference.compare,
+    "worlds": worlds.compare,
     "values": values.compare,
     "refuses": refuses.compare,
     "pace": pace.compare,

@@ -1,0 +1,308 @@
+"""Many simulators that step together, for loops, learning and control: arrays with a world axis.
+
+Serves: whoever acts on many worlds between steps. Hides: that each world has an engine of its own,
+and the threads on which they step. The arrays of all worlds lie one after the other, so that one
+look shows all of them.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor, wait
+from copy import deepcopy
+from dataclasses import dataclass
+from threading import Lock
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.contact_report import Contacts
+from tamias2d.engine.memory import aligned_zeros
+from tamias2d.engine.tables import GRAVITY_X, GRAVITY_Y
+from tamias2d.ensemble.execution import cores
+from tamias2d.ensemble.sampling import Design
+from tamias2d.ensemble.worlds import Maker, VariedWorlds, refuse_other_bodies, worlds_of
+from tamias2d.errors import InputError, SimulationError, TamiasError
+from tamias2d.scene import Scene
+from tamias2d.scene.rules import RuleError
+from tamias2d.simulator import Simulator
+from tamias2d.simulator.exclusive import between_calls, exclusive
+from tamias2d.simulator.settings import checked_count
+from tamias2d.simulator.views import Views
+from tamias2d.state import Array, IntArray
+from tamias2d.suggestions import suggests
+
+_FEWEST = 8  # worlds for a thread: fewer are not worth handing over
+
+
+@dataclass(frozen=True, kw_only=True)
+class WorldContacts(Contacts):
+    """Points at which bodies pushed each other, world after world."""
+
+    world: IntArray
+    """(m,)"""
+
+
+@dataclass(frozen=True)
+class _Shared:
+    """What all engines work on: a row for each world, then for each body."""
+
+    pose: Array
+    velocity: Array
+    load: Array
+    gravity: Array
+    kind: NDArray[np.int8]
+    inverse_mass: Array
+    sims: tuple[Simulator, ...]
+
+    @property
+    def asleep(self) -> NDArray[np.bool_]:
+        return np.stack([sim.asleep for sim in self.sims])
+
+
+@suggests
+class Simulators(Views):
+    """A scene in many worlds, each of which is stepped as by a `Simulator` alone, to the bit.
+
+    The views are those of `Simulator` with an axis of worlds before all others: `position`
+    (worlds, n, 2), `orientation` (worlds, n), `velocity`, `angular_velocity`, `force`, `torque`,
+    and `gravity` (worlds, 2). What is written counts from the next step on.
+    """
+
+    __slots__ = ("_sims", "_starts", "_stopped", "_threads")
+
+    def __init__(
+        self,
+        scene: Scene | Maker,
+        *,
+        worlds: int | None = None,
+        vary: Mapping[str, Any] | None = None,
+        seed: int | None = None,
+        design: Design | None = None,
+        time_step: float = 1 / 60,
+        substeps: int = 4,
+        sleeping: bool = False,
+        threads: int | None = None,
+        compiled: bool = True,
+    ) -> None:
+        """Start so many `worlds` where the scene does, or as `vary` and `seed` say for `ensemble`.
+
+        `time_step` in s, `substeps`, `sleeping` and `compiled` are those of `Simulator`. Worlds
+        are spread over `threads`, as many as there are cores unless stated.
+
+        Raises:
+            InputError: an argument breaks a rule, or a world has other bodies than the first.
+            SceneError: a world's scene cannot be stepped.
+        """
+        described = _described(scene, worlds, vary, seed, design)
+        count = cores() if threads is None else checked_count(threads, "threads", 1)
+        settings: dict[str, Any] = {
+            "time_step": time_step,
+            "substeps": substeps,
+            "sleeping": sleeping,
+            "compiled": compiled,
+        }
+        self._sims = tuple(_simulators(described, settings))
+        self._starts = [sim._start() for sim in self._sims]
+        self._engine: Any = _shared(self._sims)
+        self._threads = ThreadPoolExecutor(count) if count > 1 else None
+        self._stopped = False
+        self._lock = Lock()
+        self._look()
+
+    def __len__(self) -> int:
+        """How many worlds there are."""
+        return len(self._sims)
+
+    @exclusive
+    def step(self, count: int = 1) -> None:
+        """Take so many steps in all worlds.
+
+        Raises:
+            InputError: a value that was set in a world is not finite; its state is as it was
+                before that step, and all others have taken theirs.
+            SimulationError: a force that varies has no finite value in a world.
+
+        Warns:
+            StepWarning: as `Simulator` does, for each world.
+        """
+        steps = checked_count(count, "count", 0)
+        self._each(lambda sim: sim.step(steps))
+
+    @exclusive
+    def reset(self, mask: object | None = None) -> None:
+        """Put the worlds of a mask (worlds,) back to their start, or all of them.
+
+        Each goes on from there with the bits that it had.
+
+        Raises:
+            InputError: the mask is not one truth value for each world.
+        """
+        for world in np.flatnonzero(self._checked(mask)).tolist():
+            self._sims[world]._rewind(self._starts[world])
+
+    @property
+    @between_calls
+    def time(self) -> Array:
+        """Since the start of each world, s: (worlds,)."""
+        return np.array([sim.time for sim in self._sims])
+
+    @property
+    @exclusive
+    def contacts(self) -> WorldContacts:
+        """All points at which bodies pushed each other in the last step, world after world."""
+        return _gathered([sim.contacts for sim in self._sims])
+
+    @property
+    @exclusive
+    def began(self) -> WorldContacts:
+        """The pairs that touched in the last step and not before, each with its strongest point."""
+        return _gathered([sim.began for sim in self._sims])
+
+    @property
+    @exclusive
+    def ended(self) -> IntArray:
+        """The pairs (k, 3) that touched before the last step, and not in it: world, then bodies."""
+        pairs = [sim.ended for sim in self._sims]
+        return np.column_stack((_worlds(pairs), np.concatenate(pairs)))
+
+    @exclusive
+    def world(self, world: int) -> Simulator:
+        """Return one world as a `Simulator` of its own, which goes on with the same bits.
+
+        Raises:
+            InputError: there is no such world.
+        """
+        number = checked_count(world, "world", 0)
+        if number >= len(self):
+            raise RuleError(
+                f"world {number}: there are {len(self)} (R15). Give one from 0 to {len(self) - 1}.",
+                "world",
+            )
+        return deepcopy(self._sims[number])
+
+    def index(self, name: str) -> int:
+        """Return the index of a body by its name; raise `InputError` if there is none."""
+        return self._sims[0].index(name)
+
+    def __repr__(self) -> str:
+        return f"<Simulators of {len(self)} worlds of {self._engine.pose.shape[1]} bodies>"
+
+    def _checked(self, mask: object | None) -> NDArray[np.bool_]:
+        given = np.asarray(np.ones(len(self), dtype=bool) if mask is None else mask)
+        if given.dtype != np.bool_ or given.shape != (len(self),):
+            raise RuleError(
+                f"mask: found {given.dtype} of shape {given.shape}: must be one truth value for "
+                f"each of {len(self)} worlds (R15). Give an array such as `sims.time > 10`.",
+                "mask",
+            )
+        return given
+
+    def _each(self, act: Callable[[Simulator], None]) -> None:
+        """Do something in all worlds, on all threads; raise the first fault once all are done."""
+        faults: dict[int, TamiasError] = {}
+
+        def go(part: range) -> None:
+            for world in part:
+                if self._stopped:
+                    return
+                try:
+                    act(self._sims[world])
+                except (InputError, SimulationError) as fault:
+                    faults[world] = fault
+
+        self._stopped = False
+        parts = list(self._parts())
+        if self._threads is None or len(parts) == 1:
+            go(range(len(self)))
+        else:
+            futures = [self._threads.submit(go, part) for part in parts]
+            try:
+                wait(futures)
+            finally:  # Ctrl-C: no world steps once this call has ended
+                self._stopped = True
+                wait(futures)
+            for future in futures:
+                future.result()
+        if faults:
+            world, fault = min(faults.items())
+            raise type(fault)(f"world {world}: {fault}") from fault
+
+    def _parts(self) -> Iterator[range]:
+        hands = 1 if self._threads is None else self._threads._max_workers
+        size = max(-(-len(self) // hands), _FEWEST)
+        for first in range(0, len(self), size):
+            yield range(first, min(first + size, len(self)))
+
+
+def _described(
+    scene: Scene | Maker,
+    worlds: int | None,
+    vary: Mapping[str, Any] | None,
+    seed: int | None,
+    design: Design | None,
+) -> Any:
+    if isinstance(scene, Scene) and vary is None:
+        if seed is not None or design is not None:
+            raise RuleError(
+                "seed: found one, but nothing varies (R15). Say by `vary` what does, or leave it "
+                "out.",
+                "seed",
+            )
+        return VariedWorlds(scene, {}, checked_count(worlds, "worlds", 1))
+    return worlds_of(scene, vary, worlds, seed, design)
+
+
+def _simulators(described: Any, settings: Mapping[str, Any]) -> Iterator[Simulator]:
+    names: tuple[str, ...] | None = None
+    for world in range(len(described)):
+        scene = described.scene(world)
+        names = names or tuple(body.name for body in scene.bodies)
+        refuse_other_bodies(scene, world, names)
+        yield Simulator(scene, **settings)
+
+
+def _shared(sims: tuple[Simulator, ...]) -> _Shared:
+    """Let all engines work on arrays that lie one after the other."""
+    engines = [sim._engine for sim in sims]
+    size, world = engines[0].size, engines[0].world
+    pose, velocity, load, settings = (
+        aligned_zeros((len(sims), *array.shape))
+        for array in (
+            world.state.pose,
+            world.state.velocity,
+            world.state.load,
+            world.control.settings,
+        )
+    )
+    for k, (sim, engine) in enumerate(zip(sims, engines, strict=True)):
+        state = engine.world.state
+        pose[k], velocity[k], load[k] = state.pose, state.velocity, state.load
+        settings[k] = engine.world.control.settings
+        engine.replace(
+            state__pose=pose[k],
+            state__velocity=velocity[k],
+            state__load=load[k],
+            control__settings=settings[k],
+        )
+        sim._look()
+    return _Shared(
+        pose=pose[:, :size],
+        velocity=velocity[:, :size],
+        load=load[:, :size],
+        gravity=settings[:, GRAVITY_X : GRAVITY_Y + 1],
+        kind=np.stack([engine.kind for engine in engines]),
+        inverse_mass=np.stack([engine.inverse_mass for engine in engines]),
+        sims=sims,
+    )
+
+
+def _gathered(found: list[Contacts]) -> WorldContacts:
+    columns = {
+        name: np.concatenate([getattr(one, name) for one in found]) for name in vars(found[0])
+    }
+    return WorldContacts(**columns, world=_worlds(found))
+
+
+def _worlds(found: list[Any]) -> IntArray:
+    """Return the number of its world for each row of some that were found in all of them."""
+    return np.repeat(np.arange(len(found)), [len(one) for one in found])
