@@ -18,7 +18,14 @@ from typing import Any
 from tamias2d.errors import SpecError
 from tamias2d.spec.reader import read
 from tamias2d.spec.specification import Specification
-from tools import emit_constraints, emit_data, emit_functions, emit_schemes, emit_tests
+from tools import (
+    emit_constraints,
+    emit_data,
+    emit_functions,
+    emit_joint_rows,
+    emit_schemes,
+    emit_tests,
+)
 
 ROOT = Path(__file__).resolve().parent.parent
 CODE = "src/tamias2d/generated"
@@ -36,6 +43,7 @@ def outputs(specification: Specification) -> dict[str, str]:
     files[f"{CODE}/__init__.py"] = PACKAGE
     files[f"{CODE}/schemes.py"] = emit_schemes.emit(specification)
     files[f"{CODE}/constraints.py"] = emit_constraints.emit(specification)
+    files[f"{CODE}/joint_rows.py"] = emit_joint_rows.emit(specification)
     files[f"{CODE}/symbols.py"] = emit_data.emit_symbols(specification)
     files |= {f"{TESTS}/{name}": text for name, text in emit_tests.emit(specification).items()}
     files = formatted(files)
@@ -45,6 +53,7 @@ def outputs(specification: Specification) -> dict[str, str]:
     }
     owners[f"{CODE}/schemes.py"] = [(item.id, item.id) for item in specification.of_kind("scheme")]
     owners[f"{CODE}/constraints.py"] = emit_constraints.owners(specification)
+    owners[f"{CODE}/joint_rows.py"] = emit_joint_rows.owners(specification)
     files[f"{CODE}/srs.json"] = emit_data.emit_json(specification, _places(owners, files))
     return files
 

@@ -279,6 +279,12 @@ def test_explain_gives_every_reason(call: Call) -> None:
     assert all(entry["reason"] in text for entry in entries)
 
 
+def test_explain_tells_why_joints_are_stepped(call: Call) -> None:
+    text = call("explain", "car").stdout
+    assert "joints in a substep (IM15)" in text
+    assert "a joint holds 'chassis', which may rub or rest on what it meets" in text
+
+
 def test_verify_answers_a_row_a_comparison(call: Call) -> None:
     rows = answer(call("verify", "TC1", "TC2", "--json"))["cases"]
     assert {row["id"] for row in rows} == {"TC1", "TC2"}

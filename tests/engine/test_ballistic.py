@@ -84,7 +84,7 @@ class Counted:
 
     def __init__(self, scene: t2.Scene, ballistic: bool = True) -> None:
         self.sim, self.ballistic_steps = Simulator(scene), 0
-        library = self.sim._engine._library
+        library = self.sim._engine._entries
 
         def integrate_ballistic(*given: object) -> int:
             taken: int = library.integrate_ballistic(*given) if ballistic else 0

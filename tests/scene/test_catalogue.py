@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from tamias2d.contact import steps_because
 from tamias2d.contact.core import cores_of
 from tamias2d.contact.overlap import _overlaps
 from tamias2d.errors import SceneError
@@ -56,6 +57,13 @@ def test_a_scene_of_joints_says_what_it_needs(name: str) -> None:
     assert "joints (TM7, GD17)" in needs(scene)
     if len(scene) < 100:  # YAML is read slowly
         assert scene_text(load(scene_text(scene))) == scene_text(scene)
+
+
+@pytest.mark.parametrize("name", [*JOINTED, "windmill", "walker", "ball-and-chain", "andrews"])
+def test_joints_are_stepped_where_they_cannot_be_solved_exactly(name: str) -> None:
+    scene = catalogue.load(name)
+    reason = steps_because(scene, scene.duration or 0.0)
+    assert ("joint" in (reason or "")) == (name in JOINTED)
 
 
 @pytest.mark.parametrize("name", [name for name in STEPPED if name != "pyramid-100"])

@@ -16,6 +16,7 @@ from tools.measurements import (
     drift,
     held_out,
     impacts,
+    jointed,
     kinds,
     peers,
     specialisation,
@@ -126,3 +127,12 @@ def test_specialisation(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(specialisation, "_REPEATS", 1)
     _, rows = lines_of(specialisation)
     assert len(rows) == len(specialisation.DEMANDS)
+
+
+def test_jointed() -> None:
+    found = jointed.measure(seconds=1, side=3, ragdolls=1, heap=1, random=2)
+    assert len(found["rows"]) == 3 * 6
+    heads, rows = jointed.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert jointed.notes(found)
+    assert all(row["last"] < 1e-3 for row in found["rows"] if row["program"] == "Tamias2D")

@@ -41,7 +41,11 @@ def _entries(scene: Scene) -> Sequence[Need]:
         else entry
         for entry in found.entries
     ]
-    return [*located, Need(_STEPS, "method", True, reason)]
+    steps = [Need(_STEPS, "method", True, reason)]
+    if scene.joints:
+        held = f"the scene has {len(scene.joints)}"
+        steps.append(Need("joints in a substep (IM15)", "model", True, held))
+    return [*located, *steps]
 
 
 def explain_source(name: str, method: str) -> None:

@@ -7,6 +7,8 @@ from tamias2d.scene.reach import pairs_that_can_meet
 
 MANY = 100
 """The most moving bodies that can meet and whose impacts are located."""
+MOST_HELD = 400
+"""The most moving bodies that joints hold and that are solved exactly if nothing else is asked."""
 MEANT_TO_TOUCH = 1e-6
 """Bodies that overlap by a smaller part of their size at the start are meant to touch there."""
 
@@ -16,13 +18,16 @@ def steps_because(scene: Scene, duration: float) -> str | None:
 
     A scene is stepped where impacts cannot be located at all, and where more than a hundred moving
     bodies can meet, unless compiled code follows them (`is_event_driven`) and they do not settle.
-    One with joints is not: only located impacts know them.
+    One with joints is stepped where these hold what may rub or rest on something, or too much to be
+    solved exactly; one with a joint that steps do not know is not.
     """
-    if scene.joints:
+    if any(joint.beyond_steps for joint in scene.joints):
         return None
     for body in scene.bodies:
         if what := beyond_location(body):
             return f"body '{body.name}': {what}"
+    if scene.joints and (why := _too_much_for_joints(scene, duration)):
+        return why
     if sum(body.dynamic and body.shape is not None for body in scene.bodies) <= MANY:
         return None
     if is_event_driven(scene) and not _settles(scene):
@@ -30,6 +35,19 @@ def steps_because(scene: Scene, duration: float) -> str | None:
     meeting = {k for pair in pairs_that_can_meet(scene, duration) for k in pair}
     count = sum(scene.bodies[k].dynamic for k in meeting)
     return f"{count} moving bodies can meet, more than {MANY}" if count > MANY else None
+
+
+def _too_much_for_joints(scene: Scene, duration: float) -> str | None:
+    """Return why joints, or what they hold, cannot be solved exactly, or None."""
+    held = {k for joint in scene.joints for k in joint.bodies if scene.bodies[k].dynamic}
+    if len(held) > MOST_HELD:
+        return f"joints hold {len(held)} moving bodies, more than {MOST_HELD}"
+    for pair in pairs_that_can_meet(scene, duration):
+        tied = next((k for k in pair if k in held), None)
+        if tied is not None and (scene.friction(*pair) or scene.restitution(*pair) == 0):
+            name = scene.bodies[tied].name
+            return f"a joint holds '{name}', which may rub or rest on what it meets"
+    return None
 
 
 def _settles(scene: Scene) -> bool:

@@ -5,6 +5,7 @@ It stays from step to step while the same contacts touch.
 
 from tamias2d.engine.direct.contact_tree import number_trees
 from tamias2d.engine.direct.elimination import plan_elimination
+from tamias2d.engine.joints.stages import activate_joined, join_slabs, note_mechanisms
 from tamias2d.engine.solver.blocks import assign_lanes, count_lanes
 from tamias2d.engine.solver.colouring import colour_contacts
 from tamias2d.engine.solver.slabs import divide_into_slabs
@@ -35,6 +36,7 @@ def arrange(world: World, contacts: Contacts) -> int:
     """Arrange the contacts that touch, and mark active bodies; return which array is too short."""
     control, bodies, touching = world.control, world.bodies, world.touching
     constraints, direct = world.constraints, world.direct
+    note_mechanisms(world)
     if touching.counts[ARRANGED] == 1:
         for k in range(constraints.counts[ACTIVE]):
             bodies.moved[touching.active[k]] = 1
@@ -43,10 +45,12 @@ def arrange(world: World, contacts: Contacts) -> int:
     list_active(bodies, touching, constraints)
     if world.springs.counts[SPRINGS] > 0:
         activate_touched(bodies, touching, constraints, world.springs)
+    activate_joined(world)
     tree_count = number_trees(bodies, touching, direct)
     if tree_count >= 0:
         one_slab = world.springs.counts[NETWORKS_TOUCHED] > 0
         divide_into_slabs(tree_count, one_slab, bodies, touching, constraints, direct)
+        join_slabs(tree_count, world)
         needed = assign_lanes(touching, constraints)
         if needed > len(constraints.blocks):
             control.counts[ROWS_NEEDED] = needed

@@ -238,19 +238,35 @@ class BodyPool:
         for free in self._free_shapes.values():
             free.sort(reverse=True)
 
-    def _drop_pairs(self, rows: IntArray) -> None:
-        """Take the pairs of bodies out of the list, and their overrides; wake the other bodies."""
+    def drop_pairs(self, pairs: set[tuple[int, int]]) -> None:
+        """Take pairs of bodies, the lower row first, out of the list of contacts; wake them."""
+        if pairs:
+            owner = np.sort(self._owners(), axis=1)
+            self._drop(np.array([tuple(pair) in pairs for pair in owner.tolist()], dtype=bool))
+
+    def _owners(self) -> IntArray:
+        """Return the bodies (k, 2) of all contacts on the list."""
         world = self.store.world
-        counts, buffers = world.broad_phase.counts, world.buffers
+        side, size = world.broad_phase.counts[[BUFFER, CONTACTS]]
+        slots = world.buffers.pairs[side, :size, SLOT_A : SLOT_B + 1]
+        return world.state.body_of_slot[slots].astype(np.int64)
+
+    def _drop(self, left: NDArray[np.bool_] | np.bool_) -> None:
+        """Take contacts (k,) out of the list, and wake their bodies."""
+        counts, buffers = self.store.world.broad_phase.counts, self.store.world.buffers
         side, size = counts[BUFFER], counts[CONTACTS]
-        owner = world.state.body_of_slot[buffers.pairs[side, :size, SLOT_A : SLOT_B + 1]]
-        left = np.isin(owner, rows).any(axis=1)
-        self.wake(owner[left & (buffers.flags[side, :size, POINT_COUNT] > 0)].ravel())
+        points = buffers.flags[side, :size, POINT_COUNT] > 0
+        self.wake(self._owners()[left & points].ravel())
         kept = np.flatnonzero(~left)
         for values in (buffers.pairs, buffers.manifolds, buffers.flags):
             values[side, : len(kept)] = values[side, kept]
         counts[FIRST_RUN] = np.count_nonzero(kept < counts[FIRST_RUN])
         counts[CONTACTS] = len(kept)
+
+    def _drop_pairs(self, rows: IntArray) -> None:
+        """Take the pairs of bodies out of the list, and their overrides; wake the other bodies."""
+        world = self.store.world
+        self._drop(np.isin(self._owners(), rows).any(axis=1))
         overrides = world.shapes.pair_overrides
         owner = world.state.body_of_shape[overrides[:, :2].astype(np.int64)]
         self.store.set_pair_overrides(overrides[~np.isin(owner, rows).any(axis=1)])

@@ -1,6 +1,7 @@
 """The engine: bodies that can be added, changed and asked for, and the steps that are taken."""
 
 from collections.abc import Mapping, Sequence
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +9,8 @@ from numpy.typing import NDArray
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.body_pool import BodyPool
 from tamias2d.engine.contact_report import Touching, contact_report
-from tamias2d.engine.menu import CONTACT, functions
+from tamias2d.engine.joints.rows import JointRow, kept_apart, set_joints
+from tamias2d.engine.menu import CONTACT, JOINTED, functions
 from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.springs.rows import SpringRow, set_springs
 from tamias2d.engine.steps_per_call import StepsPerCall
@@ -28,6 +30,7 @@ from tamias2d.engine.tables import (
     HORIZON,
     INVERSE_INERTIA,
     INVERSE_MASS,
+    JOINTS,
     LEAST_LEVEL,
     LIMITS,
     MORE_BLOCKS,
@@ -89,7 +92,7 @@ class Engine(Store):
 
     def begin(self, rank: NDArray[np.int64]) -> None:
         """Find out what the arrays hold; bodies have ranks (n,), -1 where absent."""
-        self._library = functions(CONTACT, compiled=self.compiled)
+        self._library: SimpleNamespace | None = None  # what steps are taken with, once they are
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
         self._steps_per_call, self._ballistic_steps_per_call = StepsPerCall(), StepsPerCall()
@@ -211,6 +214,19 @@ class Engine(Store):
         """Let springs act between bodies, given by rows, in this order, and no others."""
         set_springs(self, rows)
 
+    def set_joints(self, rows: Sequence[JointRow], *, restored: bool) -> list[int]:
+        """Let joints hold bodies, given by rows, in this order, and no others.
+
+        Returns the place of each among the joints of the arrays. If the engine was restored with
+        them, what it knows of contacts fits them already.
+        """
+        places = set_joints(self, rows)
+        self._library = None
+        if not restored:
+            self._pool.drop_pairs(kept_apart(self))
+            self.forget_pairs()
+        return places
+
     def settle(self) -> None:
         """Give what was added its place, and free what was removed; before a step or query."""
         self._pool.settle()
@@ -267,7 +283,7 @@ class Engine(Store):
         checked, timed = 0, count > 1
         try:
             while count > 0:
-                if self._alone and not self.world.springs.counts[SPRINGS]:
+                if self._alone and not self._connected:
                     asked = min(count, self._ballistic_steps_per_call.most)
                     taken = self._ballistic_steps(asked, timed)
                     count -= taken
@@ -285,14 +301,28 @@ class Engine(Store):
             raise
         return None
 
+    @property
+    def _connected(self) -> bool:
+        """Whether springs or joints connect bodies, which do not go ballistically then."""
+        world = self.world
+        return bool(world.springs.counts[SPRINGS] or world.joints.counts[JOINTS])
+
+    @property
+    def _entries(self) -> SimpleNamespace:
+        """The compiled functions, found when a step is taken: joints have to be known by then."""
+        if self._library is None:
+            jointed = self.world.joints.counts[JOINTS] > 0
+            self._library = functions(JOINTED if jointed else CONTACT, compiled=self.compiled)
+        return self._library
+
     def _ballistic_steps(self, count: int, timed: bool) -> int:
         """Take up to some steps while all bodies are alone; return how many."""
         if not self._course_known:
-            self._library.note_course(self.argument)
+            self._entries.note_course(self.argument)
             self._course_known = True
         if timed:
             self._ballistic_steps_per_call.begin()
-        taken: int = self._library.integrate_ballistic(self.argument, count)
+        taken: int = self._entries.integrate_ballistic(self.argument, count)
         if timed:
             self._ballistic_steps_per_call.end(taken)
         if taken:
@@ -318,7 +348,7 @@ class Engine(Store):
 
     def _call(self) -> int:
         try:
-            status: int = self._library.step(self.argument)
+            status: int = self._entries.step(self.argument)
         except (ValueError, OverflowError, ZeroDivisionError):
             if self.compiled:
                 raise

@@ -1,26 +1,31 @@
 """Islands: dynamic bodies that are connected by touching contacts.
 
-Other bodies connect nothing, so that the ground does not make one island of all. Cost: about a
+Joints connect, too. Other bodies connect nothing, so that the ground does not make one island of
+all. Cost: about a
 visit to each contact. Source: Tarjan and van Leeuwen (1984), union with path halving.
 """
 
 from tamias2d.engine.tables import (
     DYNAMIC,
     FIRST_CONTACT,
+    I_NODE,
     ISLANDS_KNOWN,
+    JOINED_SLOT,
+    MECHANISMS,
     ROOT,
     SLEEP_STEPS,
     TOUCHING,
     Bodies,
     Integers,
     Islands,
+    Joints,
     Touching,
 )
 
 LAST = 2**31 - 1
 
 
-def find_islands(bodies: Bodies, touching: Touching, islands: Islands) -> None:
+def find_islands(bodies: Bodies, touching: Touching, islands: Islands, joints: Joints) -> None:
     """Give each dynamic body its root: the body of its island that touches first.
 
     Contacts are in canonical order, and so the root does not depend on the order of adding.
@@ -37,15 +42,29 @@ def find_islands(bodies: Bodies, touching: Touching, islands: Islands) -> None:
             if links[j, FIRST_CONTACT] < links[i, FIRST_CONTACT]:
                 i, j = j, i
             links[j, ROOT] = i
+    join_islands(islands, joints)
     for i in range(len(bodies.kind)):
         links[i, ROOT] = root_of(i, links)
 
 
-def update_islands(bodies: Bodies, touching: Touching, islands: Islands) -> None:
+def update_islands(bodies: Bodies, touching: Touching, islands: Islands, joints: Joints) -> None:
     """Find the islands, unless they are known; sleep finds them itself in each step."""
     if touching.counts[ISLANDS_KNOWN] == 0 or islands.counts[SLEEP_STEPS] > 0:
-        find_islands(bodies, touching, islands)
+        find_islands(bodies, touching, islands, joints)
         touching.counts[ISLANDS_KNOWN] = 1
+
+
+def join_islands(islands: Islands, joints: Joints) -> None:
+    """Make one island of the bodies of each mechanism, and of all that touches them."""
+    links = islands.links
+    for n in range(joints.counts[MECHANISMS]):
+        first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+        one = joints.members[first, JOINED_SLOT]
+        for m in range(first + 1, last):
+            i, j = root_of(one, links), root_of(joints.members[m, JOINED_SLOT], links)
+            if links[j, FIRST_CONTACT] < links[i, FIRST_CONTACT]:
+                i, j = j, i
+            links[j, ROOT] = i
 
 
 def root_of(i: int, links: Integers) -> int:

@@ -5,15 +5,18 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from tamias2d.engine.joints.all_stages import JOINT_STAGES
 from tamias2d.engine.motion.ballistic import integrate_ballistic, note_course
 from tamias2d.engine.query.overlap import build_query_tree, shapes_in_box
 from tamias2d.engine.query.ray_cast import cast_rays
 from tamias2d.engine.step import step
 from tamias2d.kernels import Library
 
-CONTACT = Library("contact engine", (step, integrate_ballistic, note_course))
+_STEPS = (step, integrate_ballistic, note_course)
+CONTACT = Library("contact engine", _STEPS, without=JOINT_STAGES)
+JOINTED = Library("contact engine with joints", _STEPS)
 QUERY = Library("queries", (build_query_tree, cast_rays, shapes_in_box))
-MENU: tuple[Library, ...] = (CONTACT, QUERY)
+MENU: tuple[Library, ...] = (CONTACT, JOINTED, QUERY)
 
 
 @cache

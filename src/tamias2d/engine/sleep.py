@@ -25,7 +25,10 @@ from tamias2d.engine.tables import (
     GRAVITY_X,
     GRAVITY_Y,
     HAD_MET_IN_FLIGHT,
+    I_NODE,
     ISLAND_SLOW_STEPS,
+    JOINED_SLOT,
+    MECHANISMS,
     PART_TIME,
     POINT_COUNT,
     REST_GRAVITY,
@@ -51,6 +54,7 @@ from tamias2d.engine.tables import (
     Control,
     Integers,
     Islands,
+    Joints,
     Touching,
 )
 from tamias2d.generated.sleeping import quiet, quiet_square
@@ -160,13 +164,14 @@ def keep_touching_flags(broad_phase: BroadPhase, contacts: Contacts, islands: Is
 
 
 def note_support_kinds(
-    bodies: Bodies, contacts: Contacts, touching: Touching, islands: Islands
+    bodies: Bodies, contacts: Contacts, touching: Touching, islands: Islands, joints: Joints
 ) -> None:
     """Note what each body touches: nothing, bodies at rest, or one that moves by itself."""
-    find_islands(bodies, touching, islands)
+    find_islands(bodies, touching, islands, joints)
     links = islands.links
     for i in range(len(bodies.kind)):
         links[i, SUPPORT_KIND] = NO_SUPPORT
+    note_joined_support(islands, joints)
     for k in range(touching.counts[TOUCHING]):
         pair = contacts.pairs[touching.contact[k]]
         i, j = pair[SLOT_A], pair[SLOT_B]
@@ -176,6 +181,14 @@ def note_support_kinds(
         support = SUPPORTED_IN_MOTION if in_motion else SUPPORTED_AT_REST
         links[i, SUPPORT_KIND] = max(links[i, SUPPORT_KIND], support)
         links[j, SUPPORT_KIND] = max(links[j, SUPPORT_KIND], support)
+
+
+def note_joined_support(islands: Islands, joints: Joints) -> None:
+    """Note that bodies which joints hold are supported by what these hold besides."""
+    for n in range(joints.counts[MECHANISMS]):
+        for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+            links = islands.links[joints.members[m, JOINED_SLOT]]
+            links[SUPPORT_KIND] = max(links[SUPPORT_KIND], SUPPORTED_AT_REST)
 
 
 def fall_asleep(control: Control, bodies: Bodies, islands: Islands) -> None:

@@ -20,6 +20,12 @@ from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
+from tamias2d.engine.joined import mark_joined, take_whole_steps
+from tamias2d.engine.joints.stages import (
+    clear_of_joints,
+    keep_joint_impulses,
+    note_places,
+)
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
 from tamias2d.engine.parts import (
@@ -98,6 +104,8 @@ def step(world: World) -> int:
         valid = gather_state(world.control, world.state, world.bodies)
         if not valid and counts[CHECKED] == 0:
             return INVALID
+    note_places(world)
+    mark_joined(world)
     clear = False
     while counts[STEPS_LEFT] > 0 and not clear:
         status = take_step(world)
@@ -113,6 +121,7 @@ def step(world: World) -> int:
         pairs, sleep_steps = world.broad_phase.counts, world.islands.counts[SLEEP_STEPS]
         sprung = world.springs.counts[SPRINGS] > 0
         clear = pairs[CONTACTS] == 0 and pairs[LIST_HOLDS] == 1 and sleep_steps == 0 and not sprung
+        clear = clear_of_joints(clear, world)
     return CLEAR if clear else DONE
 
 
@@ -122,6 +131,7 @@ def take_step(world: World) -> int:
     while not ended:
         status = take_part(world)
         if status == DONE:
+            keep_joint_impulses(world)
             ended = end_part(world)
         elif status != AGAIN:
             return status
@@ -161,6 +171,7 @@ def take_part(world: World) -> int:
         if status != DONE:
             return status
         note_start(world)
+        take_whole_steps(world)
         solve_contacts(world, contacts)
         counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:
@@ -220,6 +231,7 @@ def find_moved(world: World) -> int:
     if islands.counts[SLEEP_STEPS] > 0:
         update_sleep(world.control, bodies, broad_phase, contacts, islands)
     left = mark_out_of_bounds(world.control, bodies, broad_phase)
+    take_whole_steps(world)
     all_needed = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
     turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
     return left
@@ -230,7 +242,7 @@ def integrate(world: World) -> int:
     bodies, broad_phase, islands = world.bodies, world.broad_phase, world.islands
     contacts = current_contacts(broad_phase, world.buffers)
     if islands.counts[SLEEP_STEPS] > 0:
-        note_support_kinds(bodies, contacts, world.touching, islands)
+        note_support_kinds(bodies, contacts, world.touching, islands, world.joints)
     if islands.counts[SLEEPING] > 0:
         hold_sleeping(bodies, islands)
         keep_touching_flags(broad_phase, contacts, islands)

@@ -6,6 +6,14 @@ step once more as it begins. Source: Macklin et al. (2019), substeps; Catto (202
 
 from tamias2d.engine.direct.solve import prepare_trees, solve_trees
 from tamias2d.engine.islands import update_islands
+from tamias2d.engine.joints.stages import (
+    begin_joints,
+    end_joints,
+    look_at_touched,
+    relax_in_turns,
+    relax_joints,
+    solve_joints,
+)
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
 from tamias2d.engine.solver.energy import makes_energy, sum_step_energy
 from tamias2d.engine.solver.energy_bound import bound_energy, note_before_restitution
@@ -94,8 +102,8 @@ def finish_step(world: World) -> None:
         slowest = SLOWEST_IMPACT * world.control.progress[PART_TIME] * gravity
         note_before_restitution(bodies, touching, constraints, islands)
         apply_restitution(0, constraints.counts[BLOCKS], bodies, constraints, slowest)
-    update_islands(bodies, touching, islands)
-    bound_energy(world.control, bodies, touching, constraints, islands)
+    update_islands(bodies, touching, islands, world.joints)
+    bound_energy(world.control, bodies, touching, constraints, islands, world.joints)
 
 
 @inlined
@@ -142,6 +150,7 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
     prepare_blocks(block, block_end, substep, blocks, lanes)
     prepare_trees(slabs[slab, S_TREE], slabs[slab + 1, S_TREE], bodies, constraints, world.direct)
     warm_start(block, block_end, bodies, constraints)
+    begin_joints(substep, world)
 
 
 @inlined
@@ -155,11 +164,13 @@ def solve_slab(again: bool, slab: int, substep: float, world: World) -> None:
     share = 1.0 / world.control.progress[PART_TIME]
     if sprung:
         apply_springs(False, substep, share, bodies, world.springs)
+    solve_joints(False, substep, world)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(False, tree, tree_end, substep, bodies, constraints, world.direct)
     solve_soft(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
     if sprung:
         apply_springs(True, substep, share, bodies, world.springs)
+    solve_joints(True, substep, world)
 
 
 @inlined
@@ -169,9 +180,11 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     slabs = constraints.slabs
     first, last = bodies_of_stage(slab, constraints)
     integrate_positions(substep, first, last, bodies, world.touching)
+    relax_joints(world)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(True, tree, tree_end, substep, bodies, constraints, world.direct)
     relax(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
+    relax_in_turns(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], substep, world)
 
 
 @inlined
@@ -180,7 +193,9 @@ def end_slab(slab: int, world: World, contacts: Contacts) -> None:
     bodies, touching, constraints = world.bodies, world.touching, world.constraints
     slabs = constraints.slabs
     first, last = slabs[slab, S_BODY], slabs[slab + 1, S_BODY]
+    end_joints(world)
     sum_step_energy(first, last, world.control, bodies, touching, constraints.energy)
+    look_at_touched(world)
     if constraints.counts[BOUNCING] == 0:
         first, last = slabs[slab, S_CONTACT], slabs[slab + 1, S_CONTACT]
         store_impulses(first, last, world.control, bodies, contacts, touching, constraints)

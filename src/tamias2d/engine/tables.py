@@ -157,6 +157,7 @@ BOUNDING_RADIUS = _properties()  # m, of the circle around the body
 MIN_EXTENT = _properties()  # m, half of its least width
 CORE_RADIUS = _properties()  # m, distance of its farthest vertex from its centre
 PROPAGATOR = _properties()  # row of its propagator
+JOINED = _properties()  # 1 if a joint holds it
 
 # propagators (DD41): v' = DECAY v + GAIN a, x' = x + GAIN v + LIFT a
 DECAY, GAIN, LIFT = range(3)  # 1, s, s^2
@@ -563,6 +564,7 @@ MOMENT_X = _energy()  # kg m, of the mass
 MOMENT_Y = _energy()
 MOMENT_OF_INERTIA = _energy()  # kg m^2
 DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
+KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()
 SLEEP_STEPS = _islands()  # slow steps until an island sleeps, 0 for never
@@ -723,6 +725,94 @@ class Springs(NamedTuple):
     members: Annotated[FloatRows, Sized("members", _members.width)]
 
 
+# -- joints: a mechanism is what joints connect, through bodies that move freely
+
+_joint_counts = Columns()
+JOINTS = _joint_counts()
+MECHANISMS = _joint_counts()
+MECHANISMS_AWAKE = _joint_counts()  # in this step
+MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts
+
+_mechanisms = Columns()
+M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
+M_STATUS = _mechanisms()  # one of those below
+M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration
+M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
+M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
+M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
+ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
+
+_joint = Columns()  # whole numbers of a joint
+J_KIND = _joint()  # by the number in `generated.joint_rows`
+J_ROWS = _joint()  # how many of them
+J_MEMBER = _joint(3)  # of its bodies A, B and C; 0 for the plane
+J_NODE = _joint(3)  # their nodes, or one of those below
+J_EDGE = _joint(3)  # of the pairs AB, AC and BC, or -1 where one does not move
+J_LAW = _joint()  # what governs its row, one of those below
+J_STATE = _joint()  # whether a limit or a motor holds, one of those below
+
+KEPT, LOWER_LIMIT, UPPER_LIMIT, MOTOR, SPRING = range(5)  # at zero; one row if not KEPT
+HOLDS, FREE_ROW, AT_MOST, AT_LEAST = range(4)  # a motor gives the most forwards, or backwards
+
+_laws = Columns()  # numbers of a law
+LAW_RATE = _laws()  # m/s or rad/s, of a motor
+LAW_MOST = _laws()  # N or N m, of a motor
+LAW_STIFFNESS = _laws()  # N/m or N m/rad
+LAW_DAMPING = _laws()  # kg/s or N m s
+
+STANDS_STILL, UNUSED = -1, -2  # instead of a node: nothing moves there, or the joint asks for none
+
+_joint_numbers = Columns()
+J_ROW = _joint_numbers(30)  # value and slopes of each row
+J_FIRMNESS = _joint_numbers(3)  # kg, of each row
+J_AIM = _joint_numbers(3)  # m or rad, to which a substep brings each row
+J_ERROR = _joint_numbers(3)  # m/s or rad/s, rate of each row beyond what is wanted
+J_STEP_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over the step
+J_FORCE = _joint_numbers(3)  # N, of each row in the last part of a step
+J_WARM = _joint_numbers(3)  # N s, impulse of each row in the last substep; of meshes only
+J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this part
+J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
+J_GIVEN = _joint_numbers(3)  # N s, impulse of each row over this substep
+J_APART = _joint_numbers(3)  # m or rad, by how much each row was apart at most, until it is asked
+J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved
+J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
+J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
+J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about
+
+_joined = Columns()  # members: the plane, then the nodes, then bodies that do not move
+JOINED_BODY = _joined()  # row of the body
+JOINED_SLOT = _joined()  # its slot in this step
+
+_places = Columns()  # of a member, as generated code takes it
+PLACE_X = _places()  # m
+PLACE_Y = _places()  # m
+PLACE_ANGLE = _places()  # rad
+PLACE_COSINE = _places()
+PLACE_SINE = _places()
+LEANING = _places()  # N m, of joints that pull at the arms of the body
+HELD_INVERSE_INERTIA = _places()  # 1/(kg m^2), with which it counts in joints
+
+
+class Joints(NamedTuple):
+    """Joints and the bodies that they hold; read by the joints' own stages."""
+
+    counts: Annotated[Ranks, Sized(_joint_counts.width)]
+    mechanisms: Annotated[RankRows, Sized("mechanisms", _mechanisms.width)]
+    joints: Annotated[RankRows, Sized("joints", _joint.width)]
+    given: Annotated[FloatRows, Sized("joints", 10)]  # parameters
+    laws: Annotated[FloatRows, Sized("joints", _laws.width)]
+    numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
+    members: Annotated[RankRows, Sized("joined", _joined.width)]
+    places: Annotated[FloatRows, Sized("joined", _places.width)]
+    bends: Annotated[Floats, Sized(9)]  # m, second derivatives of the rows of a joint
+    # as those of the direct solver, a node for each body that moves
+    sparse: Annotated[RankRows, Sized("joint_sparse", _sparse.width)]
+    factors: Annotated[FloatRows, Sized("joint_sparse", _factors.width)]
+    # bodies that joints keep from touching: of each pair, by the body with the lower row
+    apart_first: Annotated[Ranks, Sized("apart_bodies")]  # where those of a row begin
+    apart: Annotated[Ranks, Sized("apart")]  # the other rows
+
+
 # -- continuous collision
 
 FIRST_OF_BODY, CONTACT_OF_BODY, TOURNAMENT = range(3)  # rows of queue
@@ -804,3 +894,4 @@ class World(NamedTuple):
     springs: Springs
     events: Events
     chunks: Chunks
+    joints: Joints

@@ -38,6 +38,12 @@ class Capacities:
     springs: int = 0
     members: int = 0  # bodies that springs hold
     networks: int = 1  # one more than networks of springs
+    joints: int = 0
+    joined: int = 0  # the plane, and bodies that joints hold
+    mechanisms: int = 1  # one more than mechanisms
+    joint_sparse: int = 0
+    apart_bodies: int = 1  # one more than rows that joints keep apart from others
+    apart: int = 0
     clip: int = 8  # vertices of two shapes, and one
 
     def lengths(self) -> dict[str, int]:
@@ -47,7 +53,7 @@ class Capacities:
             **vars(self),
             "ranks": self.shapes + 1,
             "nodes": 2 * first_leaf_node(self.shapes),
-            "pair_bodies": 2 * self.contacts + self.members,
+            "pair_bodies": 2 * self.contacts + self.members + self.joined,
             "events": events,
             "queue": 4 * events,
             "chunks": self.slots // CHUNK,

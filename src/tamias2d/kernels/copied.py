@@ -8,12 +8,16 @@ import ast
 import inspect
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import cache
 from typing import Any
 
 Function = Callable[..., Any]
 Edit = tuple[int, int, str]  # from, to (bytes of the source), and what stands there then
 _LINE = re.compile(r":\d+(?=\.$)")  # of a chapter: a sentence more above must not compile all anew
+
+_left_out: ContextVar[frozenset[Function]] = ContextVar("left_out", default=frozenset())
 
 
 def function_of(function: Function) -> ast.FunctionDef:
@@ -24,9 +28,47 @@ def function_of(function: Function) -> ast.FunctionDef:
     return tree
 
 
-@cache
+@contextmanager
+def leaving_out(functions: Collection[Function]) -> Iterator[None]:
+    """Meanwhile, let sources be without the statements that only call some functions.
+
+    These are calls by themselves, and `x = f(x, ...)`; any other use of the functions stays.
+    """
+    token = _left_out.set(frozenset(functions))
+    try:
+        yield
+    finally:
+        _left_out.reset(token)
+
+
 def _source(function: Function) -> str:
-    return inspect.getsource(function)
+    return _source_without(function, _left_out.get())
+
+
+@cache
+def _source_without(function: Function, left_out: frozenset[Function]) -> str:
+    source = inspect.getsource(function)
+    if not left_out:
+        return source
+    lines = source.splitlines(keepends=True)
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.stmt) and _called_alone(node, function) in left_out:
+            first, last = node.lineno - 1, node.end_lineno or node.lineno
+            lines[first:last] = [""] * (last - first)
+    return "".join(lines)
+
+
+def _called_alone(node: ast.stmt, function: Function) -> Function | None:
+    """Return the function that a statement does nothing else than call, or None."""
+    value = node.value if isinstance(node, ast.Expr | ast.Assign) else None
+    if not isinstance(value, ast.Call) or not isinstance(value.func, ast.Name):
+        return None
+    if isinstance(node, ast.Assign):
+        kept = ast.unparse(value.args[0]) if value.args else None
+        if [ast.unparse(target) for target in node.targets] != [kept]:
+            return None
+    found: Function | None = function.__globals__.get(value.func.id)
+    return found if callable(found) else None
 
 
 def references(function: Function) -> Iterator[ast.Name | ast.Attribute]:

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
-from tamias2d.kernels.copied import Function
+from tamias2d.kernels.copied import Function, leaving_out
 from tamias2d.kernels.progress import progress
 
 
@@ -22,9 +22,13 @@ class Library:
     entries: tuple[Function, ...]
     """What is called from outside; their types are those of `tamias2d.kernels.arrays`."""
 
+    without: tuple[Function, ...] = ()
+    """Stages that it does without: statements that only call one of them are left out."""
+
     def source(self) -> str:
         """Return the source that is compiled, with all that the entries use."""
-        return assembled(*self.entries, says=f"The {self.name} of Tamias2D.")
+        with leaving_out(self.without):
+            return assembled(*self.entries, says=f"The {self.name} of Tamias2D.")
 
     def plain(self) -> SimpleNamespace:
         """Return the entries by their names as they are, to look into and to compare with."""

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from tamias2d.scene.bodies import Body
-from tamias2d.scene.freedoms import at_rest, refuse_crossed
+from tamias2d.scene.freedoms import at_rest as freedoms_at_rest, refuse_crossed
 from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joint_start import Start
 from tamias2d.scene.joints import End, Joint
@@ -30,8 +30,13 @@ def checked_joint(
     collide: object,
     bodies: Sequence[Body],
     bears: tuple[object, object] = (None, None),
+    *,
+    at_rest: bool = False,
 ) -> Joint:
-    """Return a joint that ties bodies and holds at the start, or raise `RuleError`."""
+    """Return a joint that ties bodies and holds at the start, or raise `RuleError`.
+
+    If it is only asked `at_rest`, the velocities may be such as to tear it.
+    """
     of = f"joint '{name}'"
     if not isinstance(kind, Kind):
         raise RuleError(
@@ -72,7 +77,7 @@ def checked_joint(
             "break_force",
         )
     _refuse_idle(joint, bodies, of)
-    return _fitted(joint, kind, bodies, of)
+    return _fitted(joint, kind, bodies, of, at_rest=at_rest)
 
 
 def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
@@ -83,11 +88,11 @@ def checked_again(joint: Joint, bodies: Sequence[Body]) -> Joint:
     return joint
 
 
-def _checked_start(joint: Joint, bodies: Sequence[Body], of: str) -> None:
+def _checked_start(joint: Joint, bodies: Sequence[Body], of: str, *, at_rest: bool = False) -> None:
     start = Start(joint, bodies)
     _refuse_singular(start, bodies, of)
     if joint.rigid:
-        _refuse_unfit(start, of)
+        _refuse_unfit(start, of, at_rest=at_rest)
 
 
 def _bears(value: object, symbol: str, of: str, key: str, unit: str) -> float | None:
@@ -136,7 +141,7 @@ def _refuse_idle(joint: Joint, bodies: Sequence[Body], of: str) -> None:
         raise RuleError(f"{of}: it holds no body that moves (TM7). Name one that does.", "between")
 
 
-def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str) -> Joint:
+def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str, *, at_rest: bool) -> Joint:
     """Return the joint with all its parameters; what is not given is as at the start."""
     known = {name: value for name, value in kind.given.items() if value is not None}
     joint = _with(joint, known)
@@ -145,7 +150,7 @@ def _fitted(joint: Joint, kind: Kind, bodies: Sequence[Body], of: str) -> Joint:
         start = Start(_with(joint, {**known, name: 0.0}), bodies)
         known[name] = float(start.rows[-1]) + 0.0
         joint = _with(joint, known)
-    _checked_start(joint, bodies, of)
+    _checked_start(joint, bodies, of, at_rest=at_rest)
     return _governed(joint, bodies, of)
 
 
@@ -155,7 +160,7 @@ def _governed(joint: Joint, bodies: Sequence[Body], of: str) -> Joint:
         _refuse_singular(Start(joint.measured(each, 0.0), bodies), bodies, of)
     values = _values(joint, bodies)
     refuse_crossed(joint.freedoms, values, of)
-    return replace(joint, freedoms=at_rest(joint.freedoms, values))
+    return replace(joint, freedoms=freedoms_at_rest(joint.freedoms, values))
 
 
 def _with(joint: Joint, known: Mapping[str, float | Vector]) -> Joint:
@@ -202,7 +207,7 @@ def _refuse_singular(start: Start, bodies: Sequence[Body], of: str) -> None:
             )
 
 
-def _refuse_unfit(start: Start, of: str) -> None:
+def _refuse_unfit(start: Start, of: str, *, at_rest: bool = False) -> None:
     """Refuse a joint that does not hold at the start."""
     if start.way(start.rows) > _FITS * start.size:
         raise RuleError(
@@ -210,7 +215,7 @@ def _refuse_unfit(start: Start, of: str) -> None:
             "Move the bodies or the anchors so that it fits.",
             "between",
         )
-    if start.way(start.rates) > _FITS * start.speed:
+    if not at_rest and start.way(start.rates) > _FITS * start.speed:
         raise RuleError(
             f"{of}: the velocities at the start tear it: it is left at "
             f"{start.worst(start.rates, '/s')} (TM7). Give its bodies velocities that fit.",

@@ -82,6 +82,19 @@ class Joint:
         """Whether it bears no more than something."""
         return self.break_force is not None or self.break_torque is not None
 
+    @property
+    def beyond_steps(self) -> str | None:
+        """What the frame loop does not know of it, or None (R13)."""
+        if self.equations:
+            return "equation of one's own"
+        if self.breaks:
+            return "breaking of joints"
+        if any(each.pitch is not None for each in self.freedoms):
+            return "ratchets"
+        if any(each.limits and each.limits.restitution > 0 for each in self.freedoms):
+            return "restitution of limits but 0"
+        return None
+
     def measured(self, freedom: Freedom, value: float) -> "Joint":
         """Return the joint that keeps one of its freedoms at a value, rad or m."""
         guide = tuple((name, at) for name, at in self.parameters if name == "guide_a")

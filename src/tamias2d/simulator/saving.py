@@ -20,7 +20,7 @@ from tamias2d.simulator.settings import checked_count, checked_substeps, checked
 from tamias2d.storage import aside
 
 Arrays = Mapping[str, NDArray[Any]]
-VERSION = 8  # of the saved state: its arrays, and the columns of the engine's
+VERSION = 9  # of the saved state: its arrays, and the columns of the engine's
 _MARK = "tamias2d simulator"
 _ABOUT, _DIGEST = "about", "digest"
 
@@ -38,6 +38,8 @@ class About:
     """Rows of the scene's bodies that are still there."""
     scene: str | None
     """The text of a scene whose loads vary."""
+    joints: list[dict[str, Any]]
+    """As plain data."""
 
 
 def write(path: Path, arrays: Arrays) -> None:
@@ -124,6 +126,7 @@ def _about(text: str) -> About:
         fits = all(isinstance(row, int) and not isinstance(row, bool) and row >= 0 for row in rows)
         fits = fits and isinstance(about.time_step, float) and isinstance(about.substeps, int)
         fits = fits and isinstance(about.names, dict) and isinstance(about.staying, list)
+        fits = fits and isinstance(about.joints, list)
     except (TypeError, ValueError, AttributeError, RecursionError) as error:
         raise UnfitError(f"{_ABOUT}: {error}") from error
     require(fits, _ABOUT, "must be numbers, rows and names")

@@ -20,8 +20,9 @@ from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError, StepWarning
 from tamias2d.scene import Scene, scene_text
-from tamias2d.scene.joints import refuse_joints
-from tamias2d.scene.rules import RuleError, shown
+from tamias2d.scene.joint_kinds import Kind
+from tamias2d.scene.joints import End, kept_apart
+from tamias2d.scene.rules import RuleError, VectorLike, shown, vector
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.simulator import saving
 from tamias2d.simulator.adding import Shapes, added_batch
@@ -29,6 +30,7 @@ from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
 from tamias2d.simulator.batch import scene_batch
 from tamias2d.simulator.exclusive import busy, exclusive
 from tamias2d.simulator.invalid_state import invalid_state
+from tamias2d.simulator.joint_set import APART, JointSet, Reactions, Standing
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
 from tamias2d.simulator.selection import Bodies, selected
@@ -68,6 +70,7 @@ class Simulator(Views):
     """
 
     __slots__ = (
+        "_joints",
         "_limits",
         "_names",
         "_pushed",
@@ -105,11 +108,11 @@ class Simulator(Views):
             InputError: a value breaks a rule (R4).
         """
         checked_scene(scene)
-        refuse_joints(scene.joints, "the frame loop", "Take simulate(scene, ...), which does.")
         self._time_step, self._substeps = checked_time_step(time_step), checked_substeps(substeps)
         varies = bool(scene.springs) or not VaryingLoads(scene, range(len(scene)), {}).empty
         self._scene = deepcopy(scene) if varies else None  # what varies is all that is asked of it
         self._names = {body.name: k for k, body in enumerate(scene.bodies)}
+        self._joints = JointSet(scene.joints)
         self._staying = list(range(len(scene)))
         engine = Engine(
             gravity=scene.gravity,
@@ -123,7 +126,8 @@ class Simulator(Views):
         batch = scene_batch(scene)
         names = [f"'{body.name}'" for body in scene.bodies]
         known = scene.restitution_of_pairs
-        refuse_missing_restitution(engine, batch, names.__getitem__, known)
+        apart = dict.fromkeys(kept_apart(scene.joints), 0.0)
+        refuse_missing_restitution(engine, batch, names.__getitem__, {**apart, **known})
         engine.add(batch)
         engine.override_pairs(scene.friction_of_pairs, known)
         self._begin(engine)
@@ -153,8 +157,8 @@ class Simulator(Views):
             SimulationError: a force that varies has no finite value.
 
         Warns:
-            StepWarning: the time step is too long for a force that varies, once for each; for
-                springs, gravity, the weight on bodies that overlap, or their masses, once each.
+            StepWarning: the time step is too long for a force that varies or for a joint, once for
+                each; for springs, gravity, the weight on bodies that overlap, or their masses, once.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
@@ -165,6 +169,7 @@ class Simulator(Views):
                 if self._unsettled:
                     self._settle()
                 self._touching = None
+                self._joints.forget_report()
                 if self._varying is None and self._pushed is None:
                     self._advance(count)
                     return
@@ -179,6 +184,8 @@ class Simulator(Views):
             raise invalid_state(invalid, self._engine.kind, self._name_of)
         if self._engine.limits > self._limits:
             self._tell_limits()
+        if len(self._joints):
+            self._warn_apart()
         if self._scene is None or _LOSSY in self._warned:
             return
         if (row := self._engine.lossy_springs) >= 0:
@@ -210,10 +217,25 @@ class Simulator(Views):
             )
             warn(self._warned[_OUTWEIGHED], StepWarning, stacklevel=4)
 
+    def _warn_apart(self) -> None:
+        """Warn of a joint that was far apart, once for each."""
+        if (found := self._joints.apart(self._engine)) is None:
+            return
+        joint, much = found
+        if (key := f"joint {joint.name}") not in self._warned:
+            self._warned[key] = (
+                f"joint '{joint.name}' ({joint.kind}), before {self.time:.6g} s: it was {much:.2g} "
+                f"apart (m or rad) in a step of {self._time_step:.6g} s, more than {APART:g} of "
+                "its size (R13). Give a shorter step or more substeps."
+            )
+            warn(self._warned[key], StepWarning, stacklevel=4)
+
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
         self._engine.settle()
         self._unsettled = False
+        if self._joints.new:
+            self._joints.settle(self._engine)
         self._varying = None
         if self._scene is not None:
             staying = sorted(self._staying, key=self._engine.rank.__getitem__)
@@ -425,12 +447,13 @@ class Simulator(Views):
 
     @exclusive
     def remove(self, bodies: Bodies) -> None:
-        """Take bodies out; the indices of all others stay, and springs that held them go.
+        """Take bodies out; the indices of all others stay; springs and joints that held them go.
 
         Raises:
             InputError: a body is not there.
         """
         rows = np.unique(self._rows(bodies))
+        self._engine.wake(np.array(self._joints.drop_bodies(set(rows.tolist())), dtype=np.int64))
         self._engine.remove(rows)
         if self._pushed is not None:
             self._pushed[rows[rows < len(self._pushed)]] = 0.0
@@ -438,6 +461,67 @@ class Simulator(Views):
         self._names = {name: k for name, k in self._names.items() if k not in gone}
         self._staying = [k for k in self._staying if k not in gone]
         self._unsettled = True
+
+    @exclusive
+    def add_joint(
+        self,
+        kind: Kind,
+        first: int | str | VectorLike,
+        second: int | str | VectorLike,
+        *,
+        anchor: VectorLike = (0.0, 0.0),
+        other_anchor: VectorLike = (0.0, 0.0),
+        third: int | str | None = None,
+        third_anchor: VectorLike = (0.0, 0.0),
+        name: str | None = None,
+        collide: bool = False,
+    ) -> str:
+        """Tie two bodies, or a body and the plane, and return the joint's name (TM7).
+
+        The words are those of `Scene.add_joint`. The places of the bodies have to fit the joint;
+        their velocities do after the next step.
+
+        Raises:
+            InputError: a body is not there, a value breaks a rule (R4), the joint moves nothing or
+                does not hold where the bodies are, or it is one of its own equation.
+        """
+        ends = (
+            self._end(first),
+            self._end(second),
+            (0.0, 0.0) if third is None else self._end(third),
+        )
+        anchors = (anchor, other_anchor, third_anchor)
+        standing: Any = Standing(self._engine, self._names)
+        joint = self._joints.add(kind, ends, anchors, name, collide, standing)
+        self._engine.wake(np.array(joint.bodies, dtype=np.int64))
+        self._unsettled = True
+        return joint.name
+
+    @exclusive
+    def remove_joint(self, name: str) -> None:
+        """Take a joint out; raise `InputError` if there is none of that name."""
+        joint = self._joints.remove(name)
+        self._engine.wake(np.array(joint.bodies, dtype=np.int64))
+        self._unsettled = True
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The names of the joints, as they were added."""
+        return self._joints.names
+
+    @property
+    @exclusive
+    def reactions(self) -> Reactions:
+        """What joints exerted in the last step, and how well they hold."""
+        return self._joints.reactions(self._engine, self._time_step)
+
+    def _end(self, end: object) -> End:
+        """Return a body by its row, or a point of the plane."""
+        if isinstance(end, str | int | np.integer) and not isinstance(end, bool):
+            return int(self._rows(end)[0])  # type: ignore[arg-type]
+        return vector(
+            end, "position", "a joint", "Give a body, or a point (x, y) in m.", at=("end",)
+        )
 
     def index(self, name: str) -> int:
         """Return the index of a body of the scene by its name; raise `InputError` if none."""
@@ -545,6 +629,7 @@ class Simulator(Views):
             names=self._names,
             staying=self._staying,
             scene=None if self._scene is None else scene_text(self._scene),
+            joints=self._joints.saved(),
         )
         parts = {
             "engine": saved_arrays(self._engine),
@@ -552,7 +637,8 @@ class Simulator(Views):
         }
         found = {f"{part}.{key}": a for part, arrays in parts.items() for key, a in arrays.items()}
         pushed = {} if self._pushed is None else {"pushed": self._pushed}
-        return saving.sealed(about, {**found, **pushed})
+        tied = {"joints": self._joints.totals(self._engine)} if len(self._joints) else {}
+        return saving.sealed(about, {**found, **pushed, **tied})
 
     def _take_over(self, content: Mapping[str, NDArray[Any]], where: str, compiled: bool) -> None:
         about, arrays = saving.opened(content, where)
@@ -567,6 +653,7 @@ class Simulator(Views):
         )
         self._scene = saving.scene_of(about, engine.kind, dynamic=DYNAMIC, where=where)
         self._begin(engine)
+        self._joints = JointSet.restored(about.joints, arrays.get("joints"), engine.kind)
         self._touching = saving.touching_of(saving.part(arrays, "touching"), engine.size)
         self._pushed = saving.pushed_of(arrays, engine.size)
 

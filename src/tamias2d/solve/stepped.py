@@ -8,7 +8,7 @@ import numpy as np
 from tamias2d.errors import InputError, SimulationError
 from tamias2d.motion import Stepped, Tally
 from tamias2d.run import Impacts, Run
-from tamias2d.scene.joints import refuse_joints
+from tamias2d.scene import Scene
 from tamias2d.simulator import Overlap, Stepper
 from tamias2d.solve.assembly import cost_of, run_of
 from tamias2d.solve.finite import range_error
@@ -21,7 +21,6 @@ def run_by_steps(plan: Plan, method: Stepped, *, progress: bool) -> Run:
 
     Raises as `solve` does; the error's `run` is the history up to there.
     """
-    refuse_joints(plan.scene.joints, f"method {method}", "Take Reference(), or none.")
     stepper = Stepper(
         plan.scene,
         time_step=plan.time_step or plan.duration,
@@ -53,6 +52,7 @@ def _reached(plan: Plan, stepper: Stepper) -> Run:
         *_parts(stepper),
         f"energy: {run.energy[0]:.6g} J at first, {run.energy[-1]:.6g} J at last, "
         f"never more than {run.energy.max():.6g} J",
+        *_joints(plan.scene),
         "error: not bounded; `certify` finds how much shorter steps change",
         *stepper.warnings,
     )
@@ -67,6 +67,14 @@ def _overlap(deepest: Overlap | None, names: Sequence[str]) -> str:
     return (
         f"overlap: at most {deepest.share:.2g} of the size of the smaller body, "
         f"{deepest.depth:.2g} m of '{a}' and '{b}' at {deepest.time:.4g} s"
+    )
+
+
+def _joints(scene: Scene) -> tuple[str, ...]:
+    if not scene.joints:
+        return ()
+    return (
+        "joints: `reactions` of this run count no contacts; those of Simulator(scene).reactions do",
     )
 
 

@@ -80,6 +80,15 @@ class Constraint:
         rows = tuple(entry for entries in zip(*columns, strict=True) for entry in entries)
         return Values(rows, _needed(rows, self.where))
 
+    def bends(self, end: str) -> Values:
+        """The second derivatives of the rows by the orientation of one body."""
+        known: dict[Node, Node] = {tree: Name(name) for name, tree in self.where}
+        rates: dict[str, Node] = {f"orientation_{end}": ONE}
+        for name, tree in self.where:
+            rates[name] = _renamed(along(tree, rates), known)
+        nodes = [_renamed(along(node, rates), known) for node in self.equations]
+        return self._values([_renamed(along(node, rates), known) for node in nodes], self.where)
+
     def rates(self) -> Values:
         """The rates of the rows along the motion."""
         return self._values(*_along_motion(self.equations, self.where, self._motion()))

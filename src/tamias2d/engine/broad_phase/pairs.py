@@ -8,6 +8,7 @@ from tamias2d.engine.broad_phase.comoving_frame import choose_frame
 from tamias2d.engine.broad_phase.contact_list import replace_contacts
 from tamias2d.engine.broad_phase.fat_bounds import fatten_all_bounds
 from tamias2d.engine.broad_phase.fat_box import fatten_box
+from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.broad_phase.update import update_incrementally
 from tamias2d.engine.tables import (
     ARRANGED,
@@ -67,6 +68,7 @@ def rebuild_pairs(world: World) -> int:
     while total > TOO_CROWDED * len(shapes.slot) and counts[HORIZON] > 1:
         counts[HORIZON] //= 2
         total = find_ahead(world)
+    total = without_kept_apart(total, world.state, broad_phase, world.joints)
     if total > len(broad_phase.candidates):
         control.counts[ROWS_NEEDED] = total
         return MORE_CANDIDATES

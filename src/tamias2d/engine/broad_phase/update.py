@@ -20,6 +20,7 @@ from tamias2d.engine.broad_phase.fat_box import (
     note_centre,
     reaches_half_plane,
 )
+from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.broad_phase.vertices import turn_shape
 from tamias2d.engine.tables import (
     ABSENT,
@@ -61,6 +62,7 @@ def update_incrementally(world: World) -> bool:
             total = find_near(total, s, bodies, shapes, tree, broad_phase)
     for i in range(len(broad_phase.left)):
         broad_phase.left[i] = 0
+    total = without_kept_apart(total, world.state, broad_phase, world.joints)
     if total > len(broad_phase.candidates):
         return False
     sort_candidates(total, broad_phase)

@@ -11,6 +11,7 @@ from tamias2d.engine.continuous.event_queue import update_event
 from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
+from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
@@ -97,7 +98,9 @@ def find_events(
             continue
         if senses(s, t, shapes.filters):
             continue
-        if redirected or located or may_pass(p, i, j, share, reach, bodies, contacts):
+        looked = redirected or located or may_pass(p, i, j, share, reach, bodies, contacts)
+        looked = unless_joined(looked, i, j, bodies)
+        if looked:
             sought += 1
             if share < 1.0 and sought > MOST_SHALLOW:
                 return MANY
@@ -222,7 +225,9 @@ def update_events_of(
         share = shallow if located == 0 else 1.0 if located == SPENT else 0.0
         if shallow < 1.0 and bounces(p, shapes, contacts):
             share = 0.0
-        if not goes_little(a, b, now, share, reach, bodies):
+        looked = not goes_little(a, b, now, share, reach, bodies)
+        looked = unless_joined(looked, a, b, bodies)
+        if looked:
             held = held_normal(contacts.manifolds[p], contacts.flags[p])
             time = next_event(s, t, now, control.progress[PART_TIME], held, bodies, shapes, events)
         events.times[body_count + p] = time

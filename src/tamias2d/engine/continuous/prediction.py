@@ -10,6 +10,7 @@ from tamias2d.engine.continuous.conservative_advancement import place_vertices, 
 from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
+from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.narrow_phase.polygon import held_normal
@@ -69,7 +70,9 @@ def foresee(world: World, contacts: Contacts) -> None:
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
         meets, points = contacts.flags[p, LOCATED] > 0, contacts.flags[p, POINT_COUNT]
         contacts.flags[p, LOCATED] = 0
-        if is_located(meets, p, i, j, bodies, shapes, contacts, touching):
+        located = is_located(meets, p, i, j, bodies, shapes, contacts, touching)
+        located = unless_joined(located, i, j, bodies)
+        if located:
             contacts.flags[p, LOCATED], contacts.flags[p, POINT_COUNT] = MOST_LOCATED, 0
             touching.counts[LOCATED_PAIRS] += 1
         elif not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events):

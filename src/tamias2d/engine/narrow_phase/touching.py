@@ -1,5 +1,6 @@
 """Which contacts touch, or may in this step, and where. Cost: linear in the contacts."""
 
+from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import (
     ARRANGED,
@@ -236,7 +237,9 @@ def speculative_margin(
         if shapes.vertex_count[t] > 1
         else 0.0
     )
-    if distance + (turn_a + turn_b) * time_step > BULLET * smaller:
+    fast = distance + (turn_a + turn_b) * time_step > BULLET * smaller
+    fast = unless_joined(fast, i, j, bodies)
+    if fast:
         return 0.0
     return CLOSE * smaller + distance
 

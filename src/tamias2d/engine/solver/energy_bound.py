@@ -17,9 +17,11 @@ from tamias2d.engine.solver.island_damping import (
 )
 from tamias2d.engine.solver.support import (
     SUPPORTED_BY_MORE,
+    charge_joined,
     find_references,
     is_root,
     reference_at,
+    support_joined,
 )
 from tamias2d.engine.tables import (
     ACTIVE,
@@ -62,6 +64,7 @@ from tamias2d.engine.tables import (
     Constraints,
     Control,
     Islands,
+    Joints,
     Touching,
 )
 from tamias2d.generated.definitions import kinetic_energy
@@ -98,10 +101,13 @@ def bound_energy(
     touching: Touching,
     constraints: Constraints,
     islands: Islands,
+    joints: Joints,
 ) -> None:
     """Take back of restitution, and of the motion of each island, what makes energy."""
     find_references(bodies, touching, constraints, islands)
+    support_joined(bodies, islands, joints)
     sum_island_energies(control, bodies, touching, constraints, islands)
+    charge_joined(bodies, touching, constraints, islands, joints)
     if choose_kept_shares(bodies, touching, constraints, islands):
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)

@@ -5,31 +5,46 @@ supports move against each other has no bound. A free island is seen from its ce
 moved when the step began: there, gravity does no work that contacts could take for theirs.
 """
 
+from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.tables import (
     ACTIVE,
+    DX,
     DYNAMIC,
+    ENERGY_START,
+    I_NODE,
     INVERSE_MASS,
     ISLAND_MASS,
+    J_MEMBER,
+    J_NODE,
+    JOINED_SLOT,
+    KEPT_WAY,
+    M_DRIVEN,
+    M_JOINT,
+    MECHANISMS,
     MOMENTUM_X,
     MOMENTUM_Y,
     REFERENCE,
     ROOT,
     SPIN,
+    STANDS_STILL,
     STEP_START,
     SUPPORT,
     TOUCHING,
     VX,
     VY,
+    WORK,
     Bodies,
     Constraints,
     Islands,
+    Joints,
     Touching,
     X,
     Y,
 )
 from tamias2d.generated.definitions import momentum, point_velocity
 from tamias2d.generated.island_energy import velocity_island
-from tamias2d.state import Vector
+from tamias2d.generated.joint_step import kinetic_energy_most
+from tamias2d.state import Array, Vector
 
 ALIKE = 1e-9  # of their sizes: differences of velocities that are none
 
@@ -87,6 +102,52 @@ def support_island(j: int, root: int, bodies: Bodies, islands: Islands) -> None:
     speed = abs(by_x) + abs(by_y) + abs(motion[VX]) + abs(motion[VY])
     if apart > ALIKE * speed or abs(row[REFERENCE + 2] - spin) > ALIKE * abs(spin):
         row[SUPPORT] = SUPPORTED_BY_MORE
+
+
+def support_joined(bodies: Bodies, islands: Islands, joints: Joints) -> None:
+    """Let the islands of mechanisms that are tied to what stands still be seen from there."""
+    for n in range(joints.counts[MECHANISMS]):
+        root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
+        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+            for end in range(3):
+                if joints.joints[j, J_NODE + end] == STANDS_STILL:
+                    support = joints.members[joints.joints[j, J_MEMBER + end], JOINED_SLOT]
+                    support_island(support, root, bodies, islands)
+
+
+def charge_joined(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands, joints: Joints
+) -> None:
+    """Charge the islands of mechanisms for what they do against gravity and forces (IM15).
+
+    Joints and contacts that are solved in turns would otherwise lift them for nothing, again and
+    again. One that has not the energy for its way keeps a part of it. One that is driven may give
+    any energy.
+    """
+    for k in range(constraints.counts[ACTIVE]):
+        islands.energy[touching.active[k], KEPT_WAY] = 1.0
+    for n in range(joints.counts[MECHANISMS]):
+        root = islands.links[joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT], ROOT]
+        row = islands.energy[root]
+        if joints.mechanisms[n, M_DRIVEN] == 1:
+            row[WORK] = UNLIMITED
+        elif row[WORK] < 0.0:
+            if rests_on_ground(row) and row[ENERGY_START] + row[WORK] < 0.0:
+                row[KEPT_WAY] = -row[ENERGY_START] / row[WORK]
+            row[ENERGY_START] = kinetic_energy_most(row[ENERGY_START], row[WORK])
+            row[WORK] = 0.0
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        row = islands.energy[islands.links[i, ROOT]]
+        if bodies.kind[i] == DYNAMIC and row[KEPT_WAY] < 1.0 and row[WORK] == 0.0:
+            for m in range(3):
+                bodies.motion[i, DX + m] *= row[KEPT_WAY]
+
+
+def rests_on_ground(row: Array) -> bool:
+    """Return whether an island is seen from a support that stands still."""
+    moves = abs(row[REFERENCE]) + abs(row[REFERENCE + 1]) + abs(row[REFERENCE + 2])
+    return bool(row[SUPPORT] == SUPPORTED_BY_ONE and moves == 0.0)
 
 
 def reference_at(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:

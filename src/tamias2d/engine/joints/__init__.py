@@ -1,0 +1,1 @@
+"""Joints in the substeps: mechanisms, each solved as a whole (IM15)."""

@@ -1,0 +1,44 @@
+"""What the stages of a step call for joints alone: scenes without joints do without it."""
+
+from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
+from tamias2d.engine.islands import join_islands
+from tamias2d.engine.joined import mark_joined, take_whole_steps, unless_joined
+from tamias2d.engine.joints.stages import (
+    activate_joined,
+    begin_joints,
+    clear_of_joints,
+    end_joints,
+    join_slabs,
+    keep_joint_impulses,
+    look_at_touched,
+    note_mechanisms,
+    note_places,
+    relax_in_turns,
+    relax_joints,
+    solve_joints,
+)
+from tamias2d.engine.sleep import note_joined_support
+from tamias2d.engine.solver.support import charge_joined, support_joined
+
+JOINT_STAGES = (
+    activate_joined,
+    begin_joints,
+    look_at_touched,
+    clear_of_joints,
+    end_joints,
+    join_islands,
+    join_slabs,
+    keep_joint_impulses,
+    mark_joined,
+    note_joined_support,
+    note_mechanisms,
+    note_places,
+    relax_in_turns,
+    relax_joints,
+    solve_joints,
+    charge_joined,
+    support_joined,
+    take_whole_steps,
+    unless_joined,
+    without_kept_apart,
+)

@@ -1,0 +1,125 @@
+"""The energy of mechanisms that are free of contacts: it never rises by itself (IM15).
+
+What is too much is taken from the motion of all bodies in proportion: relative to what the
+mechanism is tied to, or else to its motion as one. Rows that have no rate have none afterwards.
+
+Cost: a visit to each body, and two more where there is too much.
+"""
+
+from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.solver.island_damping import find_rigid_motion
+from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_ONE
+from tamias2d.engine.tables import (
+    ANGULAR_MOMENTUM,
+    DAMPED_SHARE,
+    DANGLE,
+    DX,
+    DY,
+    ENERGY_BOUND,
+    ENERGY_KEPT,
+    GRAVITY_X,
+    GRAVITY_Y,
+    I_NODE,
+    ISLAND_MASS,
+    M_TIED,
+    MOMENT_OF_INERTIA,
+    MOMENT_X,
+    MOMENT_Y,
+    MOMENTUM_X,
+    MOMENTUM_Y,
+    N_BODY,
+    REFERENCE,
+    SPIN,
+    STEP_START,
+    SUPPORT,
+    VX,
+    VY,
+    Bodies,
+    Control,
+    Islands,
+    Joints,
+    X,
+    Y,
+)
+from tamias2d.generated.definitions import (
+    angular_momentum,
+    kinetic_energy,
+    momentum,
+    point_velocity,
+)
+from tamias2d.generated.island_energy import (
+    angular_velocity_damped,
+    inertia_origin,
+    mass_moment,
+    velocity_damped,
+    work,
+)
+from tamias2d.generated.joint_step import kinetic_energy_most
+from tamias2d.state import Array, Vector
+
+
+def bound_mechanism(
+    n: int, control: Control, bodies: Bodies, joints: Joints, islands: Islands
+) -> None:
+    """Take from the motion of a mechanism what is more than a step may end with."""
+    first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+    gravity = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    start = now = given = 0.0
+    for node in range(first, last):
+        i = joints.sparse[node, N_BODY]
+        mass, inertia = mass_and_inertia(i, bodies.properties)
+        then, motion, load = bodies.substep_state[i], bodies.motion[i], bodies.load[i]
+        velocity = (then[STEP_START], then[STEP_START + 1])
+        start += kinetic_energy(mass, velocity, inertia, then[STEP_START + 2])
+        now += kinetic_energy(mass, (motion[VX], motion[VY]), inertia, motion[SPIN])
+        shift, force = (motion[DX], motion[DY]), (load[0], load[1])
+        given += work(mass, gravity, force, load[2], shift, motion[DANGLE])
+    most = kinetic_energy_most(start, given)
+    if now > most:
+        row = islands.energy[joints.sparse[first, N_BODY]]
+        row[ENERGY_KEPT], row[ENERGY_BOUND] = now, most
+        damp_mechanism(first, last, joints.mechanisms[n, M_TIED] == 1, row, bodies, joints)
+
+
+def damp_mechanism(
+    first: int, last: int, tied: bool, row: Array, bodies: Bodies, joints: Joints
+) -> None:
+    """Damp the motion of the nodes of a mechanism; the row says how much energy it may keep."""
+    root = joints.sparse[first, N_BODY]
+    row[SUPPORT] = SUPPORTED_BY_ONE if tied else FREE
+    row[REFERENCE] = row[REFERENCE + 1] = row[REFERENCE + 2] = 0.0
+    for k in range(ISLAND_MASS, MOMENT_OF_INERTIA + 1):
+        row[k] = 0.0
+    for node in range(first, last):
+        add_motion(joints.sparse[node, N_BODY], root, bodies, row)
+    find_rigid_motion(row)
+    share, spin = row[DAMPED_SHARE], row[REFERENCE + 2]
+    for node in range(first, last):
+        i = joints.sparse[node, N_BODY]
+        now, place = bodies.motion[i], place_from(root, i, bodies)
+        as_one = point_velocity((row[REFERENCE], row[REFERENCE + 1]), spin, place)
+        now[VX], now[VY] = velocity_damped((now[VX], now[VY]), as_one, share)
+        now[SPIN] = angular_velocity_damped(now[SPIN], spin, share)
+
+
+def add_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
+    """Add mass, momenta and moments of a body, as they are now, to those of its mechanism."""
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    now, place = bodies.motion[i], place_from(root, i, bodies)
+    velocity = (now[VX], now[VY])
+    along, moment = momentum(mass, velocity), mass_moment(mass, place)
+    row[ISLAND_MASS] += mass
+    row[MOMENTUM_X] += along[0]
+    row[MOMENTUM_Y] += along[1]
+    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, now[SPIN])
+    row[MOMENT_X] += moment[0]
+    row[MOMENT_Y] += moment[1]
+    row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
+
+
+def place_from(root: int, i: int, bodies: Bodies) -> Vector:
+    """Return where a body is from another one at the end of the step, m."""
+    pose, now = bodies.pose[i], bodies.motion[i]
+    origin, moved = bodies.pose[root], bodies.motion[root]
+    x, y = pose[X] - origin[X], pose[Y] - origin[Y]
+    return x + (now[DX] - moved[DX]), y + (now[DY] - moved[DY])

@@ -1,0 +1,227 @@
+"""The rows of joints where their bodies are in a substep, and the matrix that answers them.
+
+Each row resists its rate like a very large mass, which is added to the masses of the bodies (DD57):
+joints that depend on each other share their load, and nothing is singular.
+
+Cost: cosine and sine of each body, some blocks for each joint, and a sparse factorization.
+"""
+
+from tamias2d.engine.direct.cholesky import factor
+from tamias2d.engine.direct.matrix import add_diagonal, clear_pivot
+from tamias2d.engine.rotation import cosine_sine
+from tamias2d.engine.tables import (
+    ANGLE,
+    DANGLE,
+    DX,
+    DY,
+    E_NODE_A,
+    HELD_INVERSE_INERTIA,
+    HOLDS,
+    I_NODE,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    J_APART,
+    J_EDGE,
+    J_FIRMNESS,
+    J_FORCE,
+    J_KIND,
+    J_LAW,
+    J_MEMBER,
+    J_NODE,
+    J_ROW,
+    J_ROWS,
+    J_STATE,
+    JOINED_SLOT,
+    KEPT,
+    LAW_DAMPING,
+    LAW_STIFFNESS,
+    LEANING,
+    M_JOINT,
+    M_MESHED,
+    N_BODY,
+    NODE_INERTIA,
+    NODE_MASS,
+    OFF_DIAGONAL,
+    PLACE_ANGLE,
+    PLACE_COSINE,
+    PLACE_SINE,
+    PLACE_X,
+    PLACE_Y,
+    SPIN,
+    SPRING,
+    VX,
+    VY,
+    Bodies,
+    Integers,
+    Joints,
+    X,
+    Y,
+)
+from tamias2d.generated.joint_rows import ROW, joint_bends, joint_rows
+from tamias2d.generated.joint_step import (
+    coupled_inertia,
+    coupled_lever,
+    coupled_mass,
+    coupled_moment,
+    firmness,
+    inertia_held,
+    leaning,
+    row_yield,
+    spring_firmness,
+)
+from tamias2d.generated.soft_contact import shift_later, turn_later
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array
+
+FIRM = 1e8  # firmness of a row, for each unit of its own mass
+ENDS_OF_JOINT = 3
+
+
+def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Write the rows of a mechanism where its bodies are, and factor its matrix for velocities."""
+    first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+    place_members(first + 1, last + 1, 0.0, bodies, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+        joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+        note_apart(ends, numbers)
+    factor_mechanism(n, 0.0, bodies, joints)
+
+
+def note_apart(ends: Integers, numbers: Array) -> None:
+    """Note by how much the rows of a joint are apart, if that is more than before."""
+    for r in range(ends[J_ROWS] if ends[J_LAW] == KEPT else 0):
+        numbers[J_APART + r] = max(numbers[J_APART + r], abs(numbers[J_ROW + ROW * r]))
+
+
+def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Find how firm the rows of a mechanism are that hold, and factor its matrix.
+
+    Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
+    """
+    meshed = joints.mechanisms[n, M_MESHED] == 1
+    first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+    for pivot in range(first, first if meshed else last):
+        clear_pivot(pivot, joints.sparse, joints.factors)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        for r in range(ends[J_ROWS]):
+            firm = firmness_of(r, ends, numbers, bodies, joints)
+            numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
+            if not meshed:
+                add_joint_row(r, ends, numbers, joints)
+    if not meshed:
+        factor(n, joints.sparse, joints.factors)
+
+
+def firmness_by_law(firm: float, j: int, substep: float, joints: Joints) -> float:
+    """Return how firm a row is, kg, where one that is kept is so firm."""
+    if joints.joints[j, J_LAW] == SPRING:
+        law = joints.laws[j]
+        return min(firm, spring_firmness(law[LAW_STIFFNESS], law[LAW_DAMPING], substep))
+    return firm if joints.joints[j, J_STATE] == HOLDS else 0.0
+
+
+def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
+    """Write where members are, or will be so many seconds ahead with the velocities they have."""
+    for m in range(first, last):
+        i, place = joints.members[m, JOINED_SLOT], joints.places[m]
+        pose, now = bodies.pose[i], bodies.motion[i]
+        by_x, by_y = shift_later((now[DX], now[DY]), (now[VX], now[VY]), ahead)
+        place[PLACE_X], place[PLACE_Y] = pose[X] + by_x, pose[Y] + by_y
+        place[PLACE_ANGLE] = pose[ANGLE] + turn_later(now[DANGLE], now[SPIN], ahead)
+        place[PLACE_COSINE], place[PLACE_SINE] = cosine_sine(place[PLACE_ANGLE])
+
+
+def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> None:
+    """Add a row of a joint to the blocks of its nodes and edges."""
+    firm = numbers[J_FIRMNESS + r]
+    for end in range(ENDS_OF_JOINT):
+        if ends[J_NODE + end] >= 0:
+            at = J_ROW + ROW * r + 1 + 3 * end
+            slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]
+            add_diagonal(ends[J_NODE + end], firm, slope, turning, joints.factors)
+    for pair in range(ENDS_OF_JOINT):
+        edge = ends[J_EDGE + pair]
+        if edge >= 0:
+            one, other = pair // 2, 1 + (pair + 1) // 2  # AB, AC, BC
+            if joints.sparse[edge, E_NODE_A] != ends[J_NODE + one]:
+                one, other = other, one
+            at = J_ROW + ROW * r + 1
+            add_coupling(at + 3 * one, at + 3 * other, firm, numbers, joints.factors[edge])
+
+
+def firmness_of(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints: Joints) -> float:
+    """Return how firm a row is: by how much it yields, kg; 0 for one that nothing moves.
+
+    A body that does not turn gets no slopes for turning.
+    """
+    yielding = 0.0
+    for end in range(ENDS_OF_JOINT):
+        at, member = J_ROW + ROW * r + 1 + 3 * end, ends[J_MEMBER + end]
+        if ends[J_NODE + end] >= 0:
+            inverse_mass = bodies.properties[joints.members[member, JOINED_SLOT], INVERSE_MASS]
+            slope, inverse = (numbers[at], numbers[at + 1]), joints.places[member]
+            if inverse[HELD_INVERSE_INERTIA] == 0.0:
+                numbers[at + 2] = 0.0
+            yielding += row_yield(
+                slope, numbers[at + 2], inverse_mass, inverse[HELD_INVERSE_INERTIA]
+            )
+    return firmness(FIRM, yielding) if yielding > 0.0 else 0.0
+
+
+@inlined
+def add_coupling(early: int, late: int, firm: float, numbers: Array, e: Array) -> None:
+    """Add a row to the block of an edge, with its slopes at the earlier and at the later node."""
+    slope, turning = (numbers[early], numbers[early + 1]), numbers[early + 2]
+    slope_late, turning_late = (numbers[late], numbers[late + 1]), numbers[late + 2]
+    x_x, x_y = coupled_mass(slope, slope_late[0], firm)
+    y_x, y_y = coupled_mass(slope, slope_late[1], firm)
+    x_turn, y_turn = coupled_moment(turning, slope_late, firm)
+    turn_x, turn_y = coupled_lever(slope, turning_late, firm)
+    e[OFF_DIAGONAL] += x_x
+    e[OFF_DIAGONAL + 1] += x_y
+    e[OFF_DIAGONAL + 2] += x_turn
+    e[OFF_DIAGONAL + 3] += y_x
+    e[OFF_DIAGONAL + 4] += y_y
+    e[OFF_DIAGONAL + 5] += y_turn
+    e[OFF_DIAGONAL + 6] += turn_x
+    e[OFF_DIAGONAL + 7] += turn_y
+    e[OFF_DIAGONAL + 8] += coupled_inertia(turning, turning_late, firm)
+
+
+def note_node_masses(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Note slots and masses of the nodes of a mechanism; 0 for a body that does not turn.
+
+    A body at whose arms joints pull counts with so much inertia that it swings slowly enough for
+    substeps.
+    """
+    note_leaning(n, joints)
+    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
+        i, place = joints.members[node + 1, JOINED_SLOT], joints.places[node + 1]
+        inverse_inertia = bodies.properties[i, INVERSE_INERTIA]
+        joints.sparse[node, N_BODY] = i
+        joints.factors[node, NODE_MASS] = 1.0 / bodies.properties[i, INVERSE_MASS]
+        joints.factors[node, NODE_INERTIA] = place[HELD_INVERSE_INERTIA] = 0.0
+        if inverse_inertia > 0.0:
+            held = inertia_held(1.0 / inverse_inertia, place[LEANING], substep)
+            joints.factors[node, NODE_INERTIA] = held
+            place[HELD_INVERSE_INERTIA] = 1.0 / held
+
+
+def note_leaning(n: int, joints: Joints) -> None:
+    """Note how the pull of joints, as it was last, leans on the arms of a mechanism's bodies."""
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        joints.places[m, LEANING] = 0.0
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers, bends = joints.joints[j], joints.numbers[j], joints.bends
+        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+        joint_bends(ends[J_KIND], joints.given[j], place_a, place_b, place_c, bends)
+        for r in range(ends[J_ROWS]):
+            for end in range(ENDS_OF_JOINT):
+                if ends[J_NODE + end] >= 0:
+                    by = leaning(numbers[J_FORCE + r], bends[ENDS_OF_JOINT * r + end])
+                    joints.places[ends[J_MEMBER + end], LEANING] += by

@@ -1,0 +1,233 @@
+"""Joints as rows of the engine's arrays: which bodies they hold, and how these form mechanisms."""
+
+import math
+from collections.abc import Iterable, Sequence
+from itertools import chain, combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.engine.joints.elimination import Elimination, eliminated
+from tamias2d.engine.store import Store
+from tamias2d.engine.tables import (
+    ARRANGED,
+    DYNAMIC,
+    E_NODE_A,
+    E_NODE_B,
+    FILL,
+    I_NODE,
+    ISLANDS_KNOWN,
+    J_EDGE,
+    J_KIND,
+    J_LAW,
+    J_MEMBER,
+    J_NODE,
+    J_ROWS,
+    JOINED_BODY,
+    JOINTS,
+    KEPT,
+    M_DRIVEN,
+    M_GOVERNED,
+    M_JOINT,
+    M_MESHED,
+    M_TIED,
+    MECHANISMS,
+    MOTOR,
+    PIVOT_COUNT,
+    PIVOT_FIRST,
+    PIVOT_NODE,
+    SPRING,
+    STANDS_STILL,
+    UNUSED,
+)
+from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
+from tamias2d.spec.constraint import ENDS
+
+LOOPED, FEW = 24, 1000  # entries of the fill list, for each joint and besides: more is a mesh
+
+
+class JointRow(NamedTuple):
+    """A joint of up to three bodies, given by rows, or None for the plane."""
+
+    kind: str
+    """One of `generated.joint_rows`."""
+    ends: tuple[int | None, int | None, int | None]
+    given: tuple[float, ...]
+    """Its parameters, SI units."""
+    apart: bool
+    """Whether its bodies may not touch each other."""
+    law: int = KEPT
+    """What governs it, one of those in `tables`."""
+    numbers: tuple[float, float, float, float] = (0.0, math.inf, 0.0, 0.0)
+    """Of its law: rate, maximum, stiffness and damping."""
+
+    @property
+    def driven(self) -> bool:
+        """Whether it may give energy."""
+        return (self.law == MOTOR and self.numbers[0] != 0) or self.law == SPRING
+
+    @property
+    def governed(self) -> bool:
+        """Whether it is a limit, a motor or a spring."""
+        return self.law != KEPT
+
+
+def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
+    """Let joints hold, and no others; return of each its place in the arrays."""
+    mechanisms = _mechanisms(store, rows)
+    nodes = [_moving(store, [rows[k] for k in mechanism]) for mechanism in mechanisms]
+    still = _still(store, rows)
+    member = {body: 1 + k for k, body in enumerate([*chain(*nodes), *still])}
+    plans = [
+        _plan(store, [member[body] - 1 for body in own], [rows[k] for k in mechanism], member)
+        for own, mechanism in zip(nodes, mechanisms, strict=True)
+    ]
+    edges = sum(len(plan.edges) for plan in plans)
+    fill = sum(map(len, (own for plan in plans for own in plan.fill)))
+    apart = sorted({pair for row in rows if row.apart for pair in _pairs_of(row)})
+    store.resize(
+        joints=len(rows),
+        joined=len(member) + 1 if rows else 0,
+        mechanisms=len(mechanisms) + 1,
+        joint_sparse=max(len(member), edges, fill, len(plans)) + 2 if rows else 0,
+        apart=len(apart),
+        apart_bodies=max((low for low, _ in apart), default=-1) + 2,
+    )
+    joints = store.world.joints
+    joints.counts[:] = 0
+    joints.counts[[JOINTS, MECHANISMS]] = len(rows), len(mechanisms)
+    joints.mechanisms[:] = 0
+    joints.mechanisms[1:, M_JOINT] = np.cumsum([len(own) for own in mechanisms])
+    joints.sparse[: len(nodes) + 1, I_NODE] = np.cumsum([0, *map(len, nodes)]) if rows else 0
+    if rows:
+        joints.members[1:, JOINED_BODY] = list(member)
+    _write_plans(store, plans)
+    places = _write_joints(store, rows, mechanisms, plans, member)
+    joints.apart[:] = [high for _, high in apart]
+    lows = [low for low, _ in apart]
+    joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))
+    store.world.touching.counts[[ARRANGED, ISLANDS_KNOWN]] = 0
+    return places
+
+
+def _plan(
+    store: Store, nodes: list[int], rows: Sequence[JointRow], member: dict[int, int]
+) -> Elimination:
+    """Return how a mechanism is eliminated; a mesh is not, and its plan has no edges."""
+    found = eliminated(nodes, _pairs(store, rows, member), LOOPED * len(rows) + FEW)
+    return found or Elimination(nodes, {}, [[] for _ in nodes], [0] * len(nodes))
+
+
+def kept_apart(store: Store) -> set[tuple[int, int]]:
+    """Return the pairs of bodies that joints keep from touching, the lower row first."""
+    joints = store.world.joints
+    lows = np.repeat(np.arange(len(joints.apart_first) - 1), np.diff(joints.apart_first))
+    return set(zip(lows.tolist(), joints.apart.tolist(), strict=True))
+
+
+def _write_plans(store: Store, plans: Sequence[Elimination]) -> None:
+    sparse = store.world.joints.sparse
+    pivot = edge = fill = 0
+    for plan in plans:
+        for node, own, degree in zip(plan.order, plan.fill, plan.degree, strict=True):
+            sparse[pivot, [PIVOT_NODE, PIVOT_FIRST, PIVOT_COUNT]] = node, fill, degree
+            sparse[fill : fill + len(own), FILL] = np.array(own, dtype=np.int64) + edge
+            pivot, fill = pivot + 1, fill + len(own)
+        for pair, number in plan.edges.items():
+            sparse[edge + number, [E_NODE_A, E_NODE_B]] = pair
+        edge += len(plan.edges)
+
+
+def _write_joints(
+    store: Store,
+    rows: Sequence[JointRow],
+    mechanisms: Sequence[Sequence[int]],
+    plans: Sequence[Elimination],
+    member: dict[int, int],
+) -> list[int]:
+    """Write joints mechanism by mechanism; return the place of each."""
+    joints, kind = store.world.joints, store.world.state.kind
+    joints.numbers[:] = 0.0
+    places = [0] * len(rows)
+    j = first_edge = 0
+    for n, (mechanism, plan) in enumerate(zip(mechanisms, plans, strict=True)):
+        joints.mechanisms[n, M_MESHED] = not plan.edges and len(plan.order) > 1
+        for k in mechanism:
+            row = rows[k]
+            number = KINDS.index(row.kind)
+            joints.joints[j, [J_KIND, J_ROWS]] = number, ROWS_OF_KIND[number]
+            own = [0 if body is None else member[body] for body in row.ends]
+            nodes = [
+                UNUSED
+                if end not in CONSTRAINTS[row.kind].bodies
+                else STANDS_STILL
+                if body is None or kind[body] != DYNAMIC
+                else member[body] - 1
+                for end, body in zip(ENDS, row.ends, strict=True)
+            ]
+            joints.mechanisms[n, M_TIED] |= STANDS_STILL in nodes
+            joints.mechanisms[n, M_DRIVEN] |= row.driven
+            joints.mechanisms[n, M_GOVERNED] |= row.governed
+            joints.joints[j, J_LAW] = row.law
+            joints.laws[j] = row.numbers
+            joints.joints[j, J_MEMBER : J_MEMBER + 3] = own
+            joints.joints[j, J_NODE : J_NODE + 3] = nodes
+            joints.joints[j, J_EDGE : J_EDGE + 3] = [
+                _edge(plan, one, other, first_edge) for one, other in combinations(nodes, 2)
+            ]
+            joints.given[j] = 0.0
+            joints.given[j, : len(row.given)] = row.given
+            places[k] = j
+            j += 1
+        first_edge += len(plan.edges)
+    return places
+
+
+def _edge(plan: Elimination, one: int, other: int, first: int) -> int:
+    """Return the number of the edge between two nodes, or -1."""
+    found = plan.edges.get((one, other), plan.edges.get((other, one), -1))
+    return found if found < 0 else first + found
+
+
+def _mechanisms(store: Store, rows: Sequence[JointRow]) -> list[list[int]]:
+    """Return the joints of each mechanism by their places, in the order of their first ones."""
+    kind = store.world.state.kind
+    of_body: dict[int, list[int]] = {}
+    for k, row in enumerate(rows):
+        moving = [body for body in row.ends if body is not None and kind[body] == DYNAMIC]
+        joined = {id(own): own for body in moving if (own := of_body.get(body)) is not None}
+        first, *others = joined.values() or [[]]
+        for other in others:
+            first += other
+            of_body.update((body, first) for body, own in of_body.items() if own is other)
+        first.append(k)
+        of_body.update((body, first) for body in moving)
+    found = {id(own): sorted(own) for own in of_body.values()}
+    return sorted(found.values())
+
+
+def _moving(store: Store, rows: Iterable[JointRow]) -> list[int]:
+    """Return the bodies that move, in the order in which joints name them."""
+    bodies = (body for row in rows for body in row.ends if body is not None)
+    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] == DYNAMIC]
+
+
+def _still(store: Store, rows: Iterable[JointRow]) -> list[int]:
+    """Return the bodies that joints hold, and that do not move."""
+    bodies = (body for row in rows for body in row.ends if body is not None)
+    return [body for body in dict.fromkeys(bodies) if store.world.state.kind[body] != DYNAMIC]
+
+
+def _pairs(
+    store: Store, rows: Iterable[JointRow], member: dict[int, int]
+) -> Iterable[tuple[int, int]]:
+    """Yield the pairs of nodes that joints connect."""
+    for row in rows:
+        moving = [b for b in row.ends if b is not None and store.world.state.kind[b] == DYNAMIC]
+        yield from combinations([member[body] - 1 for body in moving], 2)
+
+
+def _pairs_of(row: JointRow) -> Iterable[tuple[int, int]]:
+    """Return the pairs of bodies of a joint, the lower row first."""
+    return combinations(sorted(body for body in row.ends if body is not None), 2)

@@ -1,0 +1,265 @@
+"""The impulses of a mechanism's joints: all of them at once (DD57, IM15).
+
+What they do to velocities is what they are on both sides to the last bit, however well they are
+known: momentum and angular momentum are those of the impulses.
+
+Cost: a visit to each joint and a substitution for each iteration.
+"""
+
+from tamias2d.engine.direct.cholesky import substitute
+from tamias2d.engine.joints.governed import choose_rows
+from tamias2d.engine.joints.impulse import apply_joint_impulse
+from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
+from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, factor_mechanism, place_members
+from tamias2d.engine.tables import (
+    CHANGE,
+    I_NODE,
+    J_AIM,
+    J_ERROR,
+    J_FIRMNESS,
+    J_GIVEN,
+    J_IMPULSE,
+    J_KIND,
+    J_LAW,
+    J_MEMBER,
+    J_NODE,
+    J_RESIDUAL,
+    J_ROW,
+    J_ROWS,
+    J_WARM,
+    JOINED_SLOT,
+    LAW_DAMPING,
+    LAW_RATE,
+    LAW_STIFFNESS,
+    LOWER_LIMIT,
+    M_GOVERNED,
+    M_JOINT,
+    M_MESHED,
+    MOTOR,
+    SPIN,
+    UPPER_LIMIT,
+    VX,
+    VY,
+    Bodies,
+    Joints,
+)
+from tamias2d.generated.joint_rows import ROW, joint_values
+from tamias2d.generated.joint_step import (
+    angular_momentum_later,
+    drive_error,
+    momentum_later,
+    row_aim,
+    row_error,
+    row_impulse,
+    row_rate,
+    spring_error,
+)
+
+REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
+MOST_ITERATIONS_OF_JOINTS = 5
+MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
+SOLVED_RATE = 1e-4  # of the largest error of the first iteration: as good as solved
+
+
+def aim_joints(n: int, length: float, joints: Joints) -> None:
+    """Note to which values a substep brings the rows of a mechanism, which were just written.
+
+    Its length is a share of that of a substep of a whole step: shorter ones remove less. A limit
+    aims at nothing unless it is passed already.
+    """
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        numbers, law = joints.numbers[j], joints.joints[j, J_LAW]
+        for r in range(joints.joints[j, J_ROWS]):
+            value = numbers[J_ROW + ROW * r]
+            if law == LOWER_LIMIT:
+                value = min(value, 0.0)
+            elif law == UPPER_LIMIT:
+                value = max(value, 0.0)
+            numbers[J_AIM + r] = row_aim(value, REMOVED_BY_JOINTS * length)
+            numbers[J_GIVEN + r] = 0.0
+
+
+def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a mechanism so that a substep, s, leads to what its rows aim at.
+
+    Again, they have changed little. Limits push only, and motors give no more than they can.
+    """
+    if joints.mechanisms[n, M_GOVERNED] == 1 and not again:
+        factor_mechanism(n, substep, bodies, joints)
+    bring_to_aims(n, again, substep, bodies, joints)
+    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_GOVERNED] == 1 else 0):
+        find_position_errors(n, substep, bodies, joints)
+        note_rates(n, bodies, joints)
+        if not choose_rows(n, substep, bodies, joints):
+            return
+        factor_mechanism(n, substep, bodies, joints)
+        return_to_rates(n, bodies, joints)
+        bring_to_aims(n, True, substep, bodies, joints)
+
+
+def note_rates(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Note the rates of all rows of a mechanism."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            joints.numbers[j, J_RESIDUAL + r] = rate_of_row(j, r, bodies, joints)
+
+
+def return_to_rates(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Let the rows that hold have the rates again that they had before some changed their state.
+
+    Else what changed would tear the joints, and positions would be looked for far away.
+    """
+    start_impulses(n, 0.0, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            rate = rate_of_row(j, r, bodies, joints)
+            joints.numbers[j, J_ERROR + r] = rate - joints.numbers[j, J_RESIDUAL + r]
+    solve_joint_errors(n, bodies, joints)
+
+
+def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a mechanism so that a substep brings its rows where they are to be.
+
+    A mesh is solved once only: what is left of its rows is made up for in the next substep.
+    """
+    if joints.mechanisms[n, M_MESHED] == 1:
+        find_position_errors(n, substep, bodies, joints)
+        start_impulses(n, 0.0 if again else 1.0, joints)
+        solve_joint_errors(n, bodies, joints)
+        if not again:
+            keep_impulses(n, joints)
+        return
+    first = before = 0.0
+    for k in range(MOST_ITERATIONS_OF_JOINTS):
+        size = find_position_errors(n, substep, bodies, joints)
+        if k == 0:
+            first = size
+        elif not SOLVED_RATE * SOLVED_RATE * first < size < before:
+            return
+        if size == 0.0:
+            return
+        solve_joint_errors(n, bodies, joints)
+        before = size
+
+
+def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of its rows from the velocities of a mechanism.
+
+    Of a mesh, the impulses are about so many times those of the last substep.
+    """
+    start_impulses(n, warm, joints)
+    for _ in range(1 if joints.mechanisms[n, M_MESHED] == 1 else 2):
+        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+            for r in range(joints.joints[j, J_ROWS]):
+                rate = rate_of_row(j, r, bodies, joints)
+                if joints.joints[j, J_LAW] == MOTOR:
+                    rate = drive_error(rate, joints.laws[j, LAW_RATE])
+                joints.numbers[j, J_ERROR + r] = rate
+        solve_joint_errors(n, bodies, joints)
+
+
+def start_impulses(n: int, share: float, joints: Joints) -> None:
+    """Let a mesh start from a share of the impulses of the last substep."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            numbers = joints.numbers[j]
+            own = share if numbers[J_FIRMNESS + r] > 0.0 else 0.0
+            numbers[J_IMPULSE + r] = own * numbers[J_WARM + r]
+
+
+def keep_impulses(n: int, joints: Joints) -> None:
+    """Keep the impulses of a mesh for the next substep."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            joints.numbers[j, J_WARM + r] = joints.numbers[j, J_IMPULSE + r]
+
+
+def find_position_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Write the rate that each row of a mechanism has too much; return a measure of all, J."""
+    place_members(
+        joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1, substep, bodies, joints
+    )
+    size = 0.0
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+        joint_values(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+        for r in range(ends[J_ROWS]):
+            error = error_of_row(j, r, substep, bodies, joints)
+            numbers[J_ERROR + r] = error
+            size += numbers[J_FIRMNESS + r] * error * error
+    return size
+
+
+def error_of_row(j: int, r: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Return the rate that a row of a joint has too much, whose value is that to which it leads."""
+    numbers, law = joints.numbers[j], joints.laws[j]
+    value, firm = numbers[J_ROW + ROW * r], numbers[J_FIRMNESS + r]
+    if joints.joints[j, J_LAW] < MOTOR:
+        return row_error(value, numbers[J_AIM + r], substep)
+    rate = rate_of_row(j, r, bodies, joints)
+    if joints.joints[j, J_LAW] == MOTOR:
+        return drive_error(rate, law[LAW_RATE])
+    stiffness, damping = law[LAW_STIFFNESS], law[LAW_DAMPING]
+    if firm == 0.0:
+        return 0.0
+    return spring_error(value, rate, numbers[J_GIVEN + r], stiffness, damping, firm, substep)
+
+
+def rate_of_row(j: int, r: int, bodies: Bodies, joints: Joints) -> float:
+    """Return the rate of a row of a joint, m/s."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    rate = 0.0
+    for end in range(ENDS_OF_JOINT):
+        at, i = J_ROW + ROW * r + 1 + 3 * end, joints.members[ends[J_MEMBER + end], JOINED_SLOT]
+        if ends[J_NODE + end] >= 0:
+            now = bodies.motion[i]
+            slope, velocity = (numbers[at], numbers[at + 1]), (now[VX], now[VY])
+            rate += row_rate(slope, numbers[at + 2], velocity, now[SPIN])
+    return rate
+
+
+def solve_joint_errors(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Give a mechanism the impulses that take the errors of its rows away."""
+    if joints.mechanisms[n, M_MESHED] == 1:
+        iterate_mesh(n, bodies, joints)
+    else:
+        solve_directly(n, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
+
+
+def solve_directly(n: int, joints: Joints) -> None:
+    """Find the impulses of a mechanism by its factored matrix."""
+    factors = joints.factors
+    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
+        factors[node, CHANGE] = factors[node, CHANGE + 1] = factors[node, CHANGE + 2] = 0.0
+    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
+    for j in range(first, last):
+        numbers = joints.numbers[j]
+        for r in range(joints.joints[j, J_ROWS]):
+            impulse = row_impulse(numbers[J_ERROR + r], numbers[J_FIRMNESS + r])
+            add_to_ends(j, r, impulse, joints)
+    substitute(n, joints.sparse, factors)
+    for j in range(first, last):
+        numbers = joints.numbers[j]
+        for r in range(joints.joints[j, J_ROWS]):
+            rate = numbers[J_ERROR + r] + change_of_rate(j, r, joints)
+            numbers[J_IMPULSE + r] = row_impulse(rate, numbers[J_FIRMNESS + r])
+
+
+def add_to_ends(j: int, r: int, impulse: float, joints: Joints) -> None:
+    """Add the impulse of a row to the right-hand side at its nodes."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    for end in range(ENDS_OF_JOINT):
+        node, at = ends[J_NODE + end], J_ROW + ROW * r + 1 + 3 * end
+        if node >= 0:
+            change, slope = joints.factors[node], (numbers[at], numbers[at + 1])
+            change[CHANGE], change[CHANGE + 1] = momentum_later(
+                (change[CHANGE], change[CHANGE + 1]), impulse, slope
+            )
+            change[CHANGE + 2] = angular_momentum_later(
+                change[CHANGE + 2], impulse, numbers[at + 2]
+            )

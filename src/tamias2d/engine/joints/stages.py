@@ -1,0 +1,246 @@
+"""What joints do in each stage of a step; each of these functions is called by one of the stages.
+
+They are left out of the compiled engine for scenes without joints, and so a call is a statement by
+itself. A mechanism that no contact touches is taken through the step by itself, with forces at both
+ends of each substep; one that is touched is solved before and after the contacts (IM15).
+"""
+
+from tamias2d.engine.joints.energy import bound_mechanism
+from tamias2d.engine.joints.governed import begin_motors, begin_rows
+from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
+from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
+from tamias2d.engine.solver.energy import UNLIMITED
+from tamias2d.engine.solver.lanes import relax
+from tamias2d.engine.solver.slabs import list_all
+from tamias2d.engine.springs.substep import activate
+from tamias2d.engine.tables import (
+    ARRANGED,
+    ASLEEP,
+    DRAG_FACTOR,
+    FREE_OF_CONTACTS,
+    I_NODE,
+    IMPULSE_RATIO,
+    IN_CONTACT,
+    INCREMENT,
+    J_FORCE,
+    J_GIVEN,
+    J_PULL,
+    J_STEP_TOTAL,
+    J_TOTAL,
+    J_WARM,
+    JOINED_BODY,
+    JOINED_SLOT,
+    JOINTS,
+    M_GOVERNED,
+    M_JOINT,
+    M_STATUS,
+    MECHANISMS,
+    MECHANISMS_AWAKE,
+    MECHANISMS_TOUCHED,
+    N_BODY,
+    PART_TIME,
+    S_TREE,
+    SLABS,
+    SLEEP_ID,
+    SUBSTEP_START,
+    SUBSTEPS,
+    TICK,
+    TIME_STEP,
+    TOTAL_ENERGY_NOW,
+    Bodies,
+    Islands,
+    Joints,
+    World,
+)
+from tamias2d.generated.joint_step import (
+    half_decay,
+    half_gain,
+    kick_velocity_later,
+    kick_velocity_start,
+)
+
+RELAXING_ROUNDS = 2  # of joints and contacts, when their velocities are relaxed, besides the first
+
+
+def clear_of_joints(clear: bool, world: World) -> bool:
+    """Return whether bodies that have no contacts may go ballistically: not with joints."""
+    return clear and world.joints.counts[JOINTS] == 0
+
+
+def note_places(world: World) -> None:
+    """Note which slots the members of mechanisms have, as a batch of steps begins."""
+    joints = world.joints
+    if joints.counts[JOINTS] == 0:
+        return
+    joints.members[0, JOINED_SLOT] = len(world.bodies.kind) - 1  # the plane is the idle body
+    for m in range(1, len(joints.members)):
+        joints.members[m, JOINED_SLOT] = world.state.slot_of_body[joints.members[m, JOINED_BODY]]
+
+
+def note_mechanisms(world: World) -> None:
+    """Place the members of mechanisms, and note which of these are awake, before arranging."""
+    joints = world.joints
+    if joints.counts[JOINTS] == 0:
+        return
+    place_members(0, len(joints.members), 0.0, world.bodies, joints)
+    for n in range(joints.counts[MECHANISMS]):
+        asleep = is_asleep(n, world.islands, joints)
+        if asleep != (joints.mechanisms[n, M_STATUS] == ASLEEP):
+            joints.mechanisms[n, M_STATUS] = ASLEEP if asleep else FREE_OF_CONTACTS
+            world.touching.counts[ARRANGED] = 0
+
+
+def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
+    """Return whether a mechanism sleeps; its bodies do so together."""
+    first = joints.sparse[n, I_NODE]
+    return bool(islands.links[joints.members[first + 1, JOINED_SLOT], SLEEP_ID] > 0)
+
+
+def activate_joined(world: World) -> None:
+    """Make the bodies of mechanisms active, and note which mechanisms contacts touch.
+
+    Those with limits, motors or springs are solved as those that are touched.
+    """
+    joints, bodies = world.joints, world.bodies
+    awake = touched_ones = 0
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
+            touched = 0
+            for m in range(first + 1, last + 1):
+                touched += bodies.moved[joints.members[m, JOINED_SLOT]]
+            touched += joints.mechanisms[n, M_GOVERNED]
+            joints.mechanisms[n, M_STATUS] = IN_CONTACT if touched > 0 else FREE_OF_CONTACTS
+            awake += 1
+            touched_ones += touched > 0
+    joints.counts[MECHANISMS_AWAKE], joints.counts[MECHANISMS_TOUCHED] = awake, touched_ones
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+                activate(joints.members[m, JOINED_SLOT], bodies, world.touching, world.constraints)
+
+
+def join_slabs(tree_count: int, world: World) -> None:
+    """Make one slab of all where mechanisms are awake: they reach from any slab to any other."""
+    constraints = world.constraints
+    if world.joints.counts[MECHANISMS_AWAKE] > 0 and constraints.counts[SLABS] > 1:
+        constraints.counts[SLABS] = 1
+        constraints.slabs[1, S_TREE] = tree_count
+        list_all(world.bodies, world.touching, constraints)
+
+
+def begin_joints(substep: float, world: World) -> None:
+    """Begin a step: find the rows; free of contacts, velocities go back by half a substep."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            note_node_masses(n, substep, bodies, joints)
+            begin_rows(n, joints)
+            begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
+            linearise(n, bodies, joints)
+            if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
+                kick_half(n, False, bodies, joints)
+
+
+def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
+    """Begin to add up the impulses of a part; those of a mesh count for a substep of this one."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for k in range(J_TOTAL, J_GIVEN + 3):
+            joints.numbers[j, k] = 0.0
+        for k in range(J_WARM, J_WARM + 3):
+            joints.numbers[j, k] *= ratio
+
+
+def keep_joint_impulses(world: World) -> None:
+    """Add the impulses of a part that was taken to those of the step, and note the forces."""
+    joints = world.joints
+    time = world.control.progress[PART_TIME]
+    kept = 0.0 if world.control.counts[TICK] == 0 else 1.0
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+                numbers = joints.numbers[j]
+                for k in range(9):
+                    before = kept * numbers[J_STEP_TOTAL + k]
+                    numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
+                for k in range(3):
+                    numbers[J_FORCE + k] = numbers[J_PULL + k] / time
+
+
+def solve_joints(again: bool, substep: float, world: World) -> None:
+    """Let joints hold at the end of a substep; again, after contacts were visited."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    control = world.control
+    length = min(substep * control.counts[SUBSTEPS] / control.settings[TIME_STEP], 1.0)
+    for n in range(joints.counts[MECHANISMS]):
+        status = joints.mechanisms[n, M_STATUS]
+        if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
+            if not again:
+                aim_joints(n, length, joints)
+                begin_motors(n, substep, bodies, joints)
+            keep_positions(n, again, substep, bodies, joints)
+
+
+def relax_joints(world: World) -> None:
+    """Find the rows where bodies are, and let the velocities of touched mechanisms fit them."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+            linearise(n, bodies, joints)
+    fit_velocities(bodies, joints)
+
+
+def relax_in_turns(block: int, last: int, substep: float, world: World) -> None:
+    """Relax touched mechanisms and the contacts, in blocks of lanes, in turns: joints come last."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0 or joints.counts[MECHANISMS_TOUCHED] == 0:
+        return
+    for _ in range(RELAXING_ROUNDS):
+        fit_velocities(bodies, joints)
+        relax(block, last, bodies, world.constraints, substep)
+    fit_velocities(bodies, joints)
+
+
+def fit_velocities(bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of their rows from the velocities of touched mechanisms."""
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] == IN_CONTACT:
+            keep_velocities(n, 0.0, bodies, joints)
+
+
+def end_joints(world: World) -> None:
+    """End a step: let the velocities of mechanisms that are free of contacts catch up, and fit."""
+    joints, bodies = world.joints, world.bodies
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
+            kick_half(n, True, bodies, joints)
+            keep_velocities(n, 0.5, bodies, joints)
+            bound_mechanism(n, world.control, bodies, joints, world.islands)
+
+
+def look_at_touched(world: World) -> None:
+    """Let the energy of each island be looked at if contacts touch mechanisms, not their sum."""
+    energy = world.constraints.energy
+    if world.joints.counts[MECHANISMS_AWAKE] > 0 and world.joints.counts[MECHANISMS_TOUCHED] > 0:
+        energy[TOTAL_ENERGY_NOW] = 2.0 * UNLIMITED
+
+
+def kick_half(n: int, ahead: bool, bodies: Bodies, joints: Joints) -> None:
+    """Take the velocities of a mechanism half a substep ahead of the forces, or behind them."""
+    for node in range(joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]):
+        i = joints.sparse[node, N_BODY]
+        now, state = bodies.motion[i], bodies.substep_state[i]
+        for k in range(3):
+            decay = half_decay(state[DRAG_FACTOR + k])
+            gain = half_gain(state[INCREMENT + k], decay)
+            later = kick_velocity_later(now[k], decay, gain)
+            now[k] = later if ahead else kick_velocity_start(now[k], decay, gain)
+            state[SUBSTEP_START + k] = now[k]

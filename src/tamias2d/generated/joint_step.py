@@ -1,0 +1,422 @@
+"""Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep.
+
+Generated from srs/models/joint_step.md
+by `python -m tools.generate`. Edit the chapter, not this file.
+"""
+
+from tamias2d.spec.functions import Scalar, Vector, largest, sqrt
+
+
+def row_rate(
+    slope: Vector, turning_slope: Scalar, velocity: Vector, angular_velocity: Scalar
+) -> Scalar:
+    """Rate of a row's value, or a body's part in it (m/s).
+
+    row_rate = dot(slope, velocity) + turning_slope*angular_velocity
+
+    Args:
+        slope: How a row's value changes with the place of a body, 1
+        turning_slope: How a row's value changes with the orientation of a body, m
+        velocity: Velocity of the centre of mass, m/s
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+
+    Source: DD56, srs/models/joint_step.md:14.
+    """
+    slope_x, slope_y = slope
+    velocity_x, velocity_y = velocity
+    return slope_x * velocity_x + slope_y * velocity_y + turning_slope * angular_velocity
+
+
+def row_yield(
+    slope: Vector, turning_slope: Scalar, inverse_mass: Scalar, inverse_inertia: Scalar
+) -> Scalar:
+    """Change of a row's rate for one unit of its impulse, or a body's part in it (1/kg).
+
+    row_yield = inverse_mass*dot(slope, slope) + inverse_inertia*turning_slope**2
+
+    Args:
+        slope: How a row's value changes with the place of a body, 1
+        turning_slope: How a row's value changes with the orientation of a body, m
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+
+    Source: DD56, srs/models/joint_step.md:15.
+    """
+    slope_x, slope_y = slope
+    return (
+        inverse_mass * (slope_x * slope_x + slope_y * slope_y)
+        + inverse_inertia * turning_slope * turning_slope
+    )
+
+
+def row_error(row_value: Scalar, row_aim: Scalar, time_step: Scalar) -> Scalar:
+    """Rate of a row beyond the one that brings it where it is to be (m/s).
+
+    row_error = (row_value - row_aim)/time_step
+
+    Args:
+        row_value: Number of a joint's equation that is zero where it holds, m
+        row_aim: Value that a row is to have at the end of a substep, m
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD56, srs/models/joint_step.md:17.
+    """
+    return (row_value - row_aim) / time_step
+
+
+def firmness(firm_ratio: Scalar, row_yield: Scalar) -> Scalar:
+    """Mass with which a firm contact resists the velocity that its row is not to have (kg).
+
+    firmness = firm_ratio/row_yield
+
+    Args:
+        firm_ratio: Firmness of a joint's row, times its yield, 1
+        row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
+            1/kg
+
+    Source: DD57, srs/models/joint_step.md:44.
+    """
+    return firm_ratio / row_yield
+
+
+def row_impulse(row_rate: Scalar, firmness: Scalar) -> Scalar:
+    """Impulse of a row of a joint, for slopes of length one (N*s).
+
+    row_impulse = -firmness*row_rate
+
+    Args:
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD57, srs/models/joint_step.md:45.
+    """
+    return (-firmness) * row_rate
+
+
+def velocity_later(
+    velocity: Vector, row_impulse: Scalar, slope: Vector, inverse_mass: Scalar
+) -> Vector:
+    """Velocity of the centre of mass; after the bodies have moved (m/s).
+
+    velocity_later = velocity + inverse_mass*row_impulse*slope
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        slope: How a row's value changes with the place of a body, 1
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+
+    Source: DD57, srs/models/joint_step.md:46.
+    """
+    velocity_x, velocity_y = velocity
+    slope_x, slope_y = slope
+    return (
+        velocity_x + inverse_mass * row_impulse * slope_x,
+        velocity_y + inverse_mass * row_impulse * slope_y,
+    )
+
+
+def angular_velocity_later(
+    angular_velocity: Scalar, row_impulse: Scalar, turning_slope: Scalar, inverse_inertia: Scalar
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; after the bodies have moved (rad/s).
+
+    angular_velocity_later = angular_velocity + inverse_inertia*row_impulse*turning_slope
+
+    Args:
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        turning_slope: How a row's value changes with the orientation of a body, m
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+
+    Source: DD57, srs/models/joint_step.md:47.
+    """
+    return angular_velocity + inverse_inertia * row_impulse * turning_slope
+
+
+def momentum_later(momentum: Vector, row_impulse: Scalar, slope: Vector) -> Vector:
+    """Mass times velocity; after the bodies have moved (kg*m/s).
+
+    momentum_later = momentum + row_impulse*slope
+
+    Args:
+        momentum: Mass times velocity, kg*m/s
+        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        slope: How a row's value changes with the place of a body, 1
+
+    Source: DD57, srs/models/joint_step.md:49.
+    """
+    momentum_x, momentum_y = momentum
+    slope_x, slope_y = slope
+    return (momentum_x + row_impulse * slope_x, momentum_y + row_impulse * slope_y)
+
+
+def angular_momentum_later(
+    angular_momentum: Scalar, row_impulse: Scalar, turning_slope: Scalar
+) -> Scalar:
+    """Moment of momentum about the origin; after the bodies have moved (kg*m^2/s).
+
+    angular_momentum_later = angular_momentum + row_impulse*turning_slope
+
+    Args:
+        angular_momentum: Moment of momentum about the origin, kg*m^2/s
+        row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
+        turning_slope: How a row's value changes with the orientation of a body, m
+
+    Source: DD57, srs/models/joint_step.md:50.
+    """
+    return angular_momentum + row_impulse * turning_slope
+
+
+def coupled_mass(slope_a: Vector, slope_along: Scalar, firmness: Scalar) -> Vector:
+    """Impulse along an axis at B for velocities of A, by a firm row (kg).
+
+    coupled_mass = firmness*slope_along*slope_a
+
+    Args:
+        slope_a: How a row's value changes with the place of a body; of body A, 1
+        slope_along: Part of a slope along one axis, 1
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD57, srs/models/joint_step.md:51.
+    """
+    slope_a_x, slope_a_y = slope_a
+    return (firmness * slope_along * slope_a_x, firmness * slope_along * slope_a_y)
+
+
+def coupled_moment(turning_slope_a: Scalar, slope_b: Vector, firmness: Scalar) -> Vector:
+    """Impulse at B for the turning of A, by a firm row (kg*m).
+
+    coupled_moment = firmness*turning_slope_a*slope_b
+
+    Args:
+        turning_slope_a: How a row's value changes with the orientation of a body; of body A, m
+        slope_b: How a row's value changes with the place of a body; of body B, 1
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD57, srs/models/joint_step.md:52.
+    """
+    slope_b_x, slope_b_y = slope_b
+    return (firmness * turning_slope_a * slope_b_x, firmness * turning_slope_a * slope_b_y)
+
+
+def coupled_lever(slope_a: Vector, turning_slope_b: Scalar, firmness: Scalar) -> Vector:
+    """Angular impulse at B for velocities of A, by a firm row (kg*m).
+
+    coupled_lever = firmness*turning_slope_b*slope_a
+
+    Args:
+        slope_a: How a row's value changes with the place of a body; of body A, 1
+        turning_slope_b: How a row's value changes with the orientation of a body; of body B, m
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD57, srs/models/joint_step.md:53.
+    """
+    slope_a_x, slope_a_y = slope_a
+    return (firmness * turning_slope_b * slope_a_x, firmness * turning_slope_b * slope_a_y)
+
+
+def coupled_inertia(turning_slope_a: Scalar, turning_slope_b: Scalar, firmness: Scalar) -> Scalar:
+    """Angular impulse at B for the turning of A, by a firm row (kg*m^2).
+
+    coupled_inertia = firmness*turning_slope_b*turning_slope_a
+
+    Args:
+        turning_slope_a: How a row's value changes with the orientation of a body; of body A, m
+        turning_slope_b: How a row's value changes with the orientation of a body; of body B, m
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+
+    Source: DD57, srs/models/joint_step.md:54.
+    """
+    return firmness * turning_slope_b * turning_slope_a
+
+
+def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
+    """Value that a row is to have at the end of a substep (m).
+
+    row_aim = (1 - removed_share)*row_value
+
+    Args:
+        row_value: Number of a joint's equation that is zero where it holds, m
+        removed_share: Part of a row's value that a substep removes, 1
+
+    Source: IM15, srs/models/joint_step.md:111.
+    """
+    return (1 - removed_share) * row_value
+
+
+def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
+    """Rate of a row beyond that of its motor (m/s).
+
+    drive_error = row_rate - drive_rate
+
+    Args:
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+        drive_rate: Rate at which a motor keeps a row, m/s
+
+    Source: IM15, srs/models/joint_step.md:112.
+    """
+    return row_rate - drive_rate
+
+
+def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
+    """The most that a motor gives in a substep, for slopes of length one (N*s).
+
+    row_impulse_most = time_step*row_force_most
+
+    Args:
+        row_force_most: The most that a motor exerts, for slopes of length one, N
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:113.
+    """
+    return time_step * row_force_most
+
+
+def spring_firmness(row_stiffness: Scalar, row_damping: Scalar, time_step: Scalar) -> Scalar:
+    """Impulse that a spring gives in a substep against a rate (kg).
+
+    spring_firmness = time_step*(row_damping + time_step*row_stiffness)
+
+    Args:
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_damping: Force of a damper for a row's rate, kg/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:114.
+    """
+    return time_step * (row_damping + time_step * row_stiffness)
+
+
+def spring_error(
+    row_value: Scalar,
+    row_rate: Scalar,
+    row_given: Scalar,
+    row_stiffness: Scalar,
+    row_damping: Scalar,
+    firmness: Scalar,
+    time_step: Scalar,
+) -> Scalar:
+    """Rate of a row that its spring has not answered yet (m/s).
+
+    spring_error = (time_step*(row_stiffness*row_value + row_damping*row_rate) +
+    row_given)/firmness
+
+    Args:
+        row_value: Number of a joint's equation that is zero where it holds, m
+        row_rate: Rate of a row's value, or a body's part in it, m/s
+        row_given: Impulse that a row has had in a substep so far, N*s
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_damping: Force of a damper for a row's rate, kg/s
+        firmness: Mass with which a firm contact resists the velocity that its row is not to
+            have, kg
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:115.
+    """
+    return (time_step * (row_stiffness * row_value + row_damping * row_rate) + row_given) / firmness
+
+
+def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
+    """By how much less a joint's pull turns a body that has turned by a radian (N*m).
+
+    leaning = -row_force*row_bend
+
+    Args:
+        row_force: Force of a row of a joint, for slopes of length one, N
+        row_bend: Second derivative of a row's value by the orientation of a body, m
+
+    Source: IM15, srs/models/joint_step.md:118.
+    """
+    return (-row_force) * row_bend
+
+
+def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
+    """Moment of inertia about the centre of mass; held through a step (kg*m^2).
+
+    inertia_held = max(inertia, time_step**2*leaning)
+
+    Args:
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: IM15, srs/models/joint_step.md:119.
+    """
+    return largest(inertia, time_step * time_step * leaning)
+
+
+def half_decay(kick_decay: Scalar) -> Scalar:
+    """Factor of the velocity by drag in half a substep (1).
+
+    half_decay = sqrt(kick_decay)
+
+    Args:
+        kick_decay: Factor of the velocity by drag in a substep, 1
+
+    Source: IM15, srs/models/joint_step.md:120.
+    """
+    return sqrt(kick_decay)
+
+
+def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
+    """Velocity that forces give in half a substep (m/s).
+
+    half_gain = kick_gain/(1 + half_decay)
+
+    Args:
+        kick_gain: Velocity that forces give in a substep, m/s
+        half_decay: Factor of the velocity by drag in half a substep, 1
+
+    Source: IM15, srs/models/joint_step.md:121.
+    """
+    return kick_gain / (1 + half_decay)
+
+
+def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Scalar) -> Scalar:
+    """Velocity along one axis; after the bodies have moved (m/s).
+
+    kick_velocity_later = half_decay*kick_velocity + half_gain
+
+    Args:
+        kick_velocity: Velocity along one axis, m/s
+        half_decay: Factor of the velocity by drag in half a substep, 1
+        half_gain: Velocity that forces give in half a substep, m/s
+
+    Source: IM15, srs/models/joint_step.md:122.
+    """
+    return half_decay * kick_velocity + half_gain
+
+
+def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Scalar) -> Scalar:
+    """Velocity along one axis; at the start (m/s).
+
+    kick_velocity_start = (kick_velocity - half_gain)/half_decay
+
+    Args:
+        kick_velocity: Velocity along one axis, m/s
+        half_decay: Factor of the velocity by drag in half a substep, 1
+        half_gain: Velocity that forces give in half a substep, m/s
+
+    Source: IM15, srs/models/joint_step.md:123.
+    """
+    return (kick_velocity - half_gain) / half_decay
+
+
+def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
+    """Energy of motion, turning included; the most that there may be (J).
+
+    kinetic_energy_most = max(kinetic_energy_start + work, 0[J])
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+
+    Source: IM15, srs/models/joint_step.md:124.
+    """
+    return largest(kinetic_energy_start + work, 0.0)
