@@ -158,7 +158,7 @@ class Simulator(Views):
 
         Warns:
             StepWarning: the time step is too long for a force that varies or for a joint, once for
-                each; for springs, gravity, the weight on bodies that overlap, or their masses, once.
+                each; for springs, gravity, overlaps that grow, or masses, once.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
