@@ -57,6 +57,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         Body as Body,
         Box as Box,
         Capsule as Capsule,
+        Chain as Chain,
         Compound as Compound,
         Disc as Disc,
         Distance as Distance,
@@ -104,7 +105,7 @@ _HOMES = {
     "StepSizeError Stepped VelocityVerlet Yoshida4",
     "run": "Run",
     "run_data": "Impacts",
-    "scene": "Body Box Capsule Compound Disc Distance Equation Gear Groove HalfPlane JointSpring "
+    "scene": "Body Box Capsule Chain Compound Disc Distance Equation Gear Groove HalfPlane JointSpring "
     "Limits Motor Part Polygon Prismatic Pulley Ratchet Revolute Rotary Scene Segment Weld Wheel "
     "catalogue load needs scene_text",
     "simulate": "simulate",

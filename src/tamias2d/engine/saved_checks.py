@@ -25,6 +25,7 @@ from tamias2d.engine.tables import (
     INVERSE_INERTIA,
     INVERSE_MASS,
     LIST_HOLDS,
+    PIECE,
     RESTITUTION,
     SLOT_A,
     SLOT_B,
@@ -147,7 +148,8 @@ def _check_shapes(arrays: Arrays) -> None:
     name = "shapes.vertex_count"
     taken = count > 0
     require(taken[:-1] >= taken[1:], name, "rows that were never taken must come last")
-    least = np.select([kind == CAPSULE, (kind == DISC) | (kind == HALF_PLANE)], [2, 1], 3)
+    line = (kind == CAPSULE) | (kind >= PIECE)
+    least = np.select([line, (kind == DISC) | (kind == HALF_PLANE)], [2, 1], 3)
     most = np.where(least == 3, 2**31, least)
     require(~taken | ((count >= least) & (count <= most)), name, "must fit the kinds of shapes")
     require(first + count <= len(arrays["shapes.local_vertices"]), name, "there are no such rows")

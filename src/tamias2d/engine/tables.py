@@ -220,13 +220,18 @@ class Bodies(NamedTuple):
 
 # -- shapes
 
-DISC, CAPSULE, POLYGON, HALF_PLANE = range(4)  # kind
+# kind; the last two are pieces of chains that are solid from both sides, or from one
+DISC, CAPSULE, POLYGON, HALF_PLANE, PIECE, ONE_SIDED_PIECE = range(6)
 
 _material = Columns()
 FRICTION = _material()  # -1 where not stated
 RESTITUTION = _material()  # -1 where not stated
 SHAPE_RADIUS = _material()  # m, of the circle around the shape from the centre of its body
 SHAPE_INRADIUS = _material()  # m, least distance of its sides from there; -inf if that is outside
+START_COSINE = _material()  # of a piece of a chain: the corner at its start; 0 of other shapes
+START_SINE = _material()
+END_COSINE = _material()  # the corner at its end
+END_SINE = _material()
 
 CATEGORY, MASK, GROUP, SENSOR = range(4)  # filters
 
@@ -235,7 +240,7 @@ class Shapes(NamedTuple):
     """Convex shapes: vertices grown by a radius; read by the broad and the narrow phase."""
 
     slot: Annotated[Places, Sized("shapes")]  # of the body
-    kind: Annotated[Indices, Sized("shapes"), Saved(4)]
+    kind: Annotated[Indices, Sized("shapes"), Saved(6)]
     first: Annotated[Indices, Sized("shapes"), Saved("vertices")]  # vertex
     vertex_count: Annotated[Indices, Sized("shapes"), Saved(2**31)]  # of vertices
     radius: Annotated[Floats, Sized("shapes"), Saved()]  # m

@@ -5,6 +5,7 @@ Serves: users, and every part that computes. Hides: which file holds which conce
 
 from tamias2d.scene import catalogue
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.chain import Chain
 from tamias2d.scene.compound import Compound, Part, Shape, pieces_of
 from tamias2d.scene.fields import ForceField
 from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
@@ -33,6 +34,7 @@ __all__ = [
     "Body",
     "Box",
     "Capsule",
+    "Chain",
     "Compound",
     "Disc",
     "Distance",

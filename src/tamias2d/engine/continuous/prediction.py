@@ -10,6 +10,7 @@ from tamias2d.engine.continuous.conservative_advancement import place_vertices, 
 from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
+from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.seams import clear_grounds, leave_seams_out
@@ -18,6 +19,7 @@ from tamias2d.engine.tables import (
     ALL,
     ARRANGED,
     DYNAMIC,
+    FEATURE,
     FORESEEN,
     GOES_FAR,
     HOLDING,
@@ -147,7 +149,8 @@ def foresee_contact(
     margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
     manifold, flags = contacts.manifolds[p], contacts.flags[p]
     if at > 1.0:
-        return smallest_gap(manifold, flags[POINT_COUNT]) < margin
+        near = smallest_gap(manifold, flags[POINT_COUNT]) < margin
+        return near and flags[FEATURE] != BESIDE
     a, b, rows = core_of(s, shapes), core_of(t, shapes), events.scratch[1:]
     place_vertices(a, path.turn_a * at, shapes.world_vertices, 0, rows)
     place_vertices(b, path.turn_b * at, shapes.world_vertices, a.vertex_count, rows)
@@ -155,6 +158,12 @@ def foresee_contact(
     placed_b = Core(b.kind, a.vertex_count, b.vertex_count, b.radius, 0.0)
     x, y = path.x + at * path.dx, path.y + at * path.dy
     first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, rows)
+    if first > 0 and (is_piece(a) or is_piece(b)):
+        verdict = judge(s, t, placed_a, placed_b, x, y, margin, manifold, rows, shapes)
+        if verdict.first == BESIDE:
+            return False
+        if not verdict.stays:
+            first, second = verdict.first, verdict.second
     manifold[FORESEEN] = at * time
     return match_impulses(manifold, flags, first, second) > 0
 

@@ -10,6 +10,7 @@ separating axis test between convex polyhedra (GDC 2013); Catto, Box2D v3 (2024)
 pairs that do not touch yet.
 """
 
+from tamias2d.engine.narrow_phase.chain import is_piece, judge
 from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.disc import collide_disc, collide_discs
 from tamias2d.engine.narrow_phase.half_plane import collide_half_plane
@@ -54,6 +55,10 @@ def collide(
         first, second = collide_cached(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
     else:
         first, second = collide_cores(manifold, a, b, dx, dy, margin, shapes.world_vertices)
+    if first > 0 and (is_piece(a) or is_piece(b)):
+        verdict = judge(s, t, a, b, dx, dy, margin, manifold, shapes.world_vertices, shapes)
+        if not verdict.stays:
+            first, second = verdict.first, verdict.second
     return match_impulses(manifold, flags, first, second)
 
 

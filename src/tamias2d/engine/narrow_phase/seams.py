@@ -18,6 +18,7 @@ from tamias2d.engine.tables import (
     NORMAL_IMPULSE,
     NX,
     NY,
+    PIECE,
     POINT,
     POINT_COUNT,
     PX,
@@ -145,6 +146,8 @@ def is_seam(
     same = row[G_SHAPE] == s + 1.0 or row[G_NX] * normal[0] + row[G_NY] * normal[1] > SAME_WAY
     if row[G_SHAPE] == 0.0 or same or shapes.kind[s] == HALF_PLANE:
         return False
+    if shapes.kind[s] >= PIECE and shapes.kind[int(row[G_SHAPE]) - 1] >= PIECE:
+        return False  # they know each other
     return stands_no_higher(s, slop, row, bodies, shapes) and has_corner(
         int(row[G_SHAPE]) - 1, place, slop, bodies, shapes
     )
