@@ -19,7 +19,6 @@ from tamias2d.engine.narrow_phase.separation import INFINITE, incident_side
 from tamias2d.engine.tables import (
     END_COSINE,
     END_SINE,
-    GAP,
     NX,
     NY,
     ONE_SIDED_PIECE,
@@ -32,7 +31,7 @@ from tamias2d.generated.terrain import admitted, corner_room
 from tamias2d.state import Array
 
 BESIDE = FEATURES * FEATURES - 1  # feature of a point beside a piece, which may come over it
-SAME = 2.0**-30  # sine: a direction that leans by no more is the normal of the piece
+SAME = 2.0**-44  # sine: a direction that leans by no more is the normal of the piece
 STRAIGHT = 2.0**-17  # sine: a corner that turns by no more does not stick out
 
 
@@ -78,8 +77,27 @@ def judge(
     B is at (x, y) from A, m. Where there is no contact, but one may come about, the first feature
     is `BESIDE`, and the manifold stays.
     """
-    swapped = is_piece(b)
-    piece, p, q = (t, b, a) if swapped else (s, a, b)
+    if is_piece(b):
+        return judge_piece(t, b, a, -x, -y, margin, True, manifold, vertices, shapes)
+    return judge_piece(s, a, b, x, y, margin, False, manifold, vertices, shapes)
+
+
+def judge_piece(
+    piece: int,
+    p: Core,
+    q: Core,
+    x: float,
+    y: float,
+    margin: float,
+    swapped: bool,
+    manifold: Array,
+    vertices: Array,
+    shapes: Shapes,
+) -> Verdict:
+    """Look at the manifold of a piece and another shape, which is at (x, y) from it, m.
+
+    Swapped says that the piece is B.
+    """
     ux, uy = (-manifold[NX], -manifold[NY]) if swapped else (manifold[NX], manifold[NY])
     right = seen_from(0, piece, p, vertices, shapes)
     round_ = q.vertex_count == 1
@@ -89,20 +107,18 @@ def judge(
     left = seen_from(1, piece, p, vertices, shapes)
     if not one_sided and is_normal(ux, uy, left, round_):
         return Verdict(True, 0, 0)
-    at_x, at_y = (-x, -y) if swapped else (x, y)
-    low, lowest = foremost_vertex(right, p, q, at_x, at_y, vertices)
-    high, highest = foremost_vertex(left, p, q, at_x, at_y, vertices)
+    low, lowest = foremost_vertex(right, p, q, x, y, vertices)
+    high, highest = foremost_vertex(left, p, q, x, y, vertices)
     in_front = low > high
     if one_sided and not in_front:
         return Verdict(False, 0, 0)
     if not round_:
-        side, vertex = (right, lowest) if in_front else (left, highest)
-        if leans_little(ux, uy, side) or (
-            manifold[GAP] <= 0.0 and is_over(p, q, vertex, at_x, at_y, vertices)
-        ):
-            first, second = clip_piece(
-                manifold, side, p, q, vertex, at_x, at_y, margin, swapped, vertices
-            )
+        side = seen_from(0 if in_front else 1, piece, p, vertices, shapes)
+        vertex = lowest if in_front else highest
+        deep = (low if in_front else high) <= q.radius
+        over = deep and is_over(p, q, vertex, x, y, vertices)
+        if over or leans_little(ux, uy, side):
+            first, second = clip_piece(manifold, side, p, q, vertex, x, y, margin, swapped, vertices)
             if first > 0:
                 return Verdict(False, first, second)
     return Verdict(False, BESIDE, 0)

@@ -5,6 +5,7 @@ begins where the ground ends. Cost: a pass over the touching contacts, if one of
 static shape is new.
 """
 
+from tamias2d.engine.narrow_phase.chain import STRAIGHT
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.tables import (
     DYNAMIC,
@@ -147,10 +148,24 @@ def is_seam(
     if row[G_SHAPE] == 0.0 or same or shapes.kind[s] == HALF_PLANE:
         return False
     if shapes.kind[s] >= PIECE and shapes.kind[int(row[G_SHAPE]) - 1] >= PIECE:
-        return False  # they know each other
+        return False  # pieces of chains know each other
     return stands_no_higher(s, slop, row, bodies, shapes) and has_corner(
         int(row[G_SHAPE]) - 1, place, slop, bodies, shapes
     )
+
+
+def goes_on(s: int, t: int, place: Vector, normal: Vector, shapes: Shapes, ground: Array) -> bool:
+    """Return whether a piece of a chain that a shape t meets goes on straight from its ground.
+
+    What holds the body there holds it here.
+    """
+    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, SHAPE_RADIUS]
+    if row[G_SHAPE] == 0.0 or shapes.kind[s] < PIECE or shapes.kind[int(row[G_SHAPE]) - 1] < PIECE:
+        return False
+    height = row[G_NX] * place[0] + row[G_NY] * place[1]
+    aside = row[G_NX] * normal[1] - row[G_NY] * normal[0]
+    same_way = row[G_NX] * normal[0] + row[G_NY] * normal[1] > SAME_WAY
+    return bool(same_way and abs(aside) <= STRAIGHT and abs(height - row[G_HEIGHT]) <= slop)
 
 
 def stands_no_higher(s: int, slop: float, row: Array, bodies: Bodies, shapes: Shapes) -> bool:
