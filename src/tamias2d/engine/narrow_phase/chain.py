@@ -33,6 +33,7 @@ from tamias2d.state import Array
 BESIDE = FEATURES * FEATURES - 1  # feature of a point beside a piece, which may come over it
 SAME = 2.0**-44  # sine: a direction that leans by no more is the normal of the piece
 STRAIGHT = 2.0**-17  # sine: a corner that turns by no more does not stick out
+SLIVER = 2.0**-4  # of the size of a shape: how much of it may be on the other side of a neighbour
 
 
 class Side(NamedTuple):
@@ -100,20 +101,20 @@ def judge_piece(
     """
     ux, uy = (-manifold[NX], -manifold[NY]) if swapped else (manifold[NX], manifold[NY])
     right = seen_from(0, piece, p, vertices, shapes)
-    round_ = q.vertex_count == 1
+    one_sided, round_ = p.kind == ONE_SIDED_PIECE, q.vertex_count == 1
     if is_normal(ux, uy, right, round_):
-        return Verdict(True, 0, 0)
-    one_sided = p.kind == ONE_SIDED_PIECE
+        stays = one_sided or not is_beyond_neighbour(right, p, q, x, y, vertices)
+        return Verdict(stays, BESIDE, 0)
     left = seen_from(1, piece, p, vertices, shapes)
     if not one_sided and is_normal(ux, uy, left, round_):
-        return Verdict(True, 0, 0)
+        return Verdict(not is_beyond_neighbour(left, p, q, x, y, vertices), BESIDE, 0)
     low, lowest = foremost_vertex(right, p, q, x, y, vertices)
     high, highest = foremost_vertex(left, p, q, x, y, vertices)
     in_front = low > high
     if one_sided and not in_front:
         return Verdict(False, 0, 0)
-    if not round_:
-        side = seen_from(0 if in_front else 1, piece, p, vertices, shapes)
+    side = seen_from(0 if in_front else 1, piece, p, vertices, shapes)
+    if not round_ and (one_sided or not is_beyond_neighbour(side, p, q, x, y, vertices)):
         vertex = lowest if in_front else highest
         deep = (low if in_front else high) <= q.radius
         over = deep and is_over(p, q, vertex, x, y, vertices)
@@ -160,6 +161,38 @@ def leans_little(ux: float, uy: float, side: Side) -> bool:
     along, up = side.nx * uy - side.ny * ux, side.nx * ux + side.ny * uy
     sine = side.start_sine if along < 0.0 else side.end_sine
     return abs(along) <= PARALLEL * up and sine <= STRAIGHT
+
+
+def is_beyond_neighbour(
+    side: Side, p: Core, q: Core, x: float, y: float, vertices: Array
+) -> bool:
+    """Return whether a shape is on the other side of a neighbour, at a corner that is a hollow.
+
+    Then it is on the other side of the chain, and has only come past the corner.
+    """
+    beyond = False
+    if side.start_sine < -STRAIGHT:
+        nx = side.start_cosine * side.nx + side.start_sine * side.ny
+        ny = side.start_cosine * side.ny - side.start_sine * side.nx
+        beyond = is_behind(nx, ny, p.first + side.side, q, x, y, vertices)
+    if side.end_sine < -STRAIGHT:
+        nx = side.end_cosine * side.nx - side.end_sine * side.ny
+        ny = side.end_cosine * side.ny + side.end_sine * side.nx
+        beyond = beyond or is_behind(nx, ny, p.first + 1 - side.side, q, x, y, vertices)
+    return beyond
+
+
+def is_behind(
+    nx: float, ny: float, vertex: int, q: Core, x: float, y: float, vertices: Array
+) -> bool:
+    """Return whether nearly all of a shape is behind a line through a vertex with a normal."""
+    base = nx * (x - vertices[vertex, 0]) + ny * (y - vertices[vertex, 1])
+    low, high = INFINITE, -INFINITE
+    for k in range(q.first, q.first + q.vertex_count):
+        height = base + nx * vertices[k, 0] + ny * vertices[k, 1]
+        low, high = min(low, height), max(high, height)
+    low, high = low - q.radius, high + q.radius
+    return high <= SLIVER * (high - low)
 
 
 def foremost_vertex(
