@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from tamias2d.errors import SceneError
 from tamias2d.scene import Body, Compound, Disc, HalfPlane, Scene
+from tamias2d.scene.chain import Piece
 from tamias2d.scene.acting import groups, timed_loads, varying_loads
 from tamias2d.scene.filters import Filtered
 from tamias2d.state import State, Vector
@@ -70,6 +71,7 @@ class Core:
         elif shape is not None and not isinstance(shape, Compound):
             self.corners, self.radius = shape.core, shape.rounding
             self.sides = _sides(shape.core, shape.rounding, body.name)
+        self.piece = shape if isinstance(shape, Piece) else None
         self.reaches = tuple(math.hypot(x, y) for x, y in self.corners)
         """Distance of each corner from the centre of mass, m."""
         self.bounding_radius = max(self.reaches) + self.radius if self.corners else math.inf

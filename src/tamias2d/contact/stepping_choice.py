@@ -2,7 +2,7 @@
 
 from tamias2d.contact.event_driven_scenes import is_event_driven
 from tamias2d.contact.stepwise import beyond_location
-from tamias2d.scene import Scene
+from tamias2d.scene import Scene, in_pieces
 from tamias2d.scene.reach import pairs_that_can_meet
 
 MANY = 100
@@ -20,7 +20,7 @@ def steps_because(scene: Scene, duration: float) -> str | None:
     """
     if scene.joints:
         return None
-    for body in scene.bodies:
+    for body in in_pieces(scene).bodies:
         if what := beyond_location(body):
             return f"body '{body.name}': {what}"
     if sum(body.dynamic and body.shape is not None for body in scene.bodies) <= MANY:

@@ -24,6 +24,7 @@ from tamias2d.scene.joint_kinds import (
 )
 from tamias2d.scene.joints import Joint
 from tamias2d.scene.needs import Need, Needs, needs
+from tamias2d.scene.pieces import in_pieces, owners
 from tamias2d.scene.reading import load
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Box, Capsule, Disc, HalfPlane, Polygon, Segment
@@ -64,8 +65,10 @@ __all__ = [
     "Weld",
     "Wheel",
     "catalogue",
+    "in_pieces",
     "load",
     "needs",
+    "owners",
     "pieces_of",
     "scene_text",
 ]

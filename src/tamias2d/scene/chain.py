@@ -67,6 +67,25 @@ class Chain:
         return 0.0
 
 
+@dataclass(frozen=True)
+class Piece:
+    """A piece of a chain as a shape of its own, about its middle."""
+
+    core: tuple[Vector, Vector]
+    """Both ends, m."""
+    start: Corner
+    end: Corner
+    one_sided: bool
+
+    rounding = 0.0
+    area = 0.0
+
+    @property
+    def bounding_radius(self) -> float:
+        """Half its length, m."""
+        return math.dist(*self.core) / 2
+
+
 def _truth(value: object, key: str) -> bool:
     if not isinstance(value, bool):
         raise RuleError(
