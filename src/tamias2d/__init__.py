@@ -105,9 +105,9 @@ _HOMES = {
     "StepSizeError Stepped VelocityVerlet Yoshida4",
     "run": "Run",
     "run_data": "Impacts",
-    "scene": "Body Box Capsule Chain Compound Disc Distance Equation Gear Groove HalfPlane JointSpring "
-    "Limits Motor Part Polygon Prismatic Pulley Ratchet Revolute Rotary Scene Segment Weld Wheel "
-    "catalogue load needs scene_text",
+    "scene": "Body Box Capsule Chain Compound Disc Distance Equation Gear Groove HalfPlane "
+    "JointSpring Limits Motor Part Polygon Prismatic Pulley Ratchet Revolute Rotary Scene Segment "
+    "Weld Wheel catalogue load needs scene_text",
     "simulate": "simulate",
     "simulator": "Hits Simulator",
     "study.certify": "certify",

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from tamias2d.errors import SceneError
 from tamias2d.scene import Body, Compound, Disc, HalfPlane, Scene
-from tamias2d.scene.chain import Piece
 from tamias2d.scene.acting import groups, timed_loads, varying_loads
+from tamias2d.scene.chain import Piece
 from tamias2d.scene.filters import Filtered
 from tamias2d.state import State, Vector
 

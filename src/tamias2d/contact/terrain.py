@@ -1,4 +1,4 @@
-"""Which axes are normals of a piece of a chain, so that nothing catches on its neighbours (IM16)."""
+"""Which axes are normals of a piece of a chain: nothing catches on its neighbours (IM16)."""
 
 from tamias2d.contact.core import Placed
 from tamias2d.contact.gap import Axis

@@ -82,10 +82,10 @@ def _chain(chain: Chain) -> tuple[ShapeRow, ...]:
     """
     far = chain.bounding_radius
     kind, extent = (ONE_SIDED_PIECE, math.inf) if chain.one_sided else (PIECE, 0.0)
-    ends = (*chain.corners, chain.corners[0])
+    corners = chain.corners
     return tuple(
         ShapeRow(kind, 0.0, _with_normals(core), far, far, extent, -math.inf, (*start, *end))
-        for core, start, end in zip(chain.segments, ends, ends[1:], strict=False)
+        for core, start, end in zip(chain.segments, corners[:-1], corners[1:], strict=True)
     )
 
 

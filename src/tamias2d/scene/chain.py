@@ -33,6 +33,7 @@ class Chain:
     loop: bool
     one_sided: bool
     corners: tuple[Corner, ...] = field(compare=False, repr=False)
+    """At the start of each piece, and at the end of the last one."""
 
     def __init__(self, *, vertices: object, loop: bool = False, one_sided: bool = False) -> None:
         """Take two vertices or more, of a loop three.
@@ -133,6 +134,6 @@ def _corners(segments: tuple[tuple[Vector, Vector], ...], *, loop: bool) -> list
             float(terrain.corner_cosine(before, way)),
             float(terrain.corner_sine(before, way)),
         )
-        for before, way in zip((ways[-1], *ways), (*ways, ways[0]), strict=False)
+        for before, way in zip((ways[-1], *ways), (*ways, ways[0]), strict=True)
     ]
     return turns if loop else [FREE, *turns[1:-1], FREE]

@@ -46,9 +46,11 @@ def owners(scene: Scene) -> list[int]:
 
 def _pieces(body: Body, chain: Chain) -> list[Body]:
     c, s = math.cos(body.orientation), math.sin(body.orientation)
-    ends = (*chain.corners, chain.corners[0])
+    corners = chain.corners
     found = []
-    for ((ax, ay), (bx, by)), start, end in zip(chain.segments, ends, ends[1:], strict=False):
+    for ((ax, ay), (bx, by)), start, end in zip(
+        chain.segments, corners[:-1], corners[1:], strict=True
+    ):
         x, y = ax / 2 + bx / 2, ay / 2 + by / 2
         core = (ax - x, ay - y), (bx - x, by - y)
         piece = Piece(core, start, end, chain.one_sided)

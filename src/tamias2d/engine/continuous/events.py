@@ -302,7 +302,9 @@ def manifold_at(
     a, b, manifold = core_of(s, shapes), core_of(t, shapes), events.scratch[0]
     gap = measure_gap(manifold, a, b, x, y, shapes.world_vertices)
     if is_piece(a) or is_piece(b):
-        _, gap = measure_gap_of_piece(s, t, a, b, x, y, gap, manifold, shapes.world_vertices, shapes)
+        _, gap = measure_gap_of_piece(
+            s, t, a, b, x, y, gap, manifold, shapes.world_vertices, shapes
+        )
     return gap
 
 

@@ -119,7 +119,9 @@ def judge_piece(
         deep = (low if in_front else high) <= q.radius
         over = deep and is_over(p, q, vertex, x, y, vertices)
         if over or leans_little(ux, uy, side):
-            first, second = clip_piece(manifold, side, p, q, vertex, x, y, margin, swapped, vertices)
+            first, second = clip_piece(
+                manifold, side, p, q, vertex, x, y, margin, swapped, vertices
+            )
             if first > 0:
                 return Verdict(False, first, second)
     return Verdict(False, BESIDE, 0)
@@ -163,9 +165,7 @@ def leans_little(ux: float, uy: float, side: Side) -> bool:
     return abs(along) <= PARALLEL * up and sine <= STRAIGHT
 
 
-def is_beyond_neighbour(
-    side: Side, p: Core, q: Core, x: float, y: float, vertices: Array
-) -> bool:
+def is_beyond_neighbour(side: Side, p: Core, q: Core, x: float, y: float, vertices: Array) -> bool:
     """Return whether a shape is on the other side of a neighbour, at a corner that is a hollow.
 
     Then it is on the other side of the chain, and has only come past the corner.
