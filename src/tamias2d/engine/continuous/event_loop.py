@@ -298,9 +298,8 @@ def meets_seam(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, event
     place, normal = (x + by_x, y + by_y), (manifold[NX], manifold[NY])
     if bodies.kind[i] != STATIC:
         s, t, normal = t, s, (-normal[0], -normal[1])
-    return goes_on(s, t, place, normal, shapes, events.ground) or is_seam(
-        s, t, place, normal, bodies, shapes, events.ground
-    )
+    straight = goes_on(s, t, place, normal, bodies.motion[shapes.slot[t]], shapes, events.ground)
+    return straight or is_seam(s, t, place, normal, bodies, shapes, events.ground)
 
 
 def resolve_impact(
