@@ -160,10 +160,10 @@ def foresee_contact(
     first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, rows)
     if first > 0 and (is_piece(a) or is_piece(b)):
         verdict = judge(s, t, placed_a, placed_b, x, y, margin, manifold, rows, shapes)
-        if verdict.first == BESIDE:
-            return False
         if not verdict.stays:
             first, second = verdict.first, verdict.second
+        if first == BESIDE:
+            return False
     manifold[FORESEEN] = at * time
     return match_impulses(manifold, flags, first, second) > 0
 

@@ -103,11 +103,10 @@ def judge_piece(
     right = seen_from(0, piece, p, vertices, shapes)
     one_sided, round_ = p.kind == ONE_SIDED_PIECE, q.vertex_count == 1
     if is_normal(ux, uy, right, round_):
-        stays = one_sided or not is_beyond_neighbour(right, p, q, x, y, vertices)
-        return Verdict(stays, BESIDE, 0)
+        return verdict_of(one_sided or not is_beyond_neighbour(right, p, q, x, y, vertices))
     left = seen_from(1, piece, p, vertices, shapes)
     if not one_sided and is_normal(ux, uy, left, round_):
-        return Verdict(not is_beyond_neighbour(left, p, q, x, y, vertices), BESIDE, 0)
+        return verdict_of(not is_beyond_neighbour(left, p, q, x, y, vertices))
     low, lowest = foremost_vertex(right, p, q, x, y, vertices)
     high, highest = foremost_vertex(left, p, q, x, y, vertices)
     in_front = low > high
@@ -117,14 +116,19 @@ def judge_piece(
     if not round_ and (one_sided or not is_beyond_neighbour(side, p, q, x, y, vertices)):
         vertex = lowest if in_front else highest
         deep = (low if in_front else high) <= q.radius
-        over = deep and is_over(p, q, vertex, x, y, vertices)
+        over = deep and is_over(side, p, q, vertex, x, y, vertices)
         if over or leans_little(ux, uy, side):
             first, second = clip_piece(
                 manifold, side, p, q, vertex, x, y, margin, swapped, vertices
             )
             if first > 0:
                 return Verdict(False, first, second)
-    return Verdict(False, BESIDE, 0)
+    return verdict_of(False)
+
+
+def verdict_of(stays: bool) -> Verdict:
+    """Return the verdict that a manifold stays as it was found, or that the shape is beside."""
+    return Verdict(True, 0, 0) if stays else Verdict(False, BESIDE, 0)
 
 
 def seen_from(side: int, piece: int, p: Core, vertices: Array, shapes: Shapes) -> Side:
@@ -210,13 +214,18 @@ def foremost_vertex(
     return low, lowest
 
 
-def is_over(p: Core, q: Core, vertex: int, x: float, y: float, vertices: Array) -> bool:
-    """Return whether a vertex of a shape is over a piece, neither before nor behind it."""
-    v, w, k = p.first, p.first + 1, q.first + vertex
+def is_over(side: Side, p: Core, q: Core, vertex: int, x: float, y: float, vertices: Array) -> bool:
+    """Return whether a vertex of a shape is over a piece, neither before nor behind it.
+
+    At a hollow corner, below which no piece is, it may be as far beyond as the piece is long.
+    """
+    v, w, k = p.first + side.side, p.first + 1 - side.side, q.first + vertex
     by_x, by_y = vertices[w, 0] - vertices[v, 0], vertices[w, 1] - vertices[v, 1]
     to_x, to_y = x + vertices[k, 0] - vertices[v, 0], y + vertices[k, 1] - vertices[v, 1]
-    along = by_x * to_x + by_y * to_y
-    return bool(along >= 0.0 and along <= by_x * by_x + by_y * by_y)
+    along, length = by_x * to_x + by_y * to_y, by_x * by_x + by_y * by_y
+    before = length if side.start_sine < -STRAIGHT else 0.0
+    behind = length if side.end_sine < -STRAIGHT else 0.0
+    return bool(along >= -before and along <= length + behind)
 
 
 def clip_piece(
