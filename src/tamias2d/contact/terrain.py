@@ -6,6 +6,7 @@ from tamias2d.generated.terrain import admitted, corner_room
 from tamias2d.scene.chain import Piece
 from tamias2d.state import Vector
 
+_BESIDE = 1e-6  # sine: a direction that leans back by no more is beside the piece
 _SAME = 1e-12  # sine: a direction that leans by no more is the normal of the piece
 
 
@@ -26,7 +27,7 @@ def is_behind(a: Placed, b: Placed, normal: Vector) -> bool:
     for body, way in ((a, 1.0), (b, -1.0)):
         if body.core.piece is not None and body.core.piece.one_sided:
             up, _ = _parts(body, normal, way)
-            return up < 0
+            return up < -_BESIDE
     return False
 
 
