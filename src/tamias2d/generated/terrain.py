@@ -74,6 +74,6 @@ def admitted(corner_sine: Scalar, corner_room: Scalar) -> Truth:
         corner_room: Sine of how much farther a normal may lean over the end of a piece of a
             chain, 1
 
-    Source: IM16, srs/models/terrain.md:96.
+    Source: IM16, srs/models/terrain.md:97.
     """
     return (corner_sine >= 0) & (corner_room >= 0)
