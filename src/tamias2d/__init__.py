@@ -59,6 +59,7 @@ if TYPE_CHECKING:  # the same names as below, for readers, editors and type chec
         Body as Body,
         Box as Box,
         Capsule as Capsule,
+        Chain as Chain,
         Compound as Compound,
         Disc as Disc,
         Distance as Distance,
@@ -107,9 +108,9 @@ _HOMES = {
     "StepSizeError Stepped VelocityVerlet Yoshida4",
     "run": "Run",
     "run_data": "Impacts",
-    "scene": "Body Box Capsule Compound Disc Distance Equation Gear Groove HalfPlane JointSpring "
-    "Limits Motor Part Polygon Prismatic Pulley Ratchet Revolute Rotary Scene Segment Weld Wheel "
-    "catalogue load needs scene_text",
+    "scene": "Body Box Capsule Chain Compound Disc Distance Equation Gear Groove HalfPlane "
+    "JointSpring Limits Motor Part Polygon Prismatic Pulley Ratchet Revolute Rotary Scene Segment "
+    "Weld Wheel catalogue load needs scene_text",
     "simulate": "simulate",
     "simulator": "Hits Simulator",
     "study.certify": "certify",

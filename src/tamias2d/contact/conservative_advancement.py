@@ -12,6 +12,7 @@ from tamias2d.contact.core import Core, Placed, place, rounded
 from tamias2d.contact.gap import Axis, Gap, axes, from_side, gaps, resolution
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.refusal import UndecidedContactError, named
+from tamias2d.contact.terrain import normals
 from tamias2d.generated.continuous_collision import (
     advance_closing,
     advance_opening,
@@ -26,6 +27,7 @@ from tamias2d.path import Bounds, Piece
 from tamias2d.state import Vector
 
 _MAX_STEPS = 100_000  # of one search; a hundred are many
+_BESIDE = 2.0**-20  # of the size: how far a body goes between looks beside a piece of a chain
 _TINY_STEP, _TINY_STEPS = (
     2.0**-48,
     1000,
@@ -101,7 +103,7 @@ class Pair:
             if self._lasting:
                 _, near = self._other_corners(a, b)
             else:
-                near = gaps(a, b, max(self._axes(a, b, tolerance), key=_gap_of))
+                near = gaps(a, b, max(self._axes(a, b, tolerance) or axes(a, b), key=_gap_of))
             nearest = min(near, key=lambda gap: gap.value)
             if nearest.value > tolerance and nearest.rate > 0:
                 return time
@@ -121,6 +123,8 @@ class Pair:
             return self._step_to_other_corners(a, b, time, end)
         step = max(step, self._spinning_step(a, b, time, end))
         found = self._axes(a, b, tolerance)
+        if not found:
+            return max(step, _step_beside(a, b, tolerance, end - time))
         largest = max(axis.gap for axis in found)
         steps = []
         for axis in found:
@@ -137,7 +141,8 @@ class Pair:
         best = max(found, key=_gap_of)
         self._touching = best.gap <= tolerance
         if self._touching:
-            return from_side(a, b, found, self.separating_direction)
+            found = normals(a, b, found)
+            return from_side(a, b, found, self.separating_direction) if found else []
         self.separating_direction = best.separating_direction
         return found
 
@@ -301,6 +306,20 @@ def _of_turning_centres(p: Placed, q: Placed, on_p: Bounds, on_q: Bounds, window
     return float(
         centre_acceleration_turning(spins, distance, on_p.angular_speed, speed, acceleration)
     )
+
+
+def _step_beside(a: Placed, b: Placed, tolerance: float, longest: float) -> float:
+    """Return a short time, s, in which a body goes on that is beside a piece of a chain.
+
+    One that is in it has met a neighbour before.
+    """
+    if max(axis.gap for axis in axes(a, b)) < -4 * tolerance:
+        return longest
+    (au, av), (bu, bv) = a.state.velocity, b.state.velocity
+    size = max(core.bounding_radius for core in (a.core, b.core) if core.dynamic)
+    turning = sum(abs(x.state.angular_velocity) * x.core.bounding_radius for x in (a, b))
+    speed = math.hypot(bu - au, bv - av) + turning
+    return min(_BESIDE * size / speed, longest) if speed > 0 else longest
 
 
 def _gap_of(axis: Axis) -> float:

@@ -5,8 +5,9 @@ from copy import copy
 from typing import NamedTuple
 
 from tamias2d.errors import SceneError
-from tamias2d.scene import Body, Compound, Disc, HalfPlane, Scene
+from tamias2d.scene import Body, Chain, Compound, Disc, HalfPlane, Scene
 from tamias2d.scene.acting import groups, timed_loads, varying_loads
+from tamias2d.scene.chain import Piece
 from tamias2d.scene.filters import Filtered
 from tamias2d.state import State, Vector
 
@@ -67,9 +68,10 @@ class Core:
         elif isinstance(shape, HalfPlane):
             self.corners = ()
             self.sides = (Side(shape.normal, shape.offset, (-math.inf, math.inf)),)
-        elif shape is not None and not isinstance(shape, Compound):
+        elif shape is not None and not isinstance(shape, Compound | Chain):
             self.corners, self.radius = shape.core, shape.rounding
             self.sides = _sides(shape.core, shape.rounding, body.name)
+        self.piece = shape if isinstance(shape, Piece) else None
         self.reaches = tuple(math.hypot(x, y) for x, y in self.corners)
         """Distance of each corner from the centre of mass, m."""
         self.bounding_radius = max(self.reaches) + self.radius if self.corners else math.inf

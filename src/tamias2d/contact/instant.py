@@ -37,6 +37,7 @@ from tamias2d.contact.refusal import (
     named,
 )
 from tamias2d.contact.response import after_impulse, coupling, impulses
+from tamias2d.contact.terrain import is_behind, normals
 from tamias2d.generated import impact, rest
 from tamias2d.state import Acceleration, Constraint, State, Vector
 
@@ -172,15 +173,14 @@ class Instant:
         a, b = (self._place(i) for i in pair)
         tolerance = resolution(a, b, self.time)
         lasting = self._world.lasting.get(pair, ())
-        if not lasting and (
-            _far(a, b, tolerance) or max(axis.gap for axis in axes(a, b)) > tolerance
-        ):
+        if not lasting and (_far(a, b, tolerance) or not _touch(a, b, tolerance)):
             return None
         self._refuse_far(a, b, tolerance)
         separating_direction = self._world.separating_direction.get(
             pair
         ) or self._pressed_direction(a, b, tolerance)
         contacts = manifold(a, b, tolerance, self.time, lasting, separating_direction)
+        self._refuse_behind(a, b, contacts)
         speed = max(speed_scale(contact, a.state, b.state) for contact in contacts)
         noise = speed * (LASTING_NOISE if lasting else 64 * EPSILON)
         return TouchingPair(pair, contacts, tolerance, speed, noise)
@@ -193,6 +193,16 @@ class Instant:
                 f"{named(a.core.name, b.core.name)} at {self.time!r} s: where they are, float64 "
                 f"tells places no nearer than {tolerance:.3g} m, and the smaller one is {size:.3g} "
                 "m large (R4). Place the scene nearer to the origin.",
+                time=self.time,
+            )
+
+    def _refuse_behind(self, a: Placed, b: Placed, contacts: Sequence[Contact]) -> None:
+        """Refuse a body that comes to a chain from the side on which that is not solid."""
+        if any(is_behind(a, b, contact.normal) for contact in contacts):
+            raise UndecidedContactError(
+                f"{named(a.core.name, b.core.name)} at {self.time!r} s: the chain is solid from "
+                "one side, and is passed from the other, which located contacts do not cover "
+                "(A16). Take method=Stepped(), or none.",
                 time=self.time,
             )
 
@@ -465,6 +475,11 @@ class Instant:
         self.constraints.update(island.constraints(self.states, self.time))
         self.senses.update(island.senses)
         self.changed.update(island.bodies)
+
+
+def _touch(a: Placed, b: Placed, tolerance: float) -> bool:
+    found = axes(a, b)
+    return max(axis.gap for axis in found) <= tolerance and bool(normals(a, b, found))
 
 
 def _far(a: Placed, b: Placed, tolerance: float) -> bool:

@@ -372,12 +372,17 @@ class Located:
             return self._following.near(body)
         return self._aabbs.overlapping(body)
 
+    def _named(self, pair: PairOf) -> str:
+        return named(*(self._cores[i].name for i in pair))
+
     def _update_lasting(self, instant: Instant) -> None:
         """Replace the lasting contacts by those of an instant, and note the new ones."""
+        before = {self._named(pair) for pair in self._lasting}
         for pair, touch in instant.touching_pairs.items():
             self._separating_direction[pair] = touch.contacts[0].normal
-            if touch.staying and pair not in self._lasting:
-                names = named(*(self._cores[i].name for i in pair))
+            names = self._named(pair)
+            if touch.staying and names not in before:
+                before.add(names)  # a chain may have more pieces that it touches
                 since = self._rest_times.time_of(pair, instant.time)
                 self.notes += (f"rest: {names} stay in contact from {since!r} s",)
             self._lasting.pop(pair, None)

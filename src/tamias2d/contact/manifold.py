@@ -10,6 +10,7 @@ from typing import NamedTuple
 from tamias2d.contact.core import Core, Placed
 from tamias2d.contact.gap import EPSILON, Axis, Gap, axes, from_side, gaps
 from tamias2d.contact.refusal import UndecidedContactError, named
+from tamias2d.contact.terrain import normals
 from tamias2d.generated import definitions, friction, impact, rest
 from tamias2d.state import Acceleration, State, Vector
 
@@ -46,7 +47,9 @@ def manifold(
     The `lasting` contacts stay in it, whatever rounding does to their gaps.
     `separating_direction` is the direction from A to B in which they were last apart.
     """
-    found = from_side(a, b, axes(a, b), lasting[0].normal if lasting else separating_direction)
+    found = axes(a, b)
+    found = normals(a, b, found) or found
+    found = from_side(a, b, found, lasting[0].normal if lasting else separating_direction)
     axis = max(found, key=lambda each: each.gap)
     if directions := _equal_directions(found, axis, tolerance):
         return [_corner_on_corner(a, b, axis, directions, time)]

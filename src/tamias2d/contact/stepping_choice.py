@@ -2,7 +2,7 @@
 
 from tamias2d.contact.event_driven_scenes import is_event_driven
 from tamias2d.contact.stepwise import beyond_location
-from tamias2d.scene import Scene
+from tamias2d.scene import Scene, in_pieces
 from tamias2d.scene.reach import pairs_that_can_meet
 
 MANY = 100
@@ -23,7 +23,7 @@ def steps_because(scene: Scene, duration: float) -> str | None:
     """
     if any(joint.beyond_steps for joint in scene.joints):
         return None
-    for body in scene.bodies:
+    for body in in_pieces(scene).bodies:
         if what := beyond_location(body):
             return f"body '{body.name}': {what}"
     if scene.joints and (why := _too_much_for_joints(scene, duration)):

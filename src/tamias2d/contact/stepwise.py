@@ -1,7 +1,7 @@
 """Bodies whose impacts cannot be located."""
 
 from tamias2d.contact.refusal import StepwiseError
-from tamias2d.scene import Body, Compound, Scene
+from tamias2d.scene import Body, Chain, Compound, Scene
 
 
 def refuse_stepwise(scene: Scene) -> None:
@@ -23,4 +23,6 @@ def beyond_location(body: Body) -> str | None:
         return "it is a sensor"
     if isinstance(body.shape, Compound):
         return "it has several parts"
+    if isinstance(body.shape, Chain):
+        return "it is a chain that is not in pieces"
     return None

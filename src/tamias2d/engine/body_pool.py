@@ -181,7 +181,7 @@ class BodyPool:
         self.store.world.state.body_of_shape[places] = rows[owner]
         self._write_shapes(places, found)
         shapes = self.store.world.shapes
-        radii = [(part.bounding_radius, part.inradius) for part in found]
+        radii = [(part.bounding_radius, part.inradius, *part.corners) for part in found]
         surfaces = np.stack((batch.friction[owner], batch.restitution[owner]), axis=1)
         shapes.material[places] = np.hstack((surfaces, radii))
         shapes.filters[places] = batch.filters[owner]
@@ -309,7 +309,7 @@ class BodyPool:
             state.load[rows],
             properties[:, :PROPAGATOR],
             world.bodies.propagators[properties[:, PROPAGATOR].astype(np.int64)],
-            np.concatenate((shapes.material, np.zeros((1, 4))))[first[rows]],
+            np.concatenate((shapes.material, np.zeros_like(shapes.material[:1])))[first[rows]],
             np.concatenate((shapes.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]],
         )
         columns = [column for table in tables for column in table.T]

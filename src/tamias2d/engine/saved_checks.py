@@ -25,6 +25,7 @@ from tamias2d.engine.tables import (
     INVERSE_INERTIA,
     INVERSE_MASS,
     LIST_HOLDS,
+    PIECE,
     RESTITUTION,
     SLOT_A,
     SLOT_B,
@@ -148,7 +149,7 @@ def _check_shapes(arrays: Arrays) -> None:
     name = "shapes.vertex_count"
     taken = count > 0
     require(taken[:-1] >= taken[1:], name, "rows that were never taken must come last")
-    lines = (kind == CAPSULE) | (kind == THIN_CAPSULE)
+    lines = (kind == CAPSULE) | (kind == THIN_CAPSULE) | (kind >= PIECE)
     least = np.select([lines, (kind == DISC) | (kind == HALF_PLANE)], [2, 1], 3)
     most = np.where(least == 3, 2**31, least)
     require(~taken | ((count >= least) & (count <= most)), name, "must fit the kinds of shapes")

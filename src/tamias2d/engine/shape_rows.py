@@ -10,11 +10,13 @@ from tamias2d.engine.tables import (
     CAPSULE,
     DISC,
     HALF_PLANE,
+    ONE_SIDED_PIECE,
+    PIECE,
     POLYGON,
     THIN_CAPSULE,
     THIN_POLYGON,
 )
-from tamias2d.scene import HalfPlane
+from tamias2d.scene import Chain, HalfPlane
 from tamias2d.scene.compound import Shape, pieces_of
 from tamias2d.scene.rules import Vector
 from tamias2d.state import Array
@@ -39,6 +41,8 @@ class ShapeRow(NamedTuple):
     """half of the least width, m; infinite for a half-plane"""
     inradius: float
     """least distance of the sides from the centre of mass, m; minus infinity if that is outside"""
+    corners: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    """of a piece of a chain: cosine and sine of the corners at its start and its end (DD73)"""
 
 
 def shape_rows(shape: Shape | None) -> tuple[ShapeRow, ...]:
@@ -48,6 +52,8 @@ def shape_rows(shape: Shape | None) -> tuple[ShapeRow, ...]:
     if isinstance(shape, HalfPlane):
         side = np.array([[shape.offset, 0.0, *shape.normal]])
         return (ShapeRow(HALF_PLANE, 0.0, side, 0.0, math.inf, math.inf, -math.inf),)
+    if isinstance(shape, Chain):
+        return _chain(shape)
     return tuple(_bounded(part.core, part.shape.rounding) for part in pieces_of(shape))
 
 
@@ -82,6 +88,20 @@ def _kind(corners: int, thin: bool) -> int:
     if corners == 2:
         return THIN_CAPSULE if thin else CAPSULE
     return THIN_POLYGON if thin else POLYGON
+
+
+def _chain(chain: Chain) -> tuple[ShapeRow, ...]:
+    """Return the pieces of a chain, as parts of something that is as large as all of it.
+
+    Behind a piece that is solid from one side nothing is too thin to push a body back.
+    """
+    far = chain.bounding_radius
+    kind, extent = (ONE_SIDED_PIECE, math.inf) if chain.one_sided else (PIECE, 0.0)
+    corners = chain.corners
+    return tuple(
+        ShapeRow(kind, 0.0, _with_normals(core), far, far, extent, -math.inf, (*start, *end))
+        for core, start, end in zip(chain.segments, corners[:-1], corners[1:], strict=True)
+    )
 
 
 def _with_normals(core: Sequence[Vector]) -> Array:

@@ -227,14 +227,20 @@ class Bodies(NamedTuple):
 
 # -- shapes
 
-# kind; shapes that are next to nothing across are those from THIN_CAPSULE on
-DISC, CAPSULE, POLYGON, HALF_PLANE, THIN_CAPSULE, THIN_POLYGON = range(6)
+# kind; thin shapes are next to nothing across, and pieces of chains solid from both sides, or one
+(
+    DISC, CAPSULE, POLYGON, HALF_PLANE, THIN_CAPSULE, THIN_POLYGON, PIECE, ONE_SIDED_PIECE,
+) = range(8)  # fmt: skip
 
 _material = Columns()
 FRICTION = _material()  # -1 where not stated
 RESTITUTION = _material()  # -1 where not stated
 SHAPE_RADIUS = _material()  # m, of the circle around the shape from the centre of its body
 SHAPE_INRADIUS = _material()  # m, least distance of its sides from there; -inf if that is outside
+START_COSINE = _material()  # of a piece of a chain: the corner at its start; 0 of other shapes
+START_SINE = _material()
+END_COSINE = _material()  # the corner at its end
+END_SINE = _material()
 
 CATEGORY, MASK, GROUP, SENSOR = range(4)  # filters
 
@@ -243,7 +249,7 @@ class Shapes(NamedTuple):
     """Convex shapes: vertices grown by a radius; read by the broad and the narrow phase."""
 
     slot: Annotated[Places, Sized("shapes")]  # of the body
-    kind: Annotated[Indices, Sized("shapes"), Saved(6)]
+    kind: Annotated[Indices, Sized("shapes"), Saved(8)]
     first: Annotated[Indices, Sized("shapes"), Saved("vertices")]  # vertex
     vertex_count: Annotated[Indices, Sized("shapes"), Saved(2**31)]  # of vertices
     radius: Annotated[Floats, Sized("shapes"), Saved()]  # m

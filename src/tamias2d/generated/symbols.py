@@ -1863,6 +1863,81 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1168,
     ),
+    "way": Symbol(
+        "way",
+        "1",
+        "unit vector along a piece of a chain, from its first vertex to its last",
+        shape="vector",
+        tex="\\boldsymbol{e}",
+        file="srs/symbols.md",
+        line=1173,
+    ),
+    "corner_angle": Symbol(
+        "corner_angle",
+        "rad",
+        "angle by which a chain turns at a vertex",
+        tex="\\alpha",
+        file="srs/symbols.md",
+        line=1178,
+    ),
+    "corner_cosine": Symbol(
+        "corner_cosine",
+        "1",
+        "cosine of the angle by which a chain turns at a vertex",
+        range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
+        tex="c_\\alpha",
+        file="srs/symbols.md",
+        line=1182,
+    ),
+    "corner_sine": Symbol(
+        "corner_sine",
+        "1",
+        "sine of the angle by which a chain turns at a vertex, positive to the left",
+        range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
+        tex="s_\\alpha",
+        file="srs/symbols.md",
+        line=1187,
+    ),
+    "lean_angle": Symbol(
+        "lean_angle",
+        "rad",
+        "angle by which a direction leans over an end of a piece of a chain",
+        tex="\\theta",
+        file="srs/symbols.md",
+        line=1192,
+    ),
+    "normal_part": Symbol(
+        "normal_part",
+        "1",
+        "part of a direction along the normal of a piece of a chain",
+        tex="c_\\theta",
+        file="srs/symbols.md",
+        line=1196,
+    ),
+    "lean": Symbol(
+        "lean",
+        "1",
+        "part of a direction along a piece of a chain, beyond one of its ends",
+        tex="s_\\theta",
+        file="srs/symbols.md",
+        line=1200,
+    ),
+    "corner_room": Symbol(
+        "corner_room",
+        "1",
+        "sine of how much farther a normal may lean over the end of a piece of a chain",
+        tex="\\rho",
+        file="srs/symbols.md",
+        line=1204,
+    ),
+    "admitted": Symbol(
+        "admitted",
+        "1",
+        "whether a direction is a normal of a contact with a piece of a chain, true or false",
+        tex="A_n",
+        file="srs/symbols.md",
+        line=1208,
+    ),
     "centroid": Symbol(
         "centroid",
         "m",
@@ -1870,7 +1945,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1173,
+        line=1214,
     ),
     "row_value": Symbol(
         "row_value",
@@ -1878,7 +1953,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1186,
+        line=1227,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -1886,7 +1961,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1190,
+        line=1231,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -1895,7 +1970,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1194,
+        line=1235,
     ),
     "slope": Symbol(
         "slope",
@@ -1904,7 +1979,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1199,
+        line=1240,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -1912,7 +1987,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1204,
+        line=1245,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -1920,7 +1995,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1208,
+        line=1249,
     ),
     "row_error": Symbol(
         "row_error",
@@ -1928,7 +2003,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1212,
+        line=1253,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -1937,7 +2012,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1216,
+        line=1257,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -1945,7 +2020,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1221,
+        line=1262,
     ),
     "row_force": Symbol(
         "row_force",
@@ -1953,7 +2028,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1225,
+        line=1266,
     ),
     "leaning": Symbol(
         "leaning",
@@ -1961,7 +2036,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1229,
+        line=1270,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -1969,7 +2044,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1233,
+        line=1274,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -1977,7 +2052,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1237,
+        line=1278,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -1986,7 +2061,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1241,
+        line=1282,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -1995,7 +2070,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1246,
+        line=1287,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2004,7 +2079,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1251,
+        line=1292,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2013,7 +2088,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1256,
+        line=1297,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2021,7 +2096,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1261,
+        line=1302,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2030,7 +2105,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1265,
+        line=1306,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2038,7 +2113,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1270,
+        line=1311,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2047,7 +2122,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1274,
+        line=1315,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2055,7 +2130,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1279,
+        line=1320,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2063,7 +2138,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1283,
+        line=1324,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2072,7 +2147,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1287,
+        line=1328,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2081,7 +2156,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1292,
+        line=1333,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2090,7 +2165,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1297,
+        line=1338,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2098,7 +2173,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1302,
+        line=1343,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2106,7 +2181,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1306,
+        line=1347,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2114,7 +2189,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1310,
+        line=1351,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2123,7 +2198,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1314,
+        line=1355,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2131,7 +2206,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1319,
+        line=1360,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2140,6 +2215,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1323,
+        line=1364,
     ),
 }

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tamias2d.scene import Box, Capsule, Disc, HalfPlane, pieces_of
+from tamias2d.scene import Box, Capsule, Chain, Disc, HalfPlane, pieces_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -72,10 +72,13 @@ def strokes(body: Body, view: View) -> list[Points]:
 def outlines(body: Body) -> list[Points]:
     """Closed lines around what a body is made of, each (v, 2), from its centre of mass, in metres.
 
-    A particle and a half-plane have none.
+    A particle and a half-plane have none; the line of a chain need not be closed.
     """
     if body.shape is None or isinstance(body.shape, HalfPlane):
         return []
+    if isinstance(body.shape, Chain):
+        closing = body.shape.vertices[:1] if body.shape.loop else ()
+        return [np.array([*body.shape.vertices, *closing])]
     return [_outline(piece) for piece in pieces_of(body.shape)]
 
 
@@ -110,7 +113,7 @@ def look(body: Body, view: View, *, crowd: bool = False) -> Look:
 
     In a crowd a disc is one point, which a viewer shades like a ball, and areas are coarse.
     """
-    if body.shape is None or isinstance(body.shape, HalfPlane) or body.sensor:
+    if body.shape is None or isinstance(body.shape, HalfPlane | Chain) or body.sensor:
         return Look([], [], [], strokes(body, view))
     found = Look([], [], [], [] if body.static else [_spoke(body)])
     for piece in pieces_of(body.shape):
@@ -197,6 +200,8 @@ def _extent(run: RunData) -> tuple[Points, Points]:
         if not isinstance(body.shape, HalfPlane):
             path = run.position[:, index]
             size = body.shape.bounding_radius if body.shape else 0.0
+            if isinstance(body.shape, Chain):
+                path, size = placed(outlines(body)[0], path[0], body.orientation), 0.0
             boxes.append((path.min(axis=0) - size, path.max(axis=0) + size))
     boxes += [(np.array(point), np.array(point)) for point in _fixed(run)]
     lows, highs = zip(*boxes or [(np.full(2, -1.0), np.full(2, 1.0))], strict=True)

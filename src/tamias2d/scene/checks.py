@@ -5,6 +5,7 @@ from typing import get_args
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.chain import Chain
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.law import first_value
 from tamias2d.scene.rules import RuleError, Vector, number, shown, vector
@@ -82,7 +83,7 @@ def checked_inertia(value: object, mass: float, shape: Shape | None, of: str) ->
     if value is not None:
         remedy = "Give a positive inertia in kg m^2, or leave it out."
         inertia = number(value, "inertia", of, remedy, at=("inertia",))
-    elif shape is None or isinstance(shape, HalfPlane):
+    elif shape is None or isinstance(shape, HalfPlane | Chain):
         return math.inf
     else:
         inertia = shape.inertia(mass)
@@ -101,16 +102,17 @@ def _invertible(value: float, key: str, unit: str, of: str) -> float:
 
 
 def refuse_shape(shape: object, of: str, *, static: bool = False, none: bool = False) -> None:
-    """Refuse what is no shape unless it is `none`, and a half-plane unless it is `static`."""
-    if isinstance(shape, HalfPlane) and not static:
+    """Refuse what is no shape unless it is `none`, and ground unless it is `static`."""
+    if isinstance(shape, HalfPlane | Chain) and not static:
+        what = "a chain" if isinstance(shape, Chain) else "a half-plane"
         raise RuleError(
-            f"shape of {of}: found a half-plane: it cannot move (R4). Add it as a static body.",
+            f"shape of {of}: found {what}: it cannot move (R4). Add it as a static body.",
             "shape",
         )
     if not (isinstance(shape, get_args(Shape)) or (shape is None and none)):
         raise RuleError(
             f"shape of {of}: found {shown(shape)}: must be a shape (R4). Give a Disc, Box, "
-            "Polygon, Capsule, Segment, Compound or, for a static body, a HalfPlane.",
+            "Polygon, Capsule, Segment, Compound or, for a static body, a HalfPlane or Chain.",
             "shape",
         )
 

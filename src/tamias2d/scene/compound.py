@@ -7,6 +7,7 @@ from typing import TypeAlias, cast
 import numpy as np
 
 from tamias2d.generated import definitions
+from tamias2d.scene.chain import Chain
 from tamias2d.scene.rules import RuleError, Vector, number, sequence, shown, vector
 from tamias2d.scene.shapes import (
     Box,
@@ -124,13 +125,24 @@ class Compound:
             return float(definitions.inertia_compound(own, masses, _columns(self.pieces)))
 
 
-Shape: TypeAlias = Single | HalfPlane | Compound
+Shape: TypeAlias = Single | HalfPlane | Compound | Chain
 """All shapes that a body can have."""
 
 
-def pieces_of(shape: Single | Compound) -> tuple[Part, ...]:
-    """Return the parts of a bounded shape about its centre of mass: one, or those of a compound."""
+def pieces_of(shape: Single | Compound | Chain) -> tuple[Part, ...]:
+    """Return the parts of a bounded shape about its centre: one, or those that it has."""
+    if isinstance(shape, Chain):
+        return tuple(_segment(*ends) for ends in shape.segments)
     return shape.pieces if isinstance(shape, Compound) else (Part(shape=shape),)
+
+
+def _segment(start: Vector, end: Vector) -> Part:
+    (ax, ay), (bx, by) = start, end
+    return Part(
+        shape=Segment(length=math.dist(start, end)),
+        position=(ax / 2 + bx / 2, ay / 2 + by / 2),
+        orientation=math.atan2(by - ay, bx - ax),
+    )
 
 
 def _checked_parts(parts: object) -> tuple[Part, ...]:

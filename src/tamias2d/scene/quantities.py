@@ -25,7 +25,7 @@ def read_value(raw: object, key: str, path: KeyPath) -> Any:
     """Return the value of a body's key as `Scene` takes it: number, pair, law or list of pairs."""
     if key in ("category", "mask", "group"):
         return _whole(raw, path)
-    if key == "sensor":
+    if key in ("sensor", "loop", "one_sided"):
         return _truth(raw, path)
     if key == "vertices":
         corners = _items(raw, "a list of corners", path)

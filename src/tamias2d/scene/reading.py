@@ -11,7 +11,7 @@ from tamias2d.scene.forms import SECTIONS, listed, mapping, two_names, within
 from tamias2d.scene.quantities import KeyPath, read_quantity, read_value, scalar_text
 from tamias2d.scene.reading_acting import add_acting
 from tamias2d.scene.reading_joints import add_joints
-from tamias2d.scene.reading_shapes import read_shape, shape_keys
+from tamias2d.scene.reading_shapes import optional_shape_keys, read_shape, shape_keys
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.scene import Scene
 from tamias2d.spec.markup import MAX_SIZE, MarkupError, Place, compose
@@ -157,12 +157,12 @@ def _in_order(top: Mapping[str, object]) -> list[tuple[str, str, object]]:
 
 def _add(scene: Scene, section: str, name: str, raw: object) -> None:
     what = f"{_WHAT[section]} '{name}'"
-    keys = shape_keys(raw, what)
-    body = mapping(raw, what, must=(*_MUST[section], *keys), may=_MAY[section])
+    keys, optional = shape_keys(raw, what), optional_shape_keys(raw, what)
+    body = mapping(raw, what, must=(*_MUST[section], *keys), may=(*_MAY[section], *optional))
     values: dict[str, Any] = {
         key: read_value(value, key, (key,))
         for key, value in body.items()
-        if key not in ("shape", *keys)
+        if key not in ("shape", *keys, *optional)
     }
     add = {
         "bodies": scene.add_body,

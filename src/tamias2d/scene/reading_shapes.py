@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
+from tamias2d.scene.chain import Chain
 from tamias2d.scene.compound import Compound, Part, Shape
 from tamias2d.scene.forms import likely, listed, mapping, within
 from tamias2d.scene.quantities import read_value, scalar_text
@@ -16,9 +17,11 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "capsule": ("length", "radius"),
     "segment": ("length",),
     "compound": ("parts",),
+    "chain": ("vertices",),
     "half-plane": ("normal", "offset"),
     "none": (),
 }
+_MAY = {"chain": ("loop", "one_sided")}
 _SHAPES: dict[str, Callable[..., Shape]] = {
     "disc": Disc,
     "box": Box,
@@ -26,6 +29,7 @@ _SHAPES: dict[str, Callable[..., Shape]] = {
     "capsule": Capsule,
     "segment": Segment,
     "compound": Compound,
+    "chain": Chain,
     "half-plane": HalfPlane,
 }
 
@@ -35,12 +39,18 @@ def shape_keys(raw: object, what: str) -> tuple[str, ...]:
     return _KEYS[_form(raw, what)]
 
 
+def optional_shape_keys(raw: object, what: str) -> tuple[str, ...]:
+    """Return which keys the shape of a body may have beside it."""
+    return _MAY.get(_form(raw, what), ())
+
+
 def read_shape(raw: dict[str, object], what: str) -> Shape | None:
     """Return the shape of a body or a part whose keys are those that it must have."""
     form = _form(raw, what)
     values: dict[str, Any] = {
         key: _parts(raw[key]) if key == "parts" else read_value(raw[key], key, (key,))
-        for key in _KEYS[form]
+        for key in (*_KEYS[form], *_MAY.get(form, ()))
+        if key in raw
     }
     return _SHAPES[form](**values) if form in _SHAPES else None
 

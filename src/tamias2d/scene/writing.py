@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.bodies import Body
+from tamias2d.scene.chain import Chain
 from tamias2d.scene.compound import Compound, Part, Shape
 from tamias2d.scene.fields import ForceField
 from tamias2d.scene.filters import ALL
@@ -128,6 +129,11 @@ def _shape(shape: Shape | None) -> Iterator[str]:
                 first, *others = _part(part)
                 yield f"  - {first}"
                 yield from (f"    {line}" for line in others)
+        case Chain():
+            yield "shape: chain"
+            yield "vertices:"
+            yield from (f"  - {_vector(vertex, 'vertex')}" for vertex in shape.vertices)
+            yield from (f"{key}: true" for key in ("loop", "one_sided") if getattr(shape, key))
         case HalfPlane(normal=normal, offset=offset):
             yield "shape: half-plane"
             yield f"normal: {_vector(normal, 'normal')}"

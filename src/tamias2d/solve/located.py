@@ -11,7 +11,7 @@ from tamias2d.motion.fixed_steps import grid
 from tamias2d.motion.mechanisms import fitted_history
 from tamias2d.motion.track import sample
 from tamias2d.run import Impacts, Run
-from tamias2d.scene import Scene
+from tamias2d.scene import Scene, in_pieces, owners
 from tamias2d.solve.assembly import NO_IMPACTS, run_of, start_of
 from tamias2d.solve.following import Interrupted, follow
 from tamias2d.solve.plan import Plan
@@ -25,13 +25,12 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool, asked: bool)
     Where the method was not asked for, more bodies than `MANY` are followed by compiled code or not
     at all. Raises as `solve` does; the error's `run` is the history up to there.
     """
-    motion = method.motion(plan.scene, plan.duration, plan.time_step or plan.duration)
+    scene = in_pieces(plan.scene)
+    motion = method.motion(scene, plan.duration, plan.time_step or plan.duration)
     motion.work = Work(plan.duration, plan.work_limit)
-    march_by_kernels(motion, plan.scene)
+    march_by_kernels(motion, scene)
     discs = discs_of(plan.scene, method, plan.times)
-    located = Located(
-        plan.scene, motion, motion.work, discs, alone=asked or not are_many(plan.scene)
-    )
+    located = Located(scene, motion, motion.work, discs, alone=asked or not are_many(scene))
     try:
         if not located.can_meet:
             found = _without_contact(plan, method, motion)
@@ -56,7 +55,7 @@ def _without_contact(plan: Plan, method: PathMethod, motion: Motion) -> History:
             if method.facts is not None:
                 motion.tally.force_evaluations = method.facts.evaluations * (len(steps) - 1)
             return history
-    return motion.history(plan.times)
+    return _of_bodies(motion.history(plan.times), plan.scene)
 
 
 def _finite(plan: Plan, motion: Motion, located: Located, discs: Discs | None) -> Run:
@@ -94,9 +93,9 @@ def _reached(plan: Plan, motion: Motion, located: Located, discs: Discs | None) 
     plan = plan._replace(times=times if len(times) else np.zeros(1))
     events = motion.joint_events()
     states = sample if discs is None else discs.history
-    found = states(located.tracks, plan.times)
+    found = states(located.tracks[: len(plan.scene)], plan.times)
     history = fitted_history(plan.scene, plan.times, found, events)
-    impacts = _impacts(located.impacts)
+    impacts = _impacts(located.impacts, owners(in_pieces(plan.scene)))
     return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally, events)
 
 
@@ -106,14 +105,23 @@ def _sampled(plan: Plan, motion: Motion) -> tuple[History, Array]:
     times = plan.times[:count]
     if motion.sampled is None or not len(times):
         return start_of(plan), np.zeros(1)
-    return History(*(part[: len(times)] for part in motion.sampled)), times
+    found = History(*(part[: len(times)] for part in motion.sampled))
+    return _of_bodies(found, plan.scene), times
 
 
-def _impacts(rows: Array) -> Impacts:
-    """Return impacts from their rows (m, 9), as `Located.impacts` has them."""
+def _of_bodies(history: History, scene: Scene) -> History:
+    """Return the history of the bodies of a scene, without that of pieces of chains."""
+    return History(*(part[:, : len(scene)] for part in history))
+
+
+def _impacts(rows: Array, owner: list[int]) -> Impacts:
+    """Return impacts from their rows (m, 9), as `Located.impacts` has them.
+
+    `owner` tells of each body there to which one of the scene it belongs.
+    """
     return Impacts(
         time=rows[:, 0].copy(),
-        bodies=rows[:, 1:3].astype(np.int64),
+        bodies=np.array(owner)[rows[:, 1:3].astype(np.int64)],
         point=rows[:, 3:5].copy(),
         normal=rows[:, 5:7].copy(),
         impulse=rows[:, 7].copy(),

@@ -11,6 +11,7 @@ from tamias2d.motion import PathMethod
 from tamias2d.motion.reference import NoStepError
 from tamias2d.motion.track import sample
 from tamias2d.run import Run
+from tamias2d.scene import in_pieces
 from tamias2d.solve.assembly import work_limit_of
 from tamias2d.solve.located import discs_of
 from tamias2d.solve.solution import solve
@@ -28,6 +29,7 @@ def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
     if not isinstance(method, PathMethod):
         steps = solve(scene, duration=run.duration, method=method, time_step=step)
         return lambda times, bodies: _interpolated(steps, times, bodies)
+    scene = in_pieces(scene)
     motion = method.motion(scene, run.duration, step or run.duration)
     motion.work = Work(0.0, work_limit_of(run))
     march_by_kernels(motion, scene)

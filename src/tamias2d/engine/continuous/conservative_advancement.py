@@ -10,18 +10,25 @@ from math import sqrt
 
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED, Sweep, safe_advance
 from tamias2d.engine.continuous.trajectory import RelativePath
+from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
 from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.collide import collide_cores
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import GAP, HALF_PLANE, NX, NY, POINT, Events, Shapes
-from tamias2d.generated.continuous_collision import fraction_closest, half_interval, miss_distance
+from tamias2d.generated.continuous_collision import (
+    fraction_closest,
+    half_interval,
+    miss_distance,
+    motion_bound,
+)
 from tamias2d.state import Array, Vector
 
 MISSED = 2.0  # the fraction of the step at which pairs meet that do not
 NEAR = 2.0**-13  # of the smaller shape's size: a gap that counts as a meeting
 MOST_POSES = 4096  # that are tried: a bar that spins 50 times within a hair of a wall
 MOST_CLOSE_POSES = 64  # of these, while a pair is as close as at the start
+BESIDE_PIECE = 2.0**-5  # of the size: how far a shape goes between looks beside a piece of a chain
 WIDER = 1.0 + 2.0**-20  # of a circle, against rounding
 
 
@@ -61,6 +68,7 @@ def advance(
     at, last = near_interval(p, path, reach, vertices)
     manifold, rows = events.scratch[0], events.scratch[1:]
     least = hair = near
+    piece = is_piece(p) or is_piece(q)
     for pose in range(MOST_POSES):
         if at >= last:
             return MISSED
@@ -68,6 +76,11 @@ def advance(
         place_vertices(p, path.turn_a * at, vertices, 0, rows)
         place_vertices(q, path.turn_b * at, vertices, p.vertex_count, rows)
         gap = measure_gap(manifold, placed_a, placed_b, x, y, held, rows)
+        stays = True
+        if piece and gap <= near:
+            stays, gap = measure_gap_of_piece(
+                s, t, placed_a, placed_b, x, y, gap, manifold, rows, shapes
+            )
         if at == 0.0 and gap <= near:
             known = held[0] != 0.0 or held[1] != 0.0
             if gap > 0.0 and is_thin(p, q) and not known:  # behind a gap of 0 is the other side
@@ -79,6 +92,9 @@ def advance(
         held = (0.0, 0.0) if gap > near else (manifold[NX], manifold[NY])
         if not (gap > least and (least == near or pose < MOST_CLOSE_POSES)):
             return at
+        if not stays:
+            at += advance_beside(near, a, b, path)
+            continue
         radii = p.radius + q.radius + least - 0.5 * hair
         free = safe_advance(manifold, a, b, x, y, path, radii, last - at, rows)
         if at + free == at:
@@ -95,6 +111,39 @@ def measure_gap(
     if second == 0:
         manifold[GAP + POINT] = UNBOUNDED
     return min(manifold[GAP], manifold[GAP + POINT])
+
+
+def measure_gap_of_piece(
+    s: int,
+    t: int,
+    a: Core,
+    b: Core,
+    x: float,
+    y: float,
+    gap: float,
+    manifold: Array,
+    vertices: Array,
+    shapes: Shapes,
+) -> tuple[bool, float]:
+    """Return whether a piece of a chain takes the manifold of two shapes, and the gap that counts.
+
+    Where the piece takes none, the gap is huge.
+    """
+    verdict = judge(s, t, a, b, x, y, UNBOUNDED, manifold, vertices, shapes)
+    if verdict.stays:
+        return True, gap
+    if verdict.first == 0 or verdict.first == BESIDE:
+        return False, UNBOUNDED
+    if verdict.second == 0:
+        manifold[GAP + POINT] = UNBOUNDED
+    return False, min(manifold[GAP], manifold[GAP + POINT])
+
+
+def advance_beside(near: float, a: Sweep, b: Sweep, path: RelativePath) -> float:
+    """Return a short fraction, for which shapes go on that are beside or over a piece."""
+    turn = motion_bound((0.0, 0.0), path.turn_a, a.lever)
+    most = turn + motion_bound((path.dx, path.dy), path.turn_b, b.lever)
+    return BESIDE_PIECE / NEAR * near / most if most > 0.0 else 1.0
 
 
 def place_vertices(p: Core, turn: float, vertices: Array, to: int, rows: Array) -> None:
@@ -121,9 +170,14 @@ def vertex_radius(p: Core, vertices: Array) -> float:
 
 
 def smaller_extent(p: Core, q: Core, vertices: Array) -> float:
-    """Return the smaller extent of two shapes, m; Q is no half-plane, whose extent is infinite."""
+    """Return the smaller extent of two shapes, m; Q is no half-plane, whose extent is infinite.
+
+    So is that of a piece of a chain.
+    """
+    if is_piece(q):
+        return extent_of(p, vertices) + p.radius
     extent = extent_of(q, vertices) + q.radius
-    if p.kind == HALF_PLANE:
+    if p.kind == HALF_PLANE or is_piece(p):
         return extent
     return min(extent, extent_of(p, vertices) + p.radius)
 

@@ -36,7 +36,7 @@ from tamias2d.engine.continuous.events import (
 from tamias2d.engine.continuous.impact import contact_point, rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.narrow_phase.seams import is_seam
+from tamias2d.engine.narrow_phase.seams import goes_on, is_seam
 from tamias2d.engine.tables import (
     BOUNDING_RADIUS,
     CONTACTS,
@@ -301,9 +301,10 @@ def meets_seam(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, event
     x, y = position_later((at[X], at[Y]), (shift[DX], shift[DY]), now)
     by_x, by_y = contact_point(manifold)
     place, normal = (x + by_x, y + by_y), (manifold[NX], manifold[NY])
-    if bodies.kind[i] == STATIC:
-        return is_seam(s, t, place, normal, bodies, shapes, events.ground)
-    return is_seam(t, s, place, (-normal[0], -normal[1]), bodies, shapes, events.ground)
+    if bodies.kind[i] != STATIC:
+        s, t, normal = t, s, (-normal[0], -normal[1])
+    straight = goes_on(s, t, place, normal, bodies.motion[shapes.slot[t]], shapes, events.ground)
+    return straight or is_seam(s, t, place, normal, bodies, shapes, events.ground)
 
 
 def resolve_impact(

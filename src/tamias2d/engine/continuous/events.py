@@ -4,6 +4,7 @@ from tamias2d.engine.continuous.conservative_advancement import (
     MISSED,
     NEAR,
     measure_gap,
+    measure_gap_of_piece,
     place_vertices,
     time_of_impact,
 )
@@ -12,6 +13,7 @@ from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import path_speed_along
 from tamias2d.engine.continuous.trajectory import relative_path, relative_place
 from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.narrow_phase.chain import is_piece
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
@@ -294,13 +296,21 @@ def passes_by(i: int, j: int, now: float, reach: float, pose: Array, motion: Arr
 def manifold_at(
     s: int, t: int, now: float, held: Vector, bodies: Bodies, shapes: Shapes, events: Events
 ) -> float:
-    """Write the manifold of two shapes at a fraction of the step; return their gap, m."""
+    """Write the manifold of two shapes at a fraction of the step; return their gap, m.
+
+    It is huge beside a piece of a chain.
+    """
     i, j = shapes.slot[s], shapes.slot[t]
     turn_shape_to(s, i, now, bodies, shapes)
     turn_shape_to(t, j, now, bodies, shapes)
     x, y = relative_place(i, j, now, bodies.pose, bodies.motion)
-    a, b = core_of(s, shapes), core_of(t, shapes)
-    return measure_gap(events.scratch[0], a, b, x, y, held, shapes.world_vertices)
+    a, b, manifold = core_of(s, shapes), core_of(t, shapes), events.scratch[0]
+    gap = measure_gap(manifold, a, b, x, y, held, shapes.world_vertices)
+    if is_piece(a) or is_piece(b):
+        _, gap = measure_gap_of_piece(
+            s, t, a, b, x, y, gap, manifold, shapes.world_vertices, shapes
+        )
+    return gap
 
 
 def turn_shape_to(s: int, i: int, now: float, bodies: Bodies, shapes: Shapes) -> None:

@@ -11,6 +11,7 @@ from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.continuous.secondary_contacts import add_secondary_contacts
 from tamias2d.engine.continuous.trajectory import RelativePath
 from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.narrow_phase.polygon import held_normal
@@ -20,6 +21,7 @@ from tamias2d.engine.tables import (
     ALL,
     ARRANGED,
     DYNAMIC,
+    FEATURE,
     FORESEEN,
     GOES_FAR,
     HOLDING,
@@ -155,7 +157,8 @@ def foresee_contact(
     at = time_of_impact(s, t, path, held, shapes, events)
     margin = CLOSE * min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
     if at > 1.0:
-        return smallest_gap(manifold, flags[POINT_COUNT]) < margin
+        near = smallest_gap(manifold, flags[POINT_COUNT]) < margin
+        return near and flags[FEATURE] != BESIDE
     a, b, rows = core_of(s, shapes), core_of(t, shapes), events.scratch[1:]
     place_vertices(a, path.turn_a * at, shapes.world_vertices, 0, rows)
     place_vertices(b, path.turn_b * at, shapes.world_vertices, a.vertex_count, rows)
@@ -163,6 +166,12 @@ def foresee_contact(
     placed_b = Core(b.kind, a.vertex_count, b.vertex_count, b.radius, 0.0)
     x, y = path.x + at * path.dx, path.y + at * path.dy
     first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, held, rows)
+    if first > 0 and (is_piece(a) or is_piece(b)):
+        verdict = judge(s, t, placed_a, placed_b, x, y, margin, manifold, rows, shapes)
+        if not verdict.stays:
+            first, second = verdict.first, verdict.second
+        if first == BESIDE:
+            return False
     manifold[FORESEEN] = at * time
     return match_impulses(manifold, flags, first, second) > 0
 

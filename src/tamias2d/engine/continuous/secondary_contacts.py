@@ -7,12 +7,14 @@ body approaches another one faster than gravity lets it.
 """
 
 from tamias2d.engine.continuous.events import bounces, senses, smaller_radius
+from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.narrow_phase.touching import BULLET, CLOSE, opening_speed
 from tamias2d.engine.tables import (
     AWAKE,
     CONTACTS,
     DYNAMIC,
+    FEATURE,
     GAP,
     GRAVITY_X,
     GRAVITY_Y,
@@ -109,7 +111,8 @@ def meets_driven(p: int, world: World, contacts: Contacts) -> bool:
         return False
     for n in range(collide(p, s, t, x, y, margin, shapes, contacts)):
         speed = opening_speed(n, i, j, bodies, contacts.manifolds[p]) - driven
-        if contacts.manifolds[p, GAP + n * POINT] + speed * time < 0.0:
+        near = contacts.manifolds[p, GAP + n * POINT] + speed * time < 0.0
+        if near and contacts.flags[p, FEATURE] != BESIDE:
             return True
     contacts.flags[p, POINT_COUNT] = 0
     return False

@@ -10,6 +10,7 @@ separating axis test between convex polyhedra (GDC 2013); Catto, Box2D v3 (2024)
 pairs that do not touch yet.
 """
 
+from tamias2d.engine.narrow_phase.chain import is_piece, judge
 from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.disc import collide_disc, collide_discs
 from tamias2d.engine.narrow_phase.half_plane import collide_half_plane
@@ -47,16 +48,51 @@ def collide(
     points that were there before are kept, those of others are 0. A contact starts with zeros, and
     serves one pair of shapes.
     """
-    manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
     a, b = core_of(s, shapes), core_of(t, shapes)
     dx, dy = float(x), float(y)
-    if a.vertex_count > 1 and b.vertex_count > 1:
-        first, second = collide_cached(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
-    else:
-        first, second = collide_cores(
-            manifold, a, b, dx, dy, margin, (0.0, 0.0), shapes.world_vertices
-        )
+    if is_piece(a) or is_piece(b):
+        return collide_piece(contact, s, t, dx, dy, margin, shapes, contacts)
+    manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
+    first, second = find_points(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
     return match_impulses(manifold, flags, first, second)
+
+
+def collide_piece(
+    contact: int,
+    s: int,
+    t: int,
+    x: float,
+    y: float,
+    margin: float,
+    shapes: Shapes,
+    contacts: Contacts,
+) -> int:
+    """Do the same where one of the shapes is a piece of a chain."""
+    manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
+    a, b, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
+    first, second = find_points(manifold, flags, a, b, x, y, margin, vertices)
+    if first > 0:
+        verdict = judge(s, t, a, b, x, y, margin, manifold, vertices, shapes)
+        if not verdict.stays:
+            first, second = verdict.first, verdict.second
+    return match_impulses(manifold, flags, first, second)
+
+
+@inlined
+def find_points(
+    manifold: Array,
+    flags: Integers,
+    a: Core,
+    b: Core,
+    x: float,
+    y: float,
+    margin: float,
+    vertices: Array,
+) -> tuple[int, int]:
+    """Write the points of two shapes; return their features, 0 for one that is not there."""
+    if a.vertex_count > 1 and b.vertex_count > 1:
+        return collide_cached(manifold, flags, a, b, x, y, margin, vertices)
+    return collide_cores(manifold, a, b, x, y, margin, (0.0, 0.0), vertices)
 
 
 def collide_cores(

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from tamias2d.engine.tables import SHAPE_INRADIUS, THIN_CAPSULE, Shapes
+from tamias2d.engine.tables import PIECE, SHAPE_INRADIUS, THIN_CAPSULE, Shapes
 
 
 class Core(NamedTuple):
@@ -28,7 +28,7 @@ def core_of(s: int, shapes: Shapes) -> Core:
 
 def is_thin(a: Core, b: Core) -> bool:
     """Return whether one of two shapes is next to nothing across."""
-    return a.kind >= THIN_CAPSULE or b.kind >= THIN_CAPSULE
+    return THIN_CAPSULE <= a.kind < PIECE or THIN_CAPSULE <= b.kind < PIECE
 
 
 def next_vertex(k: int, count: int) -> int:

@@ -5,8 +5,11 @@ begins where the ground ends. Cost: a pass over the touching contacts, if one of
 static shape is new.
 """
 
+from tamias2d.engine.narrow_phase.chain import STRAIGHT
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.tables import (
+    DX,
+    DY,
     DYNAMIC,
     G_AHEAD,
     G_HEIGHT,
@@ -18,6 +21,7 @@ from tamias2d.engine.tables import (
     NORMAL_IMPULSE,
     NX,
     NY,
+    PIECE,
     POINT,
     POINT_COUNT,
     PX,
@@ -105,11 +109,16 @@ def note_ground(
 
 
 def holds_body(s: int, loaded: bool, manifold: Array, count: int, shapes: Shapes) -> bool:
-    """Return whether a contact had an impulse; or, without one, has two points that are close."""
+    """Return whether a contact had an impulse; or, without one, is close.
+
+    One point does not hold a body that may lean on another shape, but on a chain.
+    """
     if loaded:
         load = manifold[NORMAL_IMPULSE] + (manifold[NORMAL_IMPULSE + POINT] if count == 2 else 0.0)
         return bool(load > 0.0)
     close = LEVEL_WITHIN * shapes.material[s, SHAPE_RADIUS]
+    if shapes.kind[s] >= PIECE and count == 1:
+        return bool(manifold[GAP] < close)
     return bool(count == 2 and max(manifold[GAP], manifold[GAP + POINT]) < close)
 
 
@@ -154,9 +163,36 @@ def is_seam(
     same = row[G_SHAPE] == s + 1.0 or row[G_NX] * normal[0] + row[G_NY] * normal[1] > SAME_WAY
     if row[G_SHAPE] == 0.0 or same or shapes.kind[s] == HALF_PLANE:
         return False
+    if shapes.kind[s] >= PIECE and shapes.kind[int(row[G_SHAPE]) - 1] >= PIECE:
+        return False  # pieces of chains know each other
     return stands_no_higher(s, slop, row, bodies, shapes) and has_corner(
         int(row[G_SHAPE]) - 1, place, slop, bodies, shapes
     )
+
+
+def goes_on(
+    s: int,
+    t: int,
+    place: Vector,
+    normal: Vector,
+    motion: Array,
+    shapes: Shapes,
+    ground: Array,
+) -> bool:
+    """Return whether a piece of a chain that a shape t meets goes on straight from its ground.
+
+    What holds the body there, so that it hardly moves towards the ground, holds it here.
+    """
+    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, SHAPE_RADIUS]
+    other = row[G_SHAPE] > 0.0 and row[G_SHAPE] != s + 1.0
+    if not other or shapes.kind[s] < PIECE or shapes.kind[int(row[G_SHAPE]) - 1] < PIECE:
+        return False
+    height = row[G_NX] * place[0] + row[G_NY] * place[1]
+    aside = row[G_NX] * normal[1] - row[G_NY] * normal[0]
+    same_way = row[G_NX] * normal[0] + row[G_NY] * normal[1] > SAME_WAY
+    rise = normal[0] * motion[DX] + normal[1] * motion[DY]
+    level = abs(aside) <= STRAIGHT and abs(height - row[G_HEIGHT]) <= slop
+    return bool(same_way and level and rise >= -slop)
 
 
 def stands_no_higher(s: int, slop: float, row: Array, bodies: Bodies, shapes: Shapes) -> bool:

@@ -1,11 +1,13 @@
 """Which contacts touch, or may in this step, and where. Cost: linear in the contacts."""
 
 from tamias2d.engine.joined import unless_joined
+from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import (
     ARRANGED,
     AWAKE,
     CONTACTS,
+    FEATURE,
     FORESEEN,
     GAP,
     GRAVITY_X,
@@ -108,7 +110,9 @@ def find_touching(
             meets = contacts.flags[p, TOUCHES] == 0 and will_meet(
                 p, i, j, count, smaller, control, bodies, contacts
             )
-            if not meets and smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller:
+            beside = contacts.flags[p, FEATURE] == BESIDE
+            far = smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller
+            if not meets and (far or beside):
                 contacts.flags[p, POINT_COUNT] = 0
                 continue
             gap = smallest_gap(contacts.manifolds[p], count)

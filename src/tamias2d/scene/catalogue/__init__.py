@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import Literal
 
 from tamias2d.errors import SceneError
-from tamias2d.scene.catalogue import crowds, mechanisms, stacks
+from tamias2d.scene.catalogue import crowds, mechanisms, stacks, terrain
 from tamias2d.scene.reading import read_scene
 from tamias2d.scene.rules import shown
 from tamias2d.scene.scene import Scene
@@ -32,6 +32,7 @@ _MADE: dict[str, Callable[[str], Scene]] = {
     "disc-pile": crowds.disc_pile,
     "tumbler": crowds.tumbler,
     "free-discs": crowds.free_discs,
+    "hill": terrain.hill,
 }
 _LOCATED: dict[str, Callable[[str], Scene]] = {
     "bridge": mechanisms.bridge,

@@ -5,6 +5,7 @@ All bodies touch their neighbours at the start, or stand a little apart from the
 
 import math
 
+from tamias2d.scene.compound import Shape
 from tamias2d.scene.rules import Vector
 from tamias2d.scene.scene import Scene
 from tamias2d.scene.shapes import Box, Disc, HalfPlane, Polygon, Segment
@@ -138,7 +139,7 @@ def on_floor(name: str, says: str, *, duration: float) -> Scene:
 
 def add(
     scene: Scene,
-    shape: Box | Disc | Polygon,
+    shape: Shape,
     *,
     mass: float,
     at: Vector,
