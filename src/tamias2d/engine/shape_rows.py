@@ -15,13 +15,12 @@ from tamias2d.engine.tables import (
     POLYGON,
     THIN_CAPSULE,
     THIN_POLYGON,
+    THINNEST,
 )
 from tamias2d.scene import Chain, HalfPlane
 from tamias2d.scene.compound import Shape, pieces_of
 from tamias2d.scene.rules import Vector
 from tamias2d.state import Array
-
-THINNEST = 2.0**-8  # of the length: shapes of a smaller width are thin
 
 
 class ShapeRow(NamedTuple):

@@ -231,6 +231,7 @@ class Bodies(NamedTuple):
 (
     DISC, CAPSULE, POLYGON, HALF_PLANE, THIN_CAPSULE, THIN_POLYGON, PIECE, ONE_SIDED_PIECE,
 ) = range(8)  # fmt: skip
+THINNEST = 2.0**-8  # of the length: shapes of a smaller width are thin
 
 _material = Columns()
 FRICTION = _material()  # -1 where not stated

@@ -6,6 +6,7 @@ from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import (
     ARRANGED,
     AWAKE,
+    BOUNDING_RADIUS,
     CONTACTS,
     FEATURE,
     FORESEEN,
@@ -39,6 +40,7 @@ from tamias2d.engine.tables import (
     STATIC,
     SUNK_A,
     SUNK_B,
+    THINNEST,
     TICK,
     TOUCHES,
     TOUCHING,
@@ -148,9 +150,11 @@ def note_sinking(
     """Note the first two bodies whose overlap grows though it is deep: nothing holds them apart.
 
     It is asked as a step begins: between its parts an impact may press bodies together for a while.
+    Thin bodies know their side, however deep they are.
     """
     least = min(bodies.properties[i, MIN_EXTENT], bodies.properties[j, MIN_EXTENT])
-    grows = (gap < before) & (before < 0.0) & (gap < -SUNK * least)
+    wide = min(bodies.properties[i, BOUNDING_RADIUS], bodies.properties[j, BOUNDING_RADIUS])
+    grows = (gap < before) & (before < 0.0) & (gap < -SUNK * least) & (least > THINNEST * wide)
     if grows and control.counts[SUNK_A] + control.counts[TICK] == 0:
         control.counts[SUNK_A], control.counts[SUNK_B] = i + 1, j + 1
         control.counts[LIMITS] += 1
