@@ -71,9 +71,10 @@ def test_a_stepped_world_has_the_bits_of_a_simulator() -> None:
     found = t2.ensemble(stack(), workers=1, **STEPPED)
     for world in range(STEPPED["worlds"]):
         sim = t2.Simulator(t2.world_scene(found, world), time_step=0.01, substeps=3)
-        start = sim.position[1:].copy()
-        sim.step()  # of which 0.0033 s are 33 %, and the state in between changes linearly
-        between = start + 0.33 * (sim.position[1:] - start)
+        start, before, time = sim.position[1:].copy(), sim.velocity[1:].copy(), 0.0033
+        sim.step()  # in which velocities change evenly
+        gain = (sim.velocity[1:] - before) / 0.01
+        between = start + before * time + 0.5 * gain * time**2
         np.testing.assert_allclose(found.position[world, 1], between, rtol=0, atol=1e-12)
         sim.step(49)
         np.testing.assert_array_equal(found.position[world, 2], sim.position[1:])

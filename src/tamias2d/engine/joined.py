@@ -29,7 +29,9 @@ def mark_joined(world: World) -> None:
 
 def take_whole_steps(world: World) -> None:
     """Forget that bodies go far, or may, for which steps would be taken in parts."""
-    world.control.counts[GOES_FAR] = world.control.counts[START_NOTED] = 0
+    control, joints = world.control, world.joints
+    if joints.counts[MECHANISMS] > 0:
+        control.counts[GOES_FAR] = control.counts[START_NOTED] = 0
 
 
 @inlined
