@@ -92,7 +92,7 @@ EDITS = {
     "rounding": ("engine.shapes.radius", put(3, -1.0), "must not be negative"),
     "friction": ("engine.shapes.material", put((3, 0), -2.0), "must not be negative"),
     "restitution": ("engine.shapes.material", put((3, 1), 1.5), "must be at most 1"),
-    "kind": ("engine.shapes.kind", put(4, 7), "below 6"),
+    "kind": ("engine.shapes.kind", put(4, 9), "below 8"),
     "other kind": ("engine.shapes.kind", put(3, 1), "must fit the kinds"),
     "leaf": ("engine.tree.leaf_of_shape", put(4, 900), "below"),
     "pair": ("engine.contacts.pairs", put((0, 0), 900), "below"),

@@ -309,7 +309,7 @@ class BodyPool:
             state.load[rows],
             properties[:, :PROPAGATOR],
             world.bodies.propagators[properties[:, PROPAGATOR].astype(np.int64)],
-            np.concatenate((shapes.material, np.zeros_like(shapes.material[:1])))[first[rows]],
+            np.concatenate((shapes.material, np.zeros((1, shapes.material.shape[1]))))[first[rows]],
             np.concatenate((shapes.filters, np.zeros((1, 4), dtype=np.int64)))[first[rows]],
         )
         columns = [column for table in tables for column in table.T]
