@@ -124,6 +124,8 @@ def charge_joined(
     again. One that has not the energy for its way keeps a part of it. One that is driven may give
     any energy.
     """
+    if joints.counts[MECHANISMS] == 0:
+        return
     for k in range(constraints.counts[ACTIVE]):
         islands.energy[touching.active[k], KEPT_WAY] = 1.0
     for n in range(joints.counts[MECHANISMS]):
