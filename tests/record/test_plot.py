@@ -88,3 +88,14 @@ def test_without_matplotlib(tmp_path: Path) -> None:
         [sys.executable, "-c", textwrap.dedent(code)], capture_output=True, text=True, check=False
     )
     assert "`pip install tamias2d[plot]`" in done.stdout, done.stderr
+
+
+def test_a_chain_is_a_line_and_no_area(tmp_path: Path) -> None:
+    """What a valley encloses is air; a fill would colour a quarter of the picture."""
+    scene, path = t2.Scene(gravity=(0.0, 0.0)), tmp_path / "plot.png"
+    scene.add_static(t2.Chain(vertices=[(-3, 4), (-3, 0), (3, 0), (3, 4)]), restitution=1.0)
+    scene.add_body(
+        t2.Disc(radius=0.1), mass=1.0, position=(0.0, 2.0), velocity=(1.0, 0.0), restitution=1.0
+    )
+    plot(t2.simulate(scene, duration=1.0), path)
+    assert (pixels(path).min(axis=-1) < 250).mean() < 0.1

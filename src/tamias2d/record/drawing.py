@@ -82,6 +82,11 @@ def outlines(body: Body) -> list[Points]:
     return [_outline(piece) for piece in pieces_of(body.shape)]
 
 
+def is_hollow(body: Body) -> bool:
+    """Whether a body is drawn by lines alone: a sensor, or a chain, whose inside is nothing."""
+    return body.sensor or isinstance(body.shape, Chain)
+
+
 def _outline(piece: Part) -> Points:
     """The line around one piece, which has the middle of its right side after its second point."""
     shape = piece.shape
@@ -113,7 +118,7 @@ def look(body: Body, view: View, *, crowd: bool = False) -> Look:
 
     In a crowd a disc is one point, which a viewer shades like a ball, and areas are coarse.
     """
-    if body.shape is None or isinstance(body.shape, HalfPlane | Chain) or body.sensor:
+    if body.shape is None or isinstance(body.shape, HalfPlane) or is_hollow(body):
         return Look([], [], [], strokes(body, view))
     found = Look([], [], [], [] if body.static else [_spoke(body)])
     for piece in pieces_of(body.shape):

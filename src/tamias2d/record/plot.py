@@ -115,7 +115,7 @@ def _body(
     position, orientation = run.position[k, index], float(run.orientation[k, index])
     for outline in drawing.outlines(body):
         rim = drawing.placed(outline, position, orientation)
-        shade = 0.0 if body.sensor else 0.3 * strength
+        shade = 0.0 if drawing.is_hollow(body) else 0.3 * strength
         axes.fill(*rim.T, color=colour, alpha=shade, linewidth=0)
     for stroke in drawing.strokes(body, view):
         line = drawing.placed(stroke, position, orientation)
