@@ -3,12 +3,18 @@
 Serves: studies and measurements of contacts. Hides: how the simulator is asked.
 """
 
+import warnings
+
 import numpy as np
 
+from tamias2d.errors import StepWarning
 from tamias2d.scene import Scene
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
 from tamias2d.study.engines.engine import Pair
+
+# studies ask for steps that are too long, and judge themselves what comes of them
+warnings.filterwarnings("ignore", category=StepWarning, module=__name__)
 
 
 class Own:
