@@ -111,6 +111,7 @@ class _Inquiry:
         yield _about("force fields (IM8)", "term", reached, "in a field", "the scene has no field")
 
     def models(self) -> Iterator[Need]:
+        """Yield the models that motion, joints and contacts ask for."""
         yield Need("translation (IM1)", "model", *self.moves())
         yield Need("rotation (IM2)", "model", *self.turns())
         solid = [body for body in self.scene.bodies if body.shape is not None]

@@ -1,8 +1,7 @@
 """The frame loop for games: bodies in arrays that can be read and written between steps."""
 
 import hashlib
-import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from copy import deepcopy
 from pathlib import Path
 from threading import Lock
@@ -30,7 +29,7 @@ from tamias2d.simulator.applied import add_rows, applied_loads, velocity_changes
 from tamias2d.simulator.batch import scene_batch
 from tamias2d.simulator.exclusive import busy, exclusive
 from tamias2d.simulator.invalid_state import invalid_state
-from tamias2d.simulator.joint_set import APART, JointSet, Reactions, Standing
+from tamias2d.simulator.joint_set import JointSet, Reactions, Standing
 from tamias2d.simulator.missing_restitution import refuse_missing_restitution
 from tamias2d.simulator.queries import Hits, bodies_at_point, bodies_in_box, cast_rays
 from tamias2d.simulator.selection import Bodies, selected
@@ -41,14 +40,19 @@ from tamias2d.simulator.settings import (
     checked_time_step,
 )
 from tamias2d.simulator.spring_rows import spring_rows
+from tamias2d.simulator.step_warnings import (
+    SPRINGS,
+    Told,
+    too_long_for_contacts,
+    too_long_for_gravity,
+    too_long_for_joints,
+    too_long_for_springs,
+)
 from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
 
-_LOSSY, _OUTRUN = "springs", "gravity"  # under which a warning of them is kept
-_SUNK, _OUTWEIGHED = "overlap", "masses"  # the same of what the engine could not hold
-_SHORTEST = 2.0**-10  # of a step: its shortest part
 _SLOW_TIME = 0.5  # s, until an island that is slow falls asleep
 _LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
@@ -182,53 +186,25 @@ class Simulator(Views):
         """Take some steps, or raise `RuleError`."""
         if (invalid := self._engine.step(count)) is not None:
             raise invalid_state(invalid, self._engine.kind, self._name_of)
+        step = self._time_step
         if self._engine.limits > self._limits:
-            self._tell_limits()
+            self._limits = self._engine.limits
+            self._tell(
+                too_long_for_contacts(self._engine, self._name_of, self.time, step, self._substeps)
+            )
         if len(self._joints):
-            self._warn_apart()
-        if self._scene is None or _LOSSY in self._warned:
+            self._tell(too_long_for_joints(self._joints, self._engine, self.time, step))
+        if self._scene is None or SPRINGS in self._warned:
             return
         if (row := self._engine.lossy_springs) >= 0:
-            self._warned[_LOSSY] = (
-                f"springs of {self._name_of(row)}, before {self.time:.6g} s: in the shortest parts "
-                f"of a time step of {self._time_step:.6g} s, too, they turn too far to be solved, "
-                "and their energy is not kept (IM14). Give a shorter step."
-            )
-            warn(self._warned[_LOSSY], StepWarning, stacklevel=3)
+            self._tell([too_long_for_springs(self._name_of(row), self.time, step)])
 
-    def _tell_limits(self) -> None:
-        """Warn of what the engine could not hold at this step, each once."""
-        engine, when = self._engine, f"before {self.time:.6g} s"
-        step = f"steps of {self._time_step:.6g} s in {self._substeps} substeps"
-        self._limits = engine.limits
-        if (pair := engine.sunk) is not None and _SUNK not in self._warned:
-            first, second = map(self._name_of, pair)
-            self._warned[_SUNK] = (
-                f"{first} and {second}, {when}: they overlap by more than a quarter of the "
-                f"thinner one's width, and ever more; {step} do not hold what weighs on them "
-                "(IM10). Give a shorter step or more substeps."
-            )
-            warn(self._warned[_SUNK], StepWarning, stacklevel=4)
-        if (row := engine.outweighed) >= 0 and _OUTWEIGHED not in self._warned:
-            self._warned[_OUTWEIGHED] = (
-                f"{self._name_of(row)}, {when}: it touches masses so different from its own that "
-                f"{step} do not solve their contacts (GD12). Give a shorter step, more substeps or "
-                "masses less different."
-            )
-            warn(self._warned[_OUTWEIGHED], StepWarning, stacklevel=4)
-
-    def _warn_apart(self) -> None:
-        """Warn of a joint that was far apart, once for each."""
-        if (found := self._joints.apart(self._engine)) is None:
-            return
-        joint, much = found
-        if (key := f"joint {joint.name}") not in self._warned:
-            self._warned[key] = (
-                f"joint '{joint.name}' ({joint.kind}), before {self.time:.6g} s: it was {much:.2g} "
-                f"apart (m or rad) in a step of {self._time_step:.6g} s, more than {APART:g} of "
-                "its size (R13). Give a shorter step or more substeps."
-            )
-            warn(self._warned[key], StepWarning, stacklevel=4)
+    def _tell(self, found: Iterable[Told]) -> None:
+        """Warn of what the step is too long for, each once."""
+        for name, text in found:
+            if name not in self._warned:
+                self._warned[name] = text
+                warn(text, StepWarning, stacklevel=4)
 
     def _settle(self) -> None:
         """Give what was added its place, and see which loads vary on what is left."""
@@ -242,26 +218,7 @@ class Simulator(Views):
             self._engine.set_springs(spring_rows(self._scene, staying))
             varying = VaryingLoads(self._scene, staying, self._warned)
             self._varying = None if varying.empty else varying
-        self._tell_outrun()
-
-    def _tell_outrun(self) -> None:
-        """Warn once if gravity moves even the largest body too far in the shortest part of a step.
-
-        Then each step takes as many parts as there may be, and none of them is short enough.
-        """
-        size, pull = self._engine.largest_radius, math.hypot(*self._engine.gravity.tolist())
-        if _OUTRUN in self._warned or size == 0.0:
-            return
-        step = self._time_step
-        if not pull * (_SHORTEST * step) * (_SHORTEST * step) > size:
-            return
-        self._warned[_OUTRUN] = (
-            f"gravity of {pull:.6g} m/s^2: in 1/1024 of a time step of {step:.6g} s, its shortest "
-            f"part, it moves bodies farther than any is wide ({size:.6g} m): each step costs up to "
-            "1024 times as much, and contacts give way (IM12). Give a time step of at most "
-            f"{math.sqrt(size / pull):.3g} s."
-        )
-        warn(self._warned[_OUTRUN], StepWarning, stacklevel=4)
+        self._tell(too_long_for_gravity(self._engine, self._time_step))
 
     def _settle_between(self) -> None:
         """Settle between steps: contacts are reported before removed bodies are forgotten."""

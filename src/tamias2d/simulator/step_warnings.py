@@ -1,0 +1,78 @@
+"""What a time step is too long for: springs, gravity, weights, masses and joints, in words.
+
+Serves: the simulator, which tells each once. Each text comes with the name under which it is kept.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from typing import TypeAlias
+
+from tamias2d.engine.engine import Engine
+from tamias2d.simulator.joint_set import APART, JointSet
+
+Told: TypeAlias = tuple[str, str]
+"""A name under which a warning is kept, and its text."""
+
+SPRINGS = "springs"
+_SHORTEST = 2.0**-10  # of a step: its shortest part
+
+
+def too_long_for_springs(of: str, time: float, time_step: float) -> Told:
+    """Return the warning of springs of a body, before a time, s, that are not solved (IM14)."""
+    return SPRINGS, (
+        f"springs of {of}, before {time:.6g} s: in the shortest parts "
+        f"of a time step of {time_step:.6g} s, too, they turn too far to be solved, "
+        "and their energy is not kept (IM14). Give a shorter step."
+    )
+
+
+def too_long_for_contacts(
+    engine: Engine, name_of: Callable[[int], str], time: float, time_step: float, substeps: int
+) -> Iterator[Told]:
+    """Yield what contacts could not hold before a time, s: weights (IM10) and masses (GD12)."""
+    when, step = f"before {time:.6g} s", f"steps of {time_step:.6g} s in {substeps} substeps"
+    if (pair := engine.sunk) is not None:
+        first, second = map(name_of, pair)
+        text = (
+            f"{first} and {second}, {when}: they overlap by more than a quarter of the "
+            f"thinner one's width, and ever more; {step} do not hold what weighs on them "
+            "(IM10). Give a shorter step or more substeps."
+        )
+        yield "overlap", text
+    if (row := engine.outweighed) >= 0:
+        text = (
+            f"{name_of(row)}, {when}: it touches masses so different from its own that "
+            f"{step} do not solve their contacts (GD12). Give a shorter step, more substeps or "
+            "masses less different."
+        )
+        yield "masses", text
+
+
+def too_long_for_joints(
+    joints: JointSet, engine: Engine, time: float, time_step: float
+) -> Iterator[Told]:
+    """Yield a joint that was far apart before a time, s (R13)."""
+    if (found := joints.apart(engine)) is not None:
+        joint, much = found
+        text = (
+            f"joint '{joint.name}' ({joint.kind}), before {time:.6g} s: it was {much:.2g} "
+            f"apart (m or rad) in a step of {time_step:.6g} s, more than {APART:g} of "
+            "its size (R13). Give a shorter step or more substeps."
+        )
+        yield f"joint {joint.name}", text
+
+
+def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
+    """Yield that gravity moves even the largest body too far in the shortest part of a step (IM12).
+
+    Then each step takes as many parts as there may be, and none of them is short enough.
+    """
+    size, pull = engine.largest_radius, math.hypot(*engine.gravity.tolist())
+    if size > 0.0 and pull * (_SHORTEST * time_step) * (_SHORTEST * time_step) > size:
+        text = (
+            f"gravity of {pull:.6g} m/s^2: in 1/1024 of a time step of {time_step:.6g} s, its "
+            f"shortest part, it moves bodies farther than any is wide ({size:.6g} m): each step "
+            "costs up to 1024 times as much, and contacts give way (IM12). Give a time step of "
+            f"at most {math.sqrt(size / pull):.3g} s."
+        )
+        yield "gravity", text
