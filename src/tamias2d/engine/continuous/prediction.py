@@ -165,6 +165,7 @@ def foresee_contact(
     placed_a = Core(a.kind, 0, a.vertex_count, a.radius, 0.0)
     placed_b = Core(b.kind, a.vertex_count, b.vertex_count, b.radius, 0.0)
     x, y = path.x + at * path.dx, path.y + at * path.dy
+    margin += abs(path.dx) + abs(path.dy)  # an impact at one end brings the other one down
     first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, held, rows)
     if first > 0 and (is_piece(a) or is_piece(b)):
         verdict = judge(s, t, placed_a, placed_b, x, y, margin, manifold, rows, shapes)
