@@ -234,22 +234,14 @@ def speculative_margin(
     """
     motion, time_step = bodies.motion, control.progress[PART_TIME]
     speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
+    if shapes.vertex_count[s] > 1:
+        speed += abs(motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS]
+    if shapes.vertex_count[t] > 1:
+        speed += abs(motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS]
     distance = speed * time_step
-    turn_a = (
-        abs(motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS]
-        if shapes.vertex_count[s] > 1
-        else 0.0
-    )
-    turn_b = (
-        abs(motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS]
-        if shapes.vertex_count[t] > 1
-        else 0.0
-    )
-    fast = distance + (turn_a + turn_b) * time_step > BULLET * smaller
+    fast = distance > BULLET * smaller
     fast = unless_joined(fast, i, j, bodies)
-    if fast:
-        return 0.0
-    return CLOSE * smaller + distance
+    return 0.0 if fast else CLOSE * smaller + distance
 
 
 @inlined
