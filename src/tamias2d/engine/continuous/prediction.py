@@ -64,10 +64,9 @@ def foresee(world: World, contacts: Contacts) -> None:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
     if touching.counts[MEETING] == 0:
         return
-    before = touching.counts[TOUCHING]
-    add_secondary_contacts(world, contacts)
+    changed = add_secondary_contacts(world, contacts)
     count_contacts(contacts, touching)
-    stay, changed = 0, touching.counts[TOUCHING] > before
+    stay = 0
     for k in range(touching.counts[TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
         meets, points = contacts.flags[p, LOCATED] > 0, contacts.flags[p, POINT_COUNT]

@@ -2,14 +2,19 @@
 
 A body that meets a floor is stopped, and one that follows it meets it there, though the gap between
 them does not close as the part begins. Pairs are added that would meet if contacts took all of the
-velocity from a body at which it approaches others. Cost: a pass over the list of pairs, where a
+velocity from a body at which it approaches others; and one that stands on a corner gets its second
+one, which a body that falls on it brings down. Cost: a pass over the list of pairs, where a
 body approaches another one faster than gravity lets it.
 """
 
 from tamias2d.engine.continuous.events import bounces, senses, smaller_radius
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
-from tamias2d.engine.narrow_phase.touching import BULLET, CLOSE, opening_speed
+from tamias2d.engine.narrow_phase.touching import (
+    BULLET,
+    opening_speed,
+    speculative_margin,
+)
 from tamias2d.engine.tables import (
     AWAKE,
     CONTACTS,
@@ -28,8 +33,6 @@ from tamias2d.engine.tables import (
     SLOT_A,
     SLOT_B,
     TOUCHING,
-    VX,
-    VY,
     Bodies,
     Contacts,
     Islands,
@@ -40,21 +43,29 @@ from tamias2d.engine.tables import (
 )
 
 
-def add_secondary_contacts(world: World, contacts: Contacts) -> None:
-    """Put pairs on the list of touching ones that others may drive together."""
+def add_secondary_contacts(world: World, contacts: Contacts) -> bool:
+    """Put pairs on the list of touching ones that others may drive together.
+
+    Returns whether there are more pairs, or points.
+    """
     bodies, touching = world.bodies, world.touching
     pull = abs(world.control.settings[GRAVITY_X]) + abs(world.control.settings[GRAVITY_Y])
     slow = 2.0 * world.control.progress[PART_TIME] * pull
     if not note_approaches(slow, bodies, contacts, touching):
-        return
-    added = 0
+        return False
+    added = more = 0
     for p in range(world.broad_phase.counts[CONTACTS]):
-        if contacts.flags[p, POINT_COUNT] == 0 and is_driven(p, contacts, touching, world.islands):
+        points = contacts.flags[p, POINT_COUNT]
+        if points < 2 and is_driven(p, contacts, touching, world.islands):
+            if points == 1:
+                more += 1 if collide_driven(p, world, contacts) > 1 else 0
+                continue
             found = meets_driven(p, world, contacts)
             contacts.flags[p, LOCATED] = SECONDARY if found else 0
             added += 1 if found else 0
     if added > 0:
         merge_secondary(added, contacts, touching, world.broad_phase.counts[CONTACTS])
+    return added + more > 0
 
 
 def note_approaches(slow: float, bodies: Bodies, contacts: Contacts, touching: Touching) -> bool:
@@ -96,26 +107,39 @@ def is_driven(p: int, contacts: Contacts, touching: Touching, islands: Islands) 
 
 def meets_driven(p: int, world: World, contacts: Contacts) -> bool:
     """Find the manifold of two bodies that contacts drive; return whether they may meet so."""
-    bodies, shapes, touching = world.bodies, world.shapes, world.touching
-    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    bodies, touching = world.bodies, world.touching
     i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-    if senses(s, t, shapes.filters) or bounces(p, shapes, contacts):
-        return False
-    a, b, reach = bodies.motion[i], bodies.motion[j], smaller_radius(s, t, shapes.material)
     driven, time = touching.approach[i] + touching.approach[j], world.control.progress[PART_TIME]
-    way = time * (driven + abs(b[VX] - a[VX]) + abs(b[VY] - a[VY]))
-    x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
-    margin = CLOSE * reach + way
-    radii = shapes.material[s, SHAPE_RADIUS] + shapes.material[t, SHAPE_RADIUS] + margin
-    if way > BULLET * reach or x * x + y * y > radii * radii:
-        return False
-    for n in range(collide(p, s, t, x, y, margin, shapes, contacts)):
+    for n in range(collide_driven(p, world, contacts)):
         speed = opening_speed(n, i, j, bodies, contacts.manifolds[p]) - driven
         near = contacts.manifolds[p, GAP + n * POINT] + speed * time < 0.0
         if near and contacts.flags[p, FEATURE] != BESIDE:
             return True
     contacts.flags[p, POINT_COUNT] = 0
     return False
+
+
+def collide_driven(p: int, world: World, contacts: Contacts) -> int:
+    """Find the points of two shapes that may touch if contacts drive their bodies.
+
+    Returns how many there are; 0, and changes nothing, where they are too far apart or too fast.
+    """
+    bodies, shapes, touching = world.bodies, world.shapes, world.touching
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    if senses(s, t, shapes.filters) or bounces(p, shapes, contacts):
+        return 0
+    reach = smaller_radius(s, t, shapes.material)
+    margin = speculative_margin(i, j, s, t, reach, world.control, bodies, shapes)
+    driven = world.control.progress[PART_TIME] * (touching.approach[i] + touching.approach[j])
+    if margin == 0.0 or margin + driven > BULLET * reach:
+        return 0
+    margin += driven
+    x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
+    radii = shapes.material[s, SHAPE_RADIUS] + shapes.material[t, SHAPE_RADIUS] + margin
+    if x * x + y * y > radii * radii:
+        return 0
+    return collide(p, s, t, x, y, margin, shapes, contacts)
 
 
 def merge_secondary(added: int, contacts: Contacts, touching: Touching, count: int) -> None:
