@@ -28,6 +28,7 @@ from tamias2d.engine.joints.stages import (
 )
 from tamias2d.engine.motion.free import integrate_free
 from tamias2d.engine.narrow_phase.touching import find_touching
+from tamias2d.engine.overshoot import overshoots
 from tamias2d.engine.parts import (
     begin_part,
     end_part,
@@ -173,6 +174,10 @@ def take_part(world: World) -> int:
         note_start(world)
         take_whole_steps(world)
         solve_contacts(world, contacts)
+        if overshoots(world, contacts):
+            release_springs(bodies, world.springs)
+            retake_part(world, contacts)
+            return AGAIN
         counts[STAGE] = integrate(world)
     while counts[STAGE] != ARRIVING:
         status = fly(world)

@@ -1,0 +1,59 @@
+"""Parts of a step in which bodies that touch turn so far that they go deep into each other.
+
+The solver keeps the points and the normal that contacts have as a part begins, or as their shapes
+meet. Where an impact lets a body turn fast, other corners come up, and the normal turns: then the
+part is taken again as shorter ones. Cost: the gap of each contact whose bodies turn far, twice.
+"""
+
+from tamias2d.engine.continuous.events import (
+    manifold_at,
+    senses,
+    smaller_radius,
+    turn_shape_to,
+)
+from tamias2d.engine.narrow_phase.polygon import held_normal
+from tamias2d.engine.narrow_phase.touching import smallest_gap
+from tamias2d.engine.parts import OF_ALL
+from tamias2d.engine.tables import (
+    CONTACTS,
+    DANGLE,
+    LEVEL,
+    POINT_COUNT,
+    START_NOTED,
+    TOUCHING,
+    Bodies,
+    Contacts,
+    Shapes,
+    World,
+)
+
+TURNED_FAR = 0.1  # rad, that bodies in contact turn in a part
+DEEPER = 0.02  # of the smaller radius: how much an overlap may grow
+FINEST_LEVEL = 3  # of the parts that are taken for this
+
+
+def overshoots(world: World, contacts: Contacts) -> bool:
+    """Return whether contacts get deep in a part that may be taken again in shorter ones."""
+    control, bodies, shapes = world.control, world.bodies, world.shapes
+    touching, events = world.touching, world.events
+    if control.counts[START_NOTED] == 0 or control.counts[LEVEL] >= FINEST_LEVEL:
+        return False
+    found = 0
+    for k in range(touching.counts[TOUCHING]):
+        p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
+        s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+        if turn_of(s, i, bodies, shapes) + turn_of(t, j, bodies, shapes) > TURNED_FAR:
+            manifold, flags = contacts.manifolds[p], contacts.flags[p]
+            before = min(smallest_gap(manifold, flags[POINT_COUNT]), 0.0)
+            held = held_normal(manifold, flags)
+            gap = manifold_at(s, t, 1.0, held, bodies, shapes, events)
+            turn_shape_to(s, i, 0.0, bodies, shapes)
+            turn_shape_to(t, j, 0.0, bodies, shapes)
+            deep = gap < before - DEEPER * smaller_radius(s, t, shapes.material)
+            found += 1 if deep and not senses(s, t, shapes.filters) else 0
+    return found > world.broad_phase.counts[CONTACTS] // OF_ALL
+
+
+def turn_of(s: int, i: int, bodies: Bodies, shapes: Shapes) -> float:
+    """Return by which angle the body of a shape turns in a part, rad; 0 for a disc."""
+    return abs(bodies.motion[i, DANGLE]) if shapes.vertex_count[s] > 1 else 0.0
