@@ -32,6 +32,7 @@ from tamias2d.engine.tables import (
     SLEEPING,
     SLOT_A,
     SLOT_B,
+    TOUCHES,
     TOUCHING,
     Bodies,
     Contacts,
@@ -130,7 +131,8 @@ def collide_driven(p: int, world: World, contacts: Contacts) -> int:
     if senses(s, t, shapes.filters) or bounces(p, shapes, contacts):
         return 0
     reach = smaller_radius(s, t, shapes.material)
-    margin = speculative_margin(i, j, s, t, reach, world.control, bodies, shapes)
+    touched = contacts.flags[p, TOUCHES] != 0
+    margin = speculative_margin(i, j, s, t, reach, touched, world.control, bodies, shapes)
     driven = world.control.progress[PART_TIME] * (touching.approach[i] + touching.approach[j])
     if margin == 0.0 or margin + driven > BULLET * reach:
         return 0

@@ -98,7 +98,8 @@ def find_touching(
         x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
         radius_s, radius_t = shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
         smaller = min(radius_s, radius_t)
-        margin = speculative_margin(i, j, s, t, smaller, control, bodies, shapes)
+        touched = contacts.flags[p, TOUCHES] != 0
+        margin = speculative_margin(i, j, s, t, smaller, touched, control, bodies, shapes)
         radii = radius_s + radius_t + margin
         if x * x + y * y > radii * radii and contacts.flags[p, POINT_COUNT] == 0:
             continue
@@ -109,9 +110,7 @@ def find_touching(
         if count == 0:
             continue
         if shapes.filters[s, SENSOR] == 0 and shapes.filters[t, SENSOR] == 0:
-            meets = contacts.flags[p, TOUCHES] == 0 and will_meet(
-                p, i, j, count, smaller, control, bodies, contacts
-            )
+            meets = not touched and will_meet(p, i, j, count, smaller, control, bodies, contacts)
             beside = contacts.flags[p, FEATURE] == BESIDE
             far = smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller
             if not meets and (far or beside):
@@ -126,7 +125,7 @@ def find_touching(
             if meets:
                 contacts.flags[p, LOCATED] = MOST_LOCATED
             static = (bodies.kind[i] == STATIC) | (bodies.kind[j] == STATIC)
-            new_static += 1 if static and contacts.flags[p, TOUCHES] == 0 else 0
+            new_static += 1 if static and not touched else 0
             if meets or margin > (CLOSE + AHEAD) * smaller:  # it may change a velocity by much
                 marked += 1
         else:
@@ -223,25 +222,28 @@ def speculative_margin(
     s: int,
     t: int,
     smaller: float,
+    touched: bool,
     control: Control,
     bodies: Bodies,
     shapes: Shapes,
 ) -> float:
     """Return below which gap two shapes, of the bodies i and j, have a contact, m.
 
-    It follows the motion of a step, up to a fraction of the smaller radius, and is 0 for a fast
-    pair.
+    It follows the motion of a step, and is 0 for a fast pair. Bodies that touched turn about where
+    they did, and may come down on other corners.
     """
     motion, time_step = bodies.motion, control.progress[PART_TIME]
     speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
+    turning = 0.0
     if shapes.vertex_count[s] > 1:
-        speed += abs(motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS]
+        turning += abs(motion[i, SPIN]) * shapes.material[s, SHAPE_RADIUS]
     if shapes.vertex_count[t] > 1:
-        speed += abs(motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS]
-    distance = speed * time_step
-    fast = distance > BULLET * smaller
+        turning += abs(motion[j, SPIN]) * shapes.material[t, SHAPE_RADIUS]
+    fast = (speed + turning) * time_step > BULLET * smaller
     fast = unless_joined(fast, i, j, bodies)
-    return 0.0 if fast else CLOSE * smaller + distance
+    if fast:
+        return 0.0
+    return CLOSE * smaller + (speed + turning if touched else speed) * time_step
 
 
 @inlined
