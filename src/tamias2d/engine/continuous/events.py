@@ -68,6 +68,7 @@ THIN = 0.25  # of the smaller radius: for the length of parts thinner bodies are
 SHALLOW = 0.12  # of that: how far one goes in before its impact is looked for
 BOUNCY = 0.7  # restitution that gives half of the energy back
 MOST_SHALLOW = 24  # pairs in a part that are looked at for that
+SHORT_LIST = 256  # contacts of a list on which all are
 MANY = -1  # more than these
 RESTING = 0.1  # of the limit: how far bodies go in a part that rest in each other
 SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
@@ -87,8 +88,9 @@ def find_events(
     Shallow impacts are looked for if they are few.
     """
     found = sought = 0
-    body_count = len(bodies.pose)
-    for p in range(broad_phase.counts[CONTACTS]):
+    body_count, listed = len(bodies.pose), broad_phase.counts[CONTACTS]
+    most = MOST_SHALLOW if listed > SHORT_LIST else SHORT_LIST
+    for p in range(listed):
         events.times[body_count + p] = MISSED
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
@@ -104,7 +106,7 @@ def find_events(
         looked = unless_joined(looked, i, j, bodies)
         if looked:
             sought += 1
-            if share < 1.0 and sought > MOST_SHALLOW:
+            if share < 1.0 and sought > most:
                 return MANY
             held = held_normal(contacts.manifolds[p], contacts.flags[p])
             time = next_event(s, t, now, control.progress[PART_TIME], held, bodies, shapes, events)
