@@ -32,6 +32,7 @@ from tamias2d.engine.tables import (
     IMPULSE_RATIO,
     LANES_FILLED,
     LIMITS,
+    MEETING,
     NETWORKS_TOUCHED,
     OUTWEIGHED,
     PART_SUBSTEPS,
@@ -43,6 +44,7 @@ from tamias2d.engine.tables import (
     S_TREE,
     SLABS,
     SUBSTEP,
+    SWEEPS,
     TOUCHING,
     UNSOLVED,
     Constraints,
@@ -53,6 +55,8 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.kernels.assembled import inlined
 
+FEW_BLOCKS = 32  # up to which impacts get more sweeps: no impulses of before are known for them
+MORE_SWEEPS = 8
 SLOWEST_IMPACT = 2.0  # velocities that gravity gives in a step: a slower impact has no restitution
 
 
@@ -70,6 +74,8 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
     if sprung:
         begin_springs(substep, world.bodies, world.springs)
+    meets = world.touching.counts[MEETING] > 0 and constraints.counts[BLOCKS] <= FEW_BLOCKS
+    constraints.counts[SWEEPS] = MORE_SWEEPS if meets else 1
     number, last = constraints.counts[SLABS], 2 * control.counts[PART_SUBSTEPS]
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):
@@ -167,7 +173,8 @@ def solve_slab(again: bool, slab: int, substep: float, world: World) -> None:
     solve_joints(False, substep, world)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(False, tree, tree_end, substep, bodies, constraints, world.direct)
-    solve_soft(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
+    for _ in range(constraints.counts[SWEEPS]):
+        solve_soft(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
     if sprung:
         apply_springs(True, substep, share, bodies, world.springs)
     solve_joints(True, substep, world)
@@ -183,7 +190,8 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     relax_joints(world)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(True, tree, tree_end, substep, bodies, constraints, world.direct)
-    relax(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
+    for _ in range(constraints.counts[SWEEPS]):
+        relax(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
     relax_in_turns(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], substep, world)
 
 

@@ -516,6 +516,7 @@ _constraints = Columns()
 ACTIVE = _constraints()  # moving bodies with contacts
 BLOCKS = _constraints()
 BOUNCING = _constraints()  # contacts with restitution
+SWEEPS = _constraints()  # over the contacts in each stage of this part
 LANES_FILLED = _constraints()  # 1 if lanes hold what stays while the arrangement does
 SLABS = _constraints()
 
