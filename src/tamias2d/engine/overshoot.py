@@ -7,7 +7,6 @@ part is taken again as shorter ones. Cost: the gap of each contact whose bodies 
 
 from tamias2d.engine.continuous.events import (
     manifold_at,
-    senses,
     smaller_radius,
     turn_shape_to,
 )
@@ -50,7 +49,7 @@ def overshoots(world: World, contacts: Contacts) -> bool:
             turn_shape_to(s, i, 0.0, bodies, shapes)
             turn_shape_to(t, j, 0.0, bodies, shapes)
             deep = gap < before - DEEPER * smaller_radius(s, t, shapes.material)
-            found += 1 if deep and not senses(s, t, shapes.filters) else 0
+            found += 1 if deep else 0
     return found > world.broad_phase.counts[CONTACTS] // OF_ALL
 
 

@@ -12,7 +12,6 @@ from tamias2d.engine.continuous.events import (
     THIN,
     allowed_depth,
     manifold_at,
-    senses,
     smaller_radius,
 )
 from tamias2d.engine.narrow_phase.polygon import held_normal
@@ -35,6 +34,7 @@ from tamias2d.engine.tables import (
     PART_TIME,
     POINT,
     RETAKEN,
+    SENSES,
     SLOT_A,
     SLOT_B,
     SPIN,
@@ -183,7 +183,7 @@ def find_wanted_levels(world: World, contacts: Contacts) -> None:
         far = motion_of_pair(i, j, control.progress[PART_TIME], bodies)
         reach = smaller_radius(s, t, shapes.material)
         deep = max(LIMIT * allowed_depth(i, j, reach, bodies.properties), THIN * reach)
-        if far > deep and not senses(s, t, shapes.filters):
+        if far > deep and contacts.flags[p, SENSES] == 0:
             held = held_normal(contacts.manifolds[p], contacts.flags[p])
             gap = manifold_at(s, t, 0.0, held, bodies, shapes, world.events)
             k = level

@@ -27,6 +27,8 @@ from tamias2d.engine.tables import (
     LIST_HOLDS,
     PIECE,
     RESTITUTION,
+    SENSES,
+    SENSOR,
     SLOT_A,
     SLOT_B,
     THIN_CAPSULE,
@@ -209,6 +211,8 @@ def _check_contacts(arrays: Arrays, order: IntArray) -> None:
     sides = flags[:, CACHED_AXIS].astype(np.int64) // (STATES * TURNS)
     known = np.column_stack((sides % SIDES, sides // SIDES)) < arrays["shapes.vertex_count"][shapes]
     require(known, "contacts.flags", "names a side that a shape has not")
+    sensors = (arrays["shapes.filters"][shapes, SENSOR] > 0).any(axis=1)
+    require(sensors == flags[:, SENSES], "contacts.flags", "must say which shapes are sensors")
 
 
 def _check_tree(arrays: Arrays) -> None:

@@ -378,6 +378,7 @@ POINT_COUNT = _flags()
 FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
+SENSES = _flags()  # 1 if one of the shapes is a sensor
 LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list
@@ -404,7 +405,7 @@ class Contacts(NamedTuple):
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),
-        Saved({POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, LOCATED: 16}),
+        Saved({POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, SENSES: 2, LOCATED: 16}),
     ]
 
 

@@ -16,6 +16,8 @@ from tamias2d.engine.tables import (
     POINT,
     POINT_COUNT,
     RANK,
+    SENSES,
+    SENSOR,
     SHAPE_OF_RANK,
     SLOT_A,
     SLOT_B,
@@ -169,6 +171,7 @@ def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) ->
             following.flags[new, k] = contacts.flags[old, k]
     else:
         clear_flags(new, following.flags)
+        following.flags[new, SENSES] = contacts.flags[old, SENSES]
 
 
 def begin_contact(
@@ -179,6 +182,8 @@ def begin_contact(
     pair[0], pair[1] = shape_of_rank[a], shape_of_rank[b]
     pair[SLOT_A], pair[SLOT_B] = shapes.slot[pair[0]], shapes.slot[pair[1]]
     clear_flags(new, contacts.flags)
+    sensors = shapes.filters[pair[0], SENSOR] + shapes.filters[pair[1], SENSOR]
+    contacts.flags[new, SENSES] = 1 if sensors > 0 else 0
 
 
 def clear_flags(p: int, flags: Integers) -> None:

@@ -40,7 +40,7 @@ from tamias2d.engine.tables import (
     POINT,
     POINT_COUNT,
     REDIRECTED,
-    SENSOR,
+    SENSES,
     SHAPE_RADIUS,
     SLOT_A,
     SLOT_B,
@@ -50,7 +50,6 @@ from tamias2d.engine.tables import (
     Contacts,
     Control,
     Events,
-    Integers,
     Shapes,
 )
 from tamias2d.generated.continuous_collision import (
@@ -100,7 +99,7 @@ def find_events(
         share = control.progress[DEPTH_SHARE]
         if not (redirected or located) and stay_near(i, j, share, reach, bodies):
             continue
-        if senses(s, t, shapes.filters):
+        if contacts.flags[p, SENSES] == 1:
             continue
         looked = redirected or located or may_pass(p, i, j, share, reach, bodies, contacts)
         looked = unless_joined(looked, i, j, bodies)
@@ -125,11 +124,6 @@ def bounces(p: int, shapes: Shapes, contacts: Contacts) -> bool:
 def smaller_radius(s: int, t: int, material: Array) -> float:
     """Return the smaller bounding radius of two shapes, m."""
     return min(material[s, SHAPE_RADIUS], material[t, SHAPE_RADIUS])
-
-
-def senses(s: int, t: int, filters: Integers) -> bool:
-    """Return whether one of two shapes is a sensor."""
-    return bool(filters[s, SENSOR] != 0 or filters[t, SENSOR] != 0)
 
 
 @inlined
@@ -221,7 +215,7 @@ def update_events_of(
         p = events.queue[CONTACT_OF_BODY, k]
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
         a, b = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-        if except_for in (a, b) or senses(s, t, shapes.filters):
+        if except_for in (a, b) or contacts.flags[p, SENSES] == 1:
             continue
         time = MISSED
         reach = smaller_radius(s, t, shapes.material)

@@ -7,7 +7,7 @@ one, which a body that falls on it brings down. Cost: a pass over the list of pa
 body approaches another one faster than gravity lets it.
 """
 
-from tamias2d.engine.continuous.events import bounces, senses, smaller_radius
+from tamias2d.engine.continuous.events import bounces, smaller_radius
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.narrow_phase.touching import (
@@ -28,6 +28,7 @@ from tamias2d.engine.tables import (
     POINT,
     POINT_COUNT,
     SECONDARY,
+    SENSES,
     SHAPE_RADIUS,
     SLEEPING,
     SLOT_A,
@@ -128,7 +129,7 @@ def collide_driven(p: int, world: World, contacts: Contacts) -> int:
     bodies, shapes, touching = world.bodies, world.shapes, world.touching
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
-    if senses(s, t, shapes.filters) or bounces(p, shapes, contacts):
+    if contacts.flags[p, SENSES] == 1 or bounces(p, shapes, contacts):
         return 0
     reach = smaller_radius(s, t, shapes.material)
     touched = contacts.flags[p, TOUCHES] != 0

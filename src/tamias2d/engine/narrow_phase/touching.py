@@ -31,7 +31,7 @@ from tamias2d.engine.tables import (
     PRESSED_DEEP,
     PX,
     PY,
-    SENSOR,
+    SENSES,
     SHAPE_RADIUS,
     SLEEPING,
     SLOT_A,
@@ -109,16 +109,16 @@ def find_touching(
             contacts.manifolds[p, FORESEEN] = 0.0
         if count == 0:
             continue
-        if shapes.filters[s, SENSOR] == 0 and shapes.filters[t, SENSOR] == 0:
+        if contacts.flags[p, SENSES] == 0:
             meets = not touched and will_meet(p, i, j, count, smaller, control, bodies, contacts)
             beside = contacts.flags[p, FEATURE] == BESIDE
-            far = smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller
-            if not meets and (far or beside):
+            gap = smallest_gap(contacts.manifolds[p], count)
+            if not meets and (gap > (CLOSE + AHEAD) * smaller or beside):
                 contacts.flags[p, POINT_COUNT] = 0
                 continue
-            gap = smallest_gap(contacts.manifolds[p], count)
             deep = deep | (gap < -DEEP * smaller)
-            note_sinking(i, j, before, gap, control, bodies)
+            if (gap < before) & (before < 0.0) & (gap < -SUNK * THINNEST * smaller):
+                note_sinking(i, j, gap, control, bodies)
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
             touching.contact[total], touching.body_a[total], touching.body_b[total] = p, i, j
             total += 1
@@ -142,19 +142,16 @@ def known_gap(manifold: Array, flags: Integers) -> float:
     return smallest_gap(manifold, flags[POINT_COUNT]) if flags[POINT_COUNT] > 0 else 0.0
 
 
-@inlined
-def note_sinking(
-    i: int, j: int, before: float, gap: float, control: Control, bodies: Bodies
-) -> None:
-    """Note the first two bodies whose overlap grows though it is deep: nothing holds them apart.
+def note_sinking(i: int, j: int, gap: float, control: Control, bodies: Bodies) -> None:
+    """Note the first two bodies whose overlap is deep where it grows: nothing holds them apart.
 
     It is asked as a step begins: between its parts an impact may press bodies together for a while.
     Thin bodies know their side, however deep they are.
     """
     least = min(bodies.properties[i, MIN_EXTENT], bodies.properties[j, MIN_EXTENT])
     wide = min(bodies.properties[i, BOUNDING_RADIUS], bodies.properties[j, BOUNDING_RADIUS])
-    grows = (gap < before) & (before < 0.0) & (gap < -SUNK * least) & (least > THINNEST * wide)
-    if grows and control.counts[SUNK_A] + control.counts[TICK] == 0:
+    sunk = (gap < -SUNK * least) & (least > THINNEST * wide)
+    if sunk and control.counts[SUNK_A] + control.counts[TICK] == 0:
         control.counts[SUNK_A], control.counts[SUNK_B] = i + 1, j + 1
         control.counts[LIMITS] += 1
 
