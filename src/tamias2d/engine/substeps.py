@@ -29,10 +29,10 @@ from tamias2d.engine.tables import (
     BOUNCING,
     GRAVITY_X,
     GRAVITY_Y,
+    IMPACTS,
     IMPULSE_RATIO,
     LANES_FILLED,
     LIMITS,
-    MEETING,
     NETWORKS_TOUCHED,
     OUTWEIGHED,
     PART_SUBSTEPS,
@@ -74,8 +74,8 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
     sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
     if sprung:
         begin_springs(substep, world.bodies, world.springs)
-    meets = world.touching.counts[MEETING] > 0 and constraints.counts[BLOCKS] <= FEW_BLOCKS
-    constraints.counts[SWEEPS] = MORE_SWEEPS if meets else 1
+    more = world.touching.counts[IMPACTS] > 0 and constraints.counts[BLOCKS] <= FEW_BLOCKS
+    constraints.counts[SWEEPS] = MORE_SWEEPS if more else 1
     number, last = constraints.counts[SLABS], 2 * control.counts[PART_SUBSTEPS]
     for front in range(number + last):  # of two slabs the first is a stage ahead
         for stage in range(max(front - number + 1, 0), min(front, last) + 1):

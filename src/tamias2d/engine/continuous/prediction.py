@@ -25,6 +25,7 @@ from tamias2d.engine.tables import (
     FORESEEN,
     GOES_FAR,
     HOLDING,
+    IMPACTS,
     ISLANDS_KNOWN,
     LOCATED,
     LOCATED_PAIRS,
@@ -56,7 +57,7 @@ def foresee(world: World, contacts: Contacts) -> None:
     """Leave lone impacts to continuous collision, and give the solver the others to come."""
     control, bodies, shapes = world.control, world.bodies, world.shapes
     touching, events = world.touching, world.events
-    touching.counts[LOCATED_PAIRS] = 0
+    touching.counts[LOCATED_PAIRS] = touching.counts[IMPACTS] = 0
     clear_grounds(bodies, events)
     if touching.counts[NEW_STATIC] + control.counts[GOES_FAR] > 0 and leave_seams_out(
         bodies, shapes, contacts, touching, events
@@ -65,6 +66,7 @@ def foresee(world: World, contacts: Contacts) -> None:
     if touching.counts[MEETING] == 0:
         return
     changed = add_secondary_contacts(world, contacts)
+    touching.counts[IMPACTS] = 1 if changed else 0
     count_contacts(contacts, touching)
     stay = 0
     for k in range(touching.counts[TOUCHING]):
@@ -79,6 +81,8 @@ def foresee(world: World, contacts: Contacts) -> None:
         elif not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events):
             touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
             stay += 1
+            if contacts.manifolds[p, FORESEEN] > 0.0:
+                touching.counts[IMPACTS] = 1
             changed = changed or contacts.flags[p, POINT_COUNT] != points
         else:
             contacts.flags[p, POINT_COUNT] = 0
