@@ -835,6 +835,8 @@ G_NY = _grounds()
 G_HEIGHT = _grounds()  # m, of the side along its normal
 G_AHEAD = _grounds()  # m^2/s, how far ahead of the body's centre it holds, times its speed
 G_SHAPE = _grounds()  # one more than the shape; 0 for none
+G_LOW = _grounds()  # m, from where to where the ground is level, across the normal
+G_HIGH = _grounds()
 
 
 class Events(NamedTuple):

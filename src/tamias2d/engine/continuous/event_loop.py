@@ -36,7 +36,7 @@ from tamias2d.engine.continuous.events import (
 from tamias2d.engine.continuous.impact import contact_point, rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.narrow_phase.seams import goes_on, is_seam
+from tamias2d.engine.narrow_phase.seams import extend_ground, goes_on, is_seam
 from tamias2d.engine.tables import (
     BOUNDING_RADIUS,
     CONTACTS,
@@ -304,7 +304,10 @@ def meets_seam(s: int, t: int, now: float, bodies: Bodies, shapes: Shapes, event
     if bodies.kind[i] != STATIC:
         s, t, normal = t, s, (-normal[0], -normal[1])
     straight = goes_on(s, t, place, normal, bodies.motion[shapes.slot[t]], shapes, events.ground)
-    return straight or is_seam(s, t, place, normal, bodies, shapes, events.ground)
+    if not straight and is_seam(s, t, place, normal, bodies, shapes, events.ground):
+        extend_ground(s, t, bodies, shapes, events.ground)
+        return True
+    return straight
 
 
 def resolve_impact(

@@ -15,7 +15,11 @@ from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.narrow_phase.seams import clear_grounds, leave_seams_out
+from tamias2d.engine.narrow_phase.seams import (
+    clear_grounds,
+    joins_ground,
+    leave_seams_out,
+)
 from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
 from tamias2d.engine.tables import (
     ALL,
@@ -177,7 +181,8 @@ def foresee_contact(
         if first == BESIDE:
             return False
     manifold[FORESEEN] = at * time
-    return match_impulses(manifold, flags, first, second) > 0
+    found = match_impulses(manifold, flags, first, second) > 0
+    return found and not joins_ground(p, at * time, bodies, shapes, contacts, events.ground)
 
 
 def path_ahead(i: int, j: int, time: float, bodies: Bodies) -> RelativePath:

@@ -1,18 +1,21 @@
 """Seams between static shapes that adjoin: what slides over them does not meet them.
 
 A body that a static shape holds, its ground, meets no side of another one that stands no higher and
-begins where the ground ends. Cost: a pass over the touching contacts, if one of a body with a
-static shape is new.
+begins where the ground is, or ends; the ground goes on with that as far as it is level. Cost: some
+passes over the touching contacts, if one of a body with a static shape is new.
 """
 
 from tamias2d.engine.narrow_phase.chain import STRAIGHT
 from tamias2d.engine.narrow_phase.core import core_of
+from tamias2d.engine.narrow_phase.separation import INFINITE
 from tamias2d.engine.tables import (
     DX,
     DY,
     DYNAMIC,
     G_AHEAD,
     G_HEIGHT,
+    G_HIGH,
+    G_LOW,
     G_NX,
     G_NY,
     G_SHAPE,
@@ -59,11 +62,24 @@ def leave_seams_out(
         for k in range(touching.counts[TOUCHING]):
             if is_with_static(k, bodies, touching):
                 note_ground(touching.contact[k], loaded, bodies, shapes, contacts, events.ground)
+    for k in range(touching.counts[TOUCHING]):
+        if is_with_static(k, bodies, touching):
+            note_level_side(touching.contact[k], bodies, shapes, contacts, events.ground)
+    before = touching.counts[TOUCHING]
+    while take_seams_off(bodies, shapes, contacts, touching, events):
+        pass  # beyond the next shape may be another one
+    return touching.counts[TOUCHING] < before
+
+
+def take_seams_off(
+    bodies: Bodies, shapes: Shapes, contacts: Contacts, touching: Touching, events: Events
+) -> bool:
+    """Take seams with the grounds of bodies off the list; return whether there were some."""
     stay = 0
     for k in range(touching.counts[TOUCHING]):
         p = touching.contact[k]
         if is_with_static(k, bodies, touching) and joins_ground(
-            p, bodies, shapes, contacts, events.ground
+            p, 0.0, bodies, shapes, contacts, events.ground
         ):
             contacts.flags[p, POINT_COUNT] = 0
         else:
@@ -100,12 +116,13 @@ def note_ground(
         return
     normal, motion = (way * manifold[NX], way * manifold[NY]), bodies.motion[j]
     for n in range(contacts.flags[p, POINT_COUNT]):
-        x, y = contact_place(p, n, normal, bodies, shapes, contacts)
+        x, y = contact_place(p, n, 0.0, normal, bodies, shapes, contacts)
         ahead = motion[VX] * (x - bodies.pose[j, X]) + motion[VY] * (y - bodies.pose[j, Y])
         if ground[j, G_SHAPE] == 0.0 or ahead > ground[j, G_AHEAD]:
             ground[j, G_NX], ground[j, G_NY] = normal
             ground[j, G_HEIGHT] = normal[0] * x + normal[1] * y
             ground[j, G_AHEAD], ground[j, G_SHAPE] = ahead, s + 1.0
+            ground[j, G_LOW], ground[j, G_HIGH] = level_part(s, t, bodies, shapes, ground)
 
 
 def holds_body(s: int, loaded: bool, manifold: Array, count: int, shapes: Shapes) -> bool:
@@ -123,17 +140,43 @@ def holds_body(s: int, loaded: bool, manifold: Array, count: int, shapes: Shapes
 
 
 def contact_place(
-    p: int, n: int, normal: Vector, bodies: Bodies, shapes: Shapes, contacts: Contacts
+    p: int,
+    n: int,
+    later: float,
+    normal: Vector,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
 ) -> Vector:
     """Return where a point of a contact is on the static shape, m, with its normal."""
     i, manifold, at = shapes.slot[contacts.pairs[p, 0]], contacts.manifolds[p], POINT * n
     half = 0.5 * manifold[GAP + at]
-    x, y = bodies.pose[i, X] + manifold[PX + at], bodies.pose[i, Y] + manifold[PY + at]
+    x = bodies.pose[i, X] + later * bodies.motion[i, VX] + manifold[PX + at]
+    y = bodies.pose[i, Y] + later * bodies.motion[i, VY] + manifold[PY + at]
     return x - half * normal[0], y - half * normal[1]
 
 
-def joins_ground(p: int, bodies: Bodies, shapes: Shapes, contacts: Contacts, ground: Array) -> bool:
-    """Return whether a contact is with the side of a static shape that joins a body's ground."""
+def note_level_side(
+    p: int, bodies: Bodies, shapes: Shapes, contacts: Contacts, ground: Array
+) -> None:
+    """Let the ground of a body go on with another static side on which it is."""
+    s, t, way = contacts.pairs[p, 0], contacts.pairs[p, 1], 1.0
+    if bodies.kind[shapes.slot[t]] == STATIC:
+        s, t, way = t, s, -1.0
+    row, manifold = ground[shapes.slot[t]], contacts.manifolds[p]
+    along = row[G_NX] * way * manifold[NX] + row[G_NY] * way * manifold[NY]
+    if row[G_SHAPE] > 0.0 and along > SAME_WAY and contacts.flags[p, POINT_COUNT] > 0:
+        extend_ground(s, t, bodies, shapes, ground)
+
+
+def joins_ground(
+    p: int, later: float, bodies: Bodies, shapes: Shapes, contacts: Contacts, ground: Array
+) -> bool:
+    """Return whether a contact is with the side of a static shape that joins a body's ground.
+
+    If it is, the ground goes on with that. Its points are where they are `later`, s, at the
+    velocities that the bodies have.
+    """
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     way = 1.0
     if bodies.kind[shapes.slot[t]] == STATIC:
@@ -143,9 +186,10 @@ def joins_ground(p: int, bodies: Bodies, shapes: Shapes, contacts: Contacts, gro
         return False
     normal = (way * contacts.manifolds[p, NX], way * contacts.manifolds[p, NY])
     for n in range(contacts.flags[p, POINT_COUNT]):
-        place = contact_place(p, n, normal, bodies, shapes, contacts)
+        place = contact_place(p, n, later, normal, bodies, shapes, contacts)
         if not is_seam(s, t, place, normal, bodies, shapes, ground):
             return False
+    extend_ground(s, t, bodies, shapes, ground)
     return True
 
 
@@ -165,9 +209,36 @@ def is_seam(
         return False
     if shapes.kind[s] >= PIECE and shapes.kind[int(row[G_SHAPE]) - 1] >= PIECE:
         return False  # pieces of chains know each other
-    return stands_no_higher(s, slop, row, bodies, shapes) and has_corner(
-        int(row[G_SHAPE]) - 1, place, slop, bodies, shapes
-    )
+    height = row[G_NX] * place[0] + row[G_NY] * place[1] - row[G_HEIGHT]
+    along = row[G_NX] * place[1] - row[G_NY] * place[0]
+    reach = shapes.radius[s] + slop
+    beside = abs(height) <= reach and row[G_LOW] - reach <= along <= row[G_HIGH] + reach
+    return beside and stands_no_higher(s, slop, row, bodies, shapes)
+
+
+def extend_ground(s: int, t: int, bodies: Bodies, shapes: Shapes, ground: Array) -> None:
+    """Let the ground of a body, whose shape is t, go on with a static shape, where it is level."""
+    row = ground[shapes.slot[t]]
+    low, high = level_part(s, t, bodies, shapes, ground)
+    row[G_LOW], row[G_HIGH] = min(row[G_LOW], low), max(row[G_HIGH], high)
+
+
+def level_part(
+    s: int, t: int, bodies: Bodies, shapes: Shapes, ground: Array
+) -> tuple[float, float]:
+    """Return from where to where along its ground a static shape is level with it, m.
+
+    The first is larger than the second where it is nowhere.
+    """
+    row, slop = ground[shapes.slot[t]], LEVEL_WITHIN * shapes.material[t, SHAPE_RADIUS]
+    core, pose = core_of(s, shapes), bodies.pose[shapes.slot[s]]
+    low, high = INFINITE, -INFINITE
+    for k in range(core.first, core.first + core.vertex_count):
+        x, y = pose[X] + shapes.world_vertices[k, 0], pose[Y] + shapes.world_vertices[k, 1]
+        if abs(row[G_NX] * x + row[G_NY] * y + core.radius - row[G_HEIGHT]) <= slop:
+            along = row[G_NX] * y - row[G_NY] * x
+            low, high = min(low, along), max(high, along)
+    return low, high
 
 
 def goes_on(
@@ -203,14 +274,3 @@ def stands_no_higher(s: int, slop: float, row: Array, bodies: Bodies, shapes: Sh
         if row[G_NX] * x + row[G_NY] * y + core.radius > row[G_HEIGHT] + slop:
             return False
     return True
-
-
-def has_corner(s: int, place: Vector, slop: float, bodies: Bodies, shapes: Shapes) -> bool:
-    """Return whether a shape has a corner at a place."""
-    core, pose = core_of(s, shapes), bodies.pose[shapes.slot[s]]
-    for k in range(core.first, core.first + core.vertex_count):
-        x = pose[X] + shapes.world_vertices[k, 0] - place[0]
-        y = pose[Y] + shapes.world_vertices[k, 1] - place[1]
-        if x * x + y * y <= (core.radius + slop) * (core.radius + slop):
-            return True
-    return False
