@@ -9,7 +9,7 @@ from multiprocessing.connection import Connection
 import pytest
 
 from tools.fuzz import runner
-from tools.measurements import fuzz, throws
+from tools.measurements import drops, fuzz, throws
 
 SEEDS = {
     "scenes": 150,
@@ -69,3 +69,11 @@ def test_throws_run_small() -> None:
     heads, rows = throws.table(found)
     assert {len(row) for row in rows} == {len(heads)}
     assert len(throws.notes(found)) == 2
+
+
+def test_drops_run_small() -> None:
+    found = drops.measure(count=1)
+    assert json.loads(json.dumps(found)) == found
+    heads, rows = drops.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert len(drops.notes(found)) == 1

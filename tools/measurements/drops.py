@@ -1,0 +1,116 @@
+"""Ordinary drops beside Pymunk and Box2D v3 (pyb2d3): how deep do bodies get into each other?
+
+Two to twelve discs, boxes and pentagons of 0.2 to 0.5 m fall from 1 to 5 m on a floor, at random
+angles, with some friction and restitution, in steps of 1/60 s. The deepest overlap of a drop is the
+deepest one at the end of any step, as a share of the smaller body's size. The energy is that of the
+motion and of gravity.
+"""
+
+import math
+from argparse import ArgumentParser
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+from rich.progress import track
+
+from tamias2d.scene import Box, Disc, HalfPlane, Polygon, Scene
+from tamias2d.study.engines.box2d import Box2D
+from tamias2d.study.engines.chipmunk import Chipmunk
+from tamias2d.study.engines.engine import Maker
+from tamias2d.study.engines.overlap import worst
+from tamias2d.study.engines.own import Own
+from tools.measurements.arena.followed import Followed
+
+_ENGINES: tuple[Maker, ...] = (Own, Chipmunk, Box2D)
+_STEPS = 180
+_DEEP = 0.05  # of the smaller body
+
+
+def options(parser: ArgumentParser) -> None:
+    """Add what can be chosen."""
+    parser.add_argument("--count", type=int, default=1000, help="drops (1000)")
+    parser.add_argument("--first", type=int, default=0, help="seed of the first drop (0)")
+
+
+def drop(seed: int) -> Scene:
+    """Return a drop, as its seed has it."""
+    chance = np.random.default_rng(seed)
+    surface = {"friction": chance.uniform(0.0, 0.8), "restitution": chance.uniform(0.0, 1.0)}
+    scene = Scene(gravity=(0.0, -9.81), name=f"drop-{seed}")
+    scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
+    for k in range(chance.integers(2, 13)):
+        half = 0.5 * chance.uniform(0.2, 0.5)
+        corners = [(half * math.cos(0.4 * math.pi * n), half * math.sin(0.4 * math.pi * n))
+                   for n in range(5)]  # fmt: skip
+        shapes = (
+            Disc(radius=half),
+            Box(width=2 * half, height=2 * half),
+            Polygon(vertices=corners),
+        )
+        scene.add_body(
+            shapes[chance.integers(3)],
+            mass=chance.uniform(0.5, 5.0),
+            position=(
+                0.8 * (k % 4) + chance.uniform(-0.1, 0.1),
+                1.0 + 1.4 * (k // 4) + chance.uniform(0.0, 0.5),
+            ),
+            orientation=chance.uniform(0.0, 6.0),
+            **surface,
+        )
+    return scene
+
+
+def deepest(make: Maker, scene: Scene, steps: int = _STEPS) -> tuple[float, float]:
+    """Return the deepest overlap and the largest rise of the energy in a step, as shares."""
+    followed = Followed(make, scene)
+    deep = 0.0
+    for _ in range(steps):
+        followed.step()
+        deep = max(deep, 0.5 * worst(scene, followed.engine.state()).share)
+    return deep, followed.gain
+
+
+def measure(count: int = 1000, first: int = 0) -> dict[str, Any]:
+    """Return a row for each engine."""
+    seen: dict[str, list[tuple[float, float]]] = {}
+    told = Console(stderr=True)
+    for seed in track(range(first, first + count), "Drops", console=told, transient=True):
+        scene = drop(seed)
+        for make in _ENGINES:
+            seen.setdefault(make.name, []).append(deepest(make, scene))
+    rows = []
+    for name, found in seen.items():
+        overlaps, gains = np.array(found).T
+        rows.append(
+            {
+                "engine": name,
+                "deep": float((overlaps > _DEEP).mean()),
+                "median": float(np.median(overlaps)),
+                "worst": float(overlaps.max()),
+                "seed": first + int(overlaps.argmax()),
+                "gain": float(gains.max()),
+            }
+        )
+    return {"count": count, "first": first, "rows": rows}
+
+
+def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """Return heads and rows for people."""
+    heads = ("engine", f"deeper than {_DEEP:.0%}", "median", "worst", "its seed", "energy rises by")
+    return heads, [
+        (
+            row["engine"],
+            f"{row['deep']:.1%}",
+            f"{row['median']:.1%}",
+            f"{row['worst']:.1%}",
+            str(row["seed"]),
+            f"{row['gain']:.0e}",
+        )
+        for row in found["rows"]
+    ]
+
+
+def notes(found: dict[str, Any]) -> list[str]:
+    """Return what the table leaves out."""
+    return [f"{found['count']} drops of {_STEPS} steps, from seed {found['first']} on."]
