@@ -76,7 +76,7 @@ class Start:
         way, *_ = np.linalg.lstsq(slopes, rows, rcond=1e-12)
         left = np.abs(slopes @ way - rows).max()
         small = 1e-9 * (np.abs(rows).max() + np.abs(slopes).max() * size)
-        return float(np.linalg.norm(way)) if left <= small else math.inf
+        return math.hypot(*way) if left <= small else math.inf
 
     def worst(self, rows: NDArray[np.float64], per: str = "") -> str:
         """Return the largest of some rows with its unit."""

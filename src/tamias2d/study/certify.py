@@ -207,8 +207,8 @@ def _exact(run: Run, grown: Array | None) -> _Bound:
 def rounding(run: Run) -> float:
     """Return the rounding of the largest terms in any place of the run, m."""
     reach = radii(run.scene)
-    speed = np.linalg.norm(run.velocity, axis=-1) + np.abs(run.angular_velocity) * reach
-    far = np.linalg.norm(run.position, axis=-1) + np.abs(run.orientation) * reach
+    speed = np.hypot(*np.moveaxis(run.velocity, -1, 0)) + np.abs(run.angular_velocity) * reach
+    far = np.hypot(*np.moveaxis(run.position, -1, 0)) + np.abs(run.orientation) * reach
     worst = far.max(axis=0) + run.times[-1] * speed.max(axis=0)
     moving = np.array([body.dynamic for body in run.scene.bodies], dtype=bool)
     return _EPSILON * float(worst[moving].max(initial=0.0))
