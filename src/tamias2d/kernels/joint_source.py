@@ -69,7 +69,6 @@ def tables_of(demand: JointDemand) -> list[str]:
 
 _REACT = '''def react(time, position, velocity, rate, multipliers, {tables}):
     """Add what joints give to the accelerations; return whether their rows are independent."""
-    count = len(position) // 3
 {pushes}
     slopes(time, position, entries, still, {kinds})
     multiply(entries, {pattern}, inverse, order, pairs, diagonal, lower)
@@ -143,19 +142,19 @@ _INDEPENDENT = '''def independent(diagonal, lower, {factors}, own, shared):
     return inverse_size(diagonal, lower, {factors}, own, shared) < {doubtful!r}'''
 
 
-@cache
-def react(demand: JointDemand) -> tuple[str, str]:
-    """Return the source of the reactions: for the compiler, and plain."""
-    return _source(demand, "Reactions", _REACT)
+_ENTRY = '''def joints(fitting, time, position, velocity, rate, multipliers, {tables}):
+    """Move a state to where joints hold, or add what they give; return whether that was done."""
+    if fitting:
+        return fit(time, position, velocity, {tables})
+    return react(time, position, velocity, rate, multipliers, {tables})'''
 
 
 @cache
-def fit(demand: JointDemand) -> tuple[str, str]:
-    """Return the source of the return to the joints, likewise."""
-    return _source(demand, "The return to joints", _FIT)
+def joints(demand: JointDemand) -> tuple[str, str]:
+    """Return the source of reactions and of the return: for the compiler, and plain.
 
-
-def _source(demand: JointDemand, title: str, template: str) -> tuple[str, str]:
+    They are one source, because most of what they need is the same.
+    """
     names = {
         "tables": ", ".join(tables_of(demand)),
         "kinds": ", ".join(f"{kind}_given, {kind}_ends" for kind in demand.kinds),
@@ -166,17 +165,14 @@ def _source(demand: JointDemand, title: str, template: str) -> tuple[str, str]:
         "most": MOST,
         "doubtful": DOUBTFUL**2,
     }
-    entry = template.format(**names)
-    helpers = [
-        _loops(demand, "slopes"),
-        *(_loops(demand, name) for name in ("constraint", "rate", "convective")),
-        _INDEPENDENT.format(**names),
-    ]
-    copies = _copies("\n".join([*helpers, entry]))
+    loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
+    parts = [template.format(**names) for template in (_INDEPENDENT, _REACT, _FIT, _ENTRY)]
+    helpers = [*loops, *parts[:-1]]
+    copies = _copies("\n".join(helpers))
     used = "\n".join([*copies, *helpers])
-    imports = [name for name in _IN_MATH if re.search(rf"\b{name}\(", used)]
-    head = f'"""{title} of Tamias2D: {demand}.\n\nMade from the generated functions.\n"""\n'
-    return joined(head, imports, [*copies, *helpers], entry)
+    imports = [name for name in _IN_MATH if re.search(rf"\b{name}\b", used)]
+    head = f'"""Joints of Tamias2D: {demand}.\n\nMade from the generated functions.\n"""\n'
+    return joined(head, imports, [*copies, *helpers], parts[-1])
 
 
 def _copies(body: str) -> list[str]:
@@ -186,6 +182,7 @@ def _copies(body: str) -> list[str]:
         definitions.joint_spring_torque,
         *(elimination.factorised, elimination.inverse_size, elimination.solve),
         *(row_products.along, row_products.across, row_products.multiply, row_products.length_of),
+        *(row_products.place_of, row_products.rates_of, row_products.push_along),
         *(formula.function for each in CONSTRAINTS.values() for formula in _formulas(each)),
     ]
     return [copied(f, {}) for f in known if re.search(rf"(?<!def ){f.__name__}\(", body)]
@@ -206,7 +203,6 @@ def _loops(demand: JointDemand, name: str) -> str:
     tables = ", ".join(f"{kind}_given, {kind}_ends" for kind in demand.kinds)
     lines = [
         f"def {_CALLED[name]}(time, position, {moving}{target}, still, {tables}):",
-        "    count = len(position) // 3",
         "    first = 0",
     ]
     for kind in demand.kinds:
@@ -226,13 +222,12 @@ def _loop(kind: str, name: str, moving: bool) -> Iterator[str]:
         yield f"    {found}{',' * (rows == 1)} = {_call(formula)}"
     else:
         for end, formula in functions.slopes.items():
-            yield f"    at = {ENTRIES} * (first + k) + {3 * ENDS.index(end)}"
-            found = ", ".join(
-                f"entries[at + {ENTRIES * i} * joints + {axis}]"
-                for i in range(rows)
-                for axis in range(3)
-            )
-            yield f"    {found} = {_call(formula)}"
+            numbers = [f"slope_{i}_{axis}" for i in range(rows) for axis in ("x", "y", "turn")]
+            yield f"    {', '.join(numbers)} = {_call(formula)}"
+            for i in range(rows):
+                yield f"    at = {ENTRIES} * (first + k + {i} * joints) + {3 * ENDS.index(end)}"
+                entries = ", ".join(f"entries[at{f' + {a}' if a else ''}]" for a in range(3))
+                yield f"    {entries} = {', '.join(numbers[3 * i : 3 * i + 3])}"
     yield f"first = first + {rows} * joints"
 
 
@@ -251,20 +246,12 @@ def _state(kind: str, table: str, *, moving: bool) -> Iterator[str]:
         yield f"{name} = ({parts})" if size == 2 else f"{name} = {parts}"
         at += size
     for i, end in enumerate(functions.bodies):
-        yield f"body = {table}_ends[{len(functions.bodies)} * k + {i}]"
-        yield "if body < count:"
-        yield f"    position_{end} = (position[body], position[count + body])"
-        yield f"    orientation_{end} = position[2 * count + body]"
+        body = f"{table}_ends[{len(functions.bodies)} * k + {i}]"
+        yield f"x, y, orientation_{end} = place_of({body}, position, still)"
+        yield f"position_{end} = (x, y)"
         if moving:
-            yield f"    velocity_{end} = (velocity[body], velocity[count + body])"
-            yield f"    angular_velocity_{end} = velocity[2 * count + body]"
-        yield "else:"
-        yield "    at = 3 * (body - count)"
-        yield f"    position_{end} = (still[at], still[at + 1])"
-        yield f"    orientation_{end} = still[at + 2]"
-        if moving:
-            yield f"    velocity_{end} = (0.0, 0.0)"
-            yield f"    angular_velocity_{end} = 0.0"
+            yield f"x, y, angular_velocity_{end} = rates_of({body}, velocity)"
+            yield f"velocity_{end} = (x, y)"
 
 
 def shapes_of(functions: ConstraintFunctions) -> dict[str, int]:
@@ -290,9 +277,5 @@ def _pushes(demand: JointDemand) -> Iterator[str]:
         stretch = f"value - {numbers[1]}"
         yield f"    push = {law}({numbers[0]}, {stretch}, {numbers[2]}, speed) + {numbers[3]}"
         for i, end in enumerate(functions.bodies):
-            yield f"    body = {table}_ends[{len(functions.bodies)} * k + {i}]"
-            yield "    if body < count:"
-            yield f"        x, y, turn = {_call(functions.slopes[end])}"
-            for axis, slope in enumerate(("x", "y", "turn")):
-                at = f"{axis} * count + body" if axis else "body"
-                yield f"        rate[{at}] = rate[{at}] + inverse[{at}] * push * {slope}"
+            body = f"{table}_ends[{len(functions.bodies)} * k + {i}]"
+            yield f"    push_along({body}, push, {_call(functions.slopes[end])}, inverse, rate)"

@@ -58,40 +58,31 @@ class KernelJoints:
         self, time: float, position: Array, velocity: Array, free: Array
     ) -> tuple[Array, Array] | None:
         """Return the accelerations (n, 3) for those by the loads, and the multipliers (m,)."""
-        states = [_flat(position), _flat(velocity), _flat(free), np.zeros(len(self._numbers))]
-        texts = joint_source.react(self._demand)
-        if not self._run(texts, "react", time, states):
+        found = self._run(False, time, position, velocity, free)
+        if found is None:
             return None
         multipliers = np.empty(len(self._numbers))
-        multipliers[self._numbers] = states[3]
-        return _rows(states[2]), multipliers
+        multipliers[self._numbers] = found[3]
+        return _rows(found[2]), multipliers
 
     def fit(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array] | None:
         """Return places and velocities (n, 3), moved to where the joints hold (GD18)."""
-        states = [_flat(position), _flat(velocity)]
-        if not self._run(joint_source.fit(self._demand), "fit", time, states):
-            return None
-        return _rows(states[0]), _rows(states[1])
+        found = self._run(True, time, position, velocity, velocity)
+        return None if found is None else (_rows(found[0]), _rows(found[1]))
 
-    def _run(self, texts: tuple[str, str], name: str, time: float, states: list[Array]) -> bool:
-        """Run a kernel, which changes the states; return whether it could do it."""
-        code = kernel(*texts, name)
+    def _run(self, fitting: bool, time: float, *states: Array) -> list[Array] | None:
+        """Return states and multipliers after a kernel; None where it could not do it."""
+        code = kernel(*joint_source.joints(self._demand), "joints")
         compiled: Callable[..., bool] | None = code.compiled(_LIKELY)
+        rows = [state.T.flatten() for state in states] + [np.zeros(len(self._numbers))]
         if compiled is not None:
-            return compiled(time, *states, *self._tables)
-        lists = [state.tolist() for state in states]
+            return rows if compiled(fitting, time, *rows, *self._tables) else None
+        lists = [row.tolist() for row in rows]
         try:
-            good = bool(code.plain(time, *lists, *self._lists))
+            good = code.plain(fitting, time, *lists, *self._lists)
         except (ArithmeticError, ValueError):  # where compiled code goes on with what is not finite
-            return False
-        for state, values in zip(states, lists, strict=True):
-            state[:] = values
-        return good
-
-
-def _flat(rows: Array) -> Array:
-    """Return rows (n, 3) as kernels take them, anew."""
-    return rows.T.flatten()
+            return None
+        return [np.array(row) for row in lists] if good else None
 
 
 def _rows(flat: Array) -> Array:

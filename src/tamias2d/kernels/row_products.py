@@ -73,6 +73,37 @@ def multiply(
         lower[pairs[3 * q]] = lower[pairs[3 * q]] + product
 
 
+def place_of(body: int, position: Floats, still: Floats) -> tuple[float, float, float]:
+    """Return x, y and orientation of a body; those that stand still follow the others."""
+    count = len(position) // 3
+    if body < count:
+        return position[body], position[count + body], position[2 * count + body]
+    at = 3 * (body - count)
+    return still[at], still[at + 1], still[at + 2]
+
+
+def rates_of(body: int, velocity: Floats) -> tuple[float, float, float]:
+    """Return the rates of these."""
+    count = len(velocity) // 3
+    if body < count:
+        return velocity[body], velocity[count + body], velocity[2 * count + body]
+    return 0.0, 0.0, 0.0
+
+
+def push_along(
+    body: int, push: float, slopes: tuple[float, float, float], inverse: Floats, rate: Floats
+) -> None:
+    """Add what a push along the slopes of a row gives to the accelerations of a body."""
+    count = len(rate) // 3
+    if body < count:
+        x, y, turn = slopes
+        rate[body] = rate[body] + inverse[body] * push * x
+        j = count + body
+        rate[j] = rate[j] + inverse[j] * push * y
+        j = 2 * count + body
+        rate[j] = rate[j] + inverse[j] * push * turn
+
+
 def length_of(position: Floats, fixed: Floats, reach: float, rounding: float) -> float:
     """Return a length that is not small, m: of bodies and fixed places, or else where they are."""
     count, others = len(position) // 3, len(fixed) // 2
