@@ -15,7 +15,6 @@ from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.kernels import elimination, row_products
 from tamias2d.kernels.copied import copied
 from tamias2d.kernels.march_source import joined
-from tamias2d.motion.least import DOUBTFUL
 from tamias2d.motion.mechanism import MOST, ROUNDING
 from tamias2d.spec.constraint import ENDS
 from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula
@@ -72,7 +71,7 @@ _REACT = '''def react(time, position, velocity, rate, multipliers, {tables}):
 {pushes}
     slopes(time, position, entries, still, {kinds})
     multiply(entries, {pattern}, inverse, order, pairs, diagonal, lower)
-    if not independent(diagonal, lower, {factors}, own, shared):
+    if not independent(sizes[2], diagonal, lower, {factors}, own, shared):
         return False
     convective(time, position, velocity, wanted, still, {kinds})
     along(entries, {pattern}, rate, total)
@@ -103,7 +102,7 @@ _FIT = '''def fit(time, position, velocity, {tables}):
     for _ in range({most}):
         slopes(time, position, entries, still, {kinds})
         multiply(entries, {pattern}, inverse, order, pairs, diagonal, lower)
-        if not independent(diagonal, lower, {factors}, own, shared):
+        if not independent(sizes[2], diagonal, lower, {factors}, own, shared):
             return False
         values(time, position, total, still, {kinds})
         for i in range(len(total)):
@@ -133,13 +132,13 @@ _FIT = '''def fit(time, position, velocity, {tables}):
         check += velocity[j] * 0.0
     return check == 0.0'''
 
-_INDEPENDENT = '''def independent(diagonal, lower, {factors}, own, shared):
+_INDEPENDENT = '''def independent(doubtful, diagonal, lower, {factors}, own, shared):
     """Factorise; return whether no combination of rows is much shorter than they are."""
     for k in range(len(diagonal)):
         own[k] = diagonal[k]
     if not factorised(diagonal, lower, {factors}):
         return False
-    return inverse_size(diagonal, lower, {factors}, own, shared) < {doubtful!r}'''
+    return inverse_size(diagonal, lower, {factors}, own, shared) < doubtful'''
 
 
 _ENTRY = '''def joints(fitting, time, position, velocity, rate, multipliers, {tables}):
@@ -163,7 +162,6 @@ def joints(demand: JointDemand) -> tuple[str, str]:
         "pushes": "\n".join(f"    {line}" for line in _pushes(demand)),
         "rounding": ROUNDING,
         "most": MOST,
-        "doubtful": DOUBTFUL**2,
     }
     loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
     parts = [template.format(**names) for template in (_INDEPENDENT, _REACT, _FIT, _ENTRY)]

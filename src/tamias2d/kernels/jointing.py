@@ -5,6 +5,7 @@ and whether these are compiled. Compiled and plain code have the same bits, so t
 matter which of them ran.
 """
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import Any
@@ -18,6 +19,7 @@ from tamias2d.kernels.elimination import Elimination, elimination
 from tamias2d.kernels.joint_source import ENTRIES, JointDemand, kind_of, shapes_of, tables_of
 from tamias2d.motion.constraint_rows import Block, ConstraintRows
 from tamias2d.motion.joint_code import JointRows
+from tamias2d.motion.least import DEPENDENT, DOUBTFUL
 from tamias2d.motion.mechanism import NEAR
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array
@@ -115,7 +117,13 @@ def _tables(joints: JointRows, demand: JointDemand, numbers: NDArray[np.int64]) 
     tables: Tables = {
         "still": np.array(still).ravel(),
         "fixed": joints.fixed.ravel(),
-        "sizes": np.array([joints.reach, NEAR / joints.weights[:, :2].max(initial=0.0)]),
+        "sizes": np.array(
+            [
+                joints.length,
+                NEAR / joints.weights[:, :2].max(initial=0.0),
+                _doubtful(joints, columns),
+            ]
+        ),
         "weights": weights,
         "inverse": weights * weights,
         "speeds": joints.speeds[numbers],
@@ -137,6 +145,19 @@ def _tables(joints: JointRows, demand: JointDemand, numbers: NDArray[np.int64]) 
         laws = pushes.laws[list(blocks[kind].joints)] if pushes and kind in blocks else ()
         tables[f"{kind}_push_law"] = np.array(laws, dtype=np.float64).ravel()
     return tables
+
+
+def _doubtful(joints: JointRows, columns: Sequence[set[int]]) -> float:
+    """Return the trace of the inverse from which on some rows may depend on others (GD19).
+
+    What a combination of rows measures by mass and what it measures by the reach of joints are
+    apart by a factor at most, and no combination is longer than all rows that share a body.
+    """
+    ratio = (joints.weights / joints.reach)[joints.weights > 0]
+    spread = float(ratio.max(initial=1e-300) / ratio.min(initial=np.inf))
+    together = Counter(column for own in columns for column in own)
+    longest = max((sum(together[c] for c in own) for own in columns), default=1)
+    return max(DOUBTFUL**2, 1 / (DEPENDENT * spread) ** 2 / longest)
 
 
 def _held(rows: ConstraintRows, kinds: Iterable[str]) -> Iterator[list[tuple[int, int]]]:

@@ -30,8 +30,10 @@ class JointRows:
     """(m,), 1 for each row that keeps a place."""
     fixed: Array
     """(k, 2), where it holds what stands still, m."""
-    reach: float
-    """How far joints reach, m."""
+    length: float
+    """How far joints reach at most, m."""
+    reach: Array
+    """(n, 3), one over how far they reach on each body, 1/m, for its orientation; else 1."""
     pushes: Pushes | None = None
     kinds: frozenset[str] = frozenset()
     """Of rows that it may have at other times; those of pushes likewise."""
