@@ -1,7 +1,7 @@
 """Compiled code: for exactly what a scene and a method need, and libraries of it.
 
-Serves: smooth motion under all forces and joints, by all generated schemes, and the engine, at the speed of
-compiled code and with the bits of the plain one. Hides: how the source is made, cached and
+Serves: smooth motion under all forces and joints, by all generated schemes, and the engine, at the
+speed of compiled code and with the bits of the plain one. Hides: how the source is made, cached and
 compiled, and when that pays.
 """
 

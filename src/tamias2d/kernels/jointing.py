@@ -161,7 +161,7 @@ def _doubtful(joints: JointRows, columns: Sequence[set[int]]) -> float:
 
 
 def _held(rows: ConstraintRows, kinds: Iterable[str]) -> Iterator[list[tuple[int, int]]]:
-    """Yield for each row, in the order of a kernel's, the places of its slopes and their columns."""
+    """Yield the places of the slopes of each row and their columns, in the order of a kernel."""
     blocks = _kinds(rows)
     number = 0
     for kind in kinds:

@@ -36,6 +36,7 @@ class Block:
 
     @property
     def shape(self) -> tuple[int, int]:
+        """How many rows each joint has, and how many joints there are."""
         return len(self.functions.units), len(self.joints)
 
     def columns(self, rows: Array, end: str) -> tuple[Any, Any, Any]:
@@ -48,6 +49,7 @@ class Block:
 
     @property
     def rows(self) -> slice:
+        """Where its rows stand among those of the mechanism."""
         count, joints = self.shape
         return slice(self.first, self.first + count * joints)
 
