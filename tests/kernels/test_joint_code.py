@@ -9,6 +9,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.kernels import choice, joint_code
 from tamias2d.kernels.elimination import elimination, factorised, inverse_size, solve
+from tamias2d.motion.joint_events import Mode
 from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.motion.mechanism import Mechanism
@@ -39,10 +40,11 @@ def at_price(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[float], None
     choice.kernel.cache_clear()
 
 
-def pairs(scene: Scene) -> Iterator[tuple[Mechanism, Mechanism, Given]]:
+def pairs(scene: Scene, sense: int = 0) -> Iterator[tuple[Mechanism, Mechanism, Given]]:
     """Yield each mechanism of a scene: by kernels, generally, and with a state and loads.
 
-    The state is off its joints by so much as a step errs.
+    The state is off its joints by so much as a step errs. Motors push in a sense, or keep their
+    speed.
     """
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
     position, velocity = coordinates([start_states(scene)[k] for k in moving])
@@ -51,14 +53,19 @@ def pairs(scene: Scene) -> Iterator[tuple[Mechanism, Mechanism, Given]]:
     for (own, one), (_, other) in zip(*both, strict=True):
         shape = (len(own), 3)
         q = position[own] + 1e-7 * draw(size=shape)
-        rate = within(other).paced(0.0, q, velocity[own] + draw(size=shape))
+        rate = within(other, sense).paced(0.0, q, velocity[own] + draw(size=shape))
         rate += 1e-7 * draw(size=shape)
-        yield within(one), within(other), (0.0, q, rate, draw(size=shape) - (0.0, 9.81, 0.0))
+        yield (
+            within(one, sense),
+            within(other, sense),
+            (0.0, q, rate, draw(size=shape) - (0.0, 9.81, 0.0)),
+        )
 
 
-def within(mechanism: Mechanism | LimitedMechanism) -> Mechanism:
+def within(mechanism: Mechanism | LimitedMechanism, sense: int) -> Mechanism:
     if isinstance(mechanism, LimitedMechanism):
-        return mechanism.within(mechanism.mode(0.0))
+        motors = [of for of, each in mechanism.freedoms.items() if each.motor]
+        return mechanism.within(Mode(driven=tuple((of, sense) for of in motors)))
     return mechanism
 
 
@@ -80,7 +87,8 @@ def test_reactions_and_places_are_those_of_the_general_way(name: str) -> None:
         assert found[1] == pytest.approx(shares, rel=1e-8, abs=1e-8 * np.abs(shares).max(initial=0))
 
 
-def test_springs_and_motors_that_slip_push() -> None:
+@pytest.mark.parametrize("sense", [-1, 0, 1])
+def test_springs_and_motors_push_or_keep_their_speed(sense: int) -> None:
     turned = t2.Revolute(spring=t2.JointSpring(stiffness=40.0, damping=3.0, rest=0.5))
     slid = t2.Prismatic(
         axis=(1.0, -0.6),
@@ -91,9 +99,12 @@ def test_springs_and_motors_that_slip_push() -> None:
         hung(turned, box(0.5), anchor=(-0.5, 0.0)),
         hung(slid, {"shape": t2.Disc(radius=0.2), "position": (0.2, -0.12)}),
     ):
-        for one, other, (time, q, rate, free) in pairs(scene):
-            q, rate = other.fitted(time, q, rate)
+        for one, other, (time, q, rate, free) in pairs(scene, sense):
             assert one.code is not None
+            placed = one.code.fit(time, q, rate)
+            assert placed is not None
+            q, rate = other.fitted(time, q, rate)
+            assert placed[1] == pytest.approx(rate, rel=1e-10)
             found = one.code.react(time, q, rate, free)
             assert found is not None
             assert found[0] == pytest.approx(other.accelerations(time, q, rate, free), rel=1e-10)
