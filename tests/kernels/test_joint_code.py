@@ -104,6 +104,7 @@ def test_springs_and_motors_push_or_keep_their_speed(sense: int) -> None:
             placed = one.code.fit(time, q, rate)
             assert placed is not None
             q, rate = other.fitted(time, q, rate)
+            assert placed[0] == pytest.approx(q, abs=1e-12)
             assert placed[1] == pytest.approx(rate, rel=1e-10)
             found = one.code.react(time, q, rate, free)
             assert found is not None
@@ -147,16 +148,24 @@ def test_rows_that_depend_on_each_other_are_left_to_the_general_way() -> None:
         assert one.accelerations(time, q, rate, free).tobytes() == wanted.tobytes()
 
 
-def test_four_bars_that_lie_flat_are_left_to_the_general_way() -> None:
-    scene = four_bars(2)
-    for one, _, (time, q, rate, free) in pairs(scene):
-        assert one.code is not None
+@pytest.mark.parametrize(("above", "left"), [(0.0, True), (1e-6, True), (1e-3, False)])
+def test_four_bars_that_lie_as_good_as_flat_are_left_to_the_general_way(
+    above: float, left: bool
+) -> None:
+    """At 5e-6 of the largest the rule of GD19 takes combinations of rows for none."""
+    for one, other, (time, q, rate, free) in pairs(four_bars(2)):
         flat = q.copy()
+        tip = np.array((math.cos(above), math.sin(above)))
         for k in range(3):
-            flat[k] = k + 0.5, 0.0, -math.pi / 2
+            flat[k] = k + tip[0] / 2, tip[1] / 2, above - math.pi / 2
         for k in range(2):
-            flat[3 + k] = k + 1.5, 0.0, 0.0
-        assert one.code.react(time, flat, rate, free) is None
+            flat[3 + k] = k + 0.5 + tip[0], tip[1], 0.0
+        assert one.code is not None
+        found = one.code.react(time, flat, rate, free)
+        assert (found is None) == left
+        if found is not None:
+            wanted = other.accelerations(time, flat, rate, free)
+            assert found[0] == pytest.approx(wanted, rel=1e-8, abs=1e-8 * np.abs(wanted).max())
 
 
 @pytest.mark.parametrize("name", sorted(OWN))
