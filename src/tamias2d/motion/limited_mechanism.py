@@ -167,10 +167,14 @@ class LimitedMechanism:
             if np.isfinite(self.end(of, side, mode))
         ]
 
+    def length(self, position: Array) -> float:
+        """Return a length that is not small, m."""
+        return self._whole.length(position)
+
     def slight(self, of: Of, position: Array) -> float:
         """Return how near a limit counts as touched, rad or m."""
         angle = self.freedoms[of].measure == "angle"
-        return SLIGHT * (1.0 if angle else self._whole.length(position))
+        return SLIGHT * (1.0 if angle else self.length(position))
 
     def motor_speed(self, of: Of) -> float:
         """Return the speed of a motor, rad/s or m/s; 0 where there is none."""
