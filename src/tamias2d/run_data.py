@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tamias2d.certificate import Certificate
 from tamias2d.cost import Cost
+from tamias2d.kernels import joint_code
 from tamias2d.motion import JointEvents, Method, Reactions, joint_events, reactions_of
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History
@@ -83,7 +84,8 @@ class RunData:
     def reactions(self) -> Reactions:
         """What the joints exert at each sample, and how well they hold (TM7)."""
         states = (self.position, self.orientation, self.velocity, self.angular_velocity)
-        return reactions_of(self.scene, self.times, History(*states), self.joint_events)
+        history = History(*states)
+        return reactions_of(self.scene, self.times, history, self.joint_events, joint_code)
 
     def digest(self) -> str:
         """Return the SHA-256 of all numbers of the run: equal runs have equal digests."""

@@ -190,6 +190,29 @@ def test_a_brake_stops_a_wheel_and_holds_it() -> None:
     assert run.angular_velocity[-1, 0] == pytest.approx(0, abs=1e-14)
 
 
+def test_what_a_brake_holds_at_rest_stays_there_when_another_mechanism_slips() -> None:
+    """At the instant of the other's event their rates are rounding, and no slipping."""
+    scene = Scene(gravity=(0, -G))
+
+    def arm(name: str, of: str | None, turn: float, motor: t2.Motor | None) -> None:
+        x, y = scene.bodies[0].position if of else (0.0, 0.0)
+        start = (2 * x, 2 * y)
+        place = (start[0] + 0.4 * math.cos(turn), start[1] + 0.4 * math.sin(turn))
+        scene.add_body(None, mass=0.7, inertia=0.05, position=place, orientation=turn, name=name)
+        ends = {"anchor": (0.4, 0.0)} if of else {}
+        scene.add_joint(t2.Revolute(motor=motor), of or start, name, other_anchor=(-0.4, 0), **ends)
+
+    arm("upper", None, 0.3, None)
+    arm("lower", "upper", 0.3, t2.Motor(speed=0.0, maximum=0.3))
+    for k in range(8):
+        arm(f"still{k}", None, 0.7 * k + 0.31, t2.Motor(speed=0.0, maximum=50.0))
+    run = t2.simulate(scene, duration=1.0, times=np.linspace(0, 1, 11))
+    later = run.joint_events.time > 0
+    assert later.any()
+    assert (run.joint_events.joint[later] == 1).all()
+    assert np.ptp(run.orientation[:, 2:], axis=0) == pytest.approx(np.zeros(8), abs=1e-13)
+
+
 def test_a_motor_without_a_maximum_takes_the_power_that_it_needs() -> None:
     scene = Scene(gravity=(0, -G))
     scene.add_body(

@@ -7,6 +7,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.record import drawing, joint_drawing
+from tamias2d.scene import catalogue
 from tools.joint_pictures import kinds
 
 SCENES = kinds()
@@ -48,6 +49,20 @@ def test_a_slide_has_ticks_at_its_limits_and_a_hinge_spokes() -> None:
     spoke = next(line.points[0] for line in lines if line.kind == "limit")
     assert np.arctan2(*spoke[1][::-1]) == pytest.approx(-0.8)
     assert np.arctan2(*spoke[-2][::-1]) == pytest.approx(0.8)
+
+
+def test_arcs_of_limits_do_not_cover_a_heap_of_small_bodies() -> None:
+    scene = catalogue.load("ragdolls")
+    run = t2.simulate(scene, duration=0.02, times=[0.0, 0.02])
+    view = drawing.view_of(run)
+    joints = {joint.name: joint for joint in scene.joints}
+    arcs = [line for line in joint_drawing.lines(run, view) if line.kind == "limit"]
+    assert arcs
+    for arc in arcs:
+        shapes = [scene.bodies[k].shape for k in joints[arc.name].bodies]
+        smaller = min(shape.bounding_radius for shape in shapes if shape)
+        radius = np.hypot(*(arc.points[0, 1] - arc.points[0, 0]))
+        assert 0 < radius <= 0.5 * smaller + 1e-12
 
 
 def test_arrows_are_in_proportion_to_the_reactions() -> None:

@@ -269,7 +269,7 @@ def alone(demand: ForceDemand) -> tuple[str, str]:
     """Return the source of the accelerations of a demand: for the compiler, and plain."""
     helpers, imports = forces(demand)
     head = _HEAD.replace("Steps", "Accelerations").format(family="all forces", demand=demand)
-    return _joined(head, imports, helpers[:-1], helpers[-1])
+    return joined(head, imports, helpers[:-1], helpers[-1])
 
 
 def _flat(rows: Sequence[Weighted], moments: Sequence[tuple[float, float]]) -> tuple[Any, ...]:
@@ -300,13 +300,13 @@ def _texts(
     if template is _ADAPTIVE:
         helpers += _controls()
         imports = [*imports, "sqrt"]
-    return _joined(_HEAD.format(family=family, demand=demand), imports, helpers, text)
+    return joined(_HEAD.format(family=family, demand=demand), imports, helpers, text)
 
 
-def _joined(
+def joined(
     head: str, imports: Sequence[str], helpers: Sequence[str], entry: str
 ) -> tuple[str, str]:
-    """Return a source for the compiler, and without its marks."""
+    """Return a source of helpers and an entry for the compiler, and without its marks."""
     if imports:
         head += f"\nfrom math import {', '.join(sorted(set(imports)))}"
     marked = (f"{HELPER}\n{each}" for each in helpers)

@@ -15,6 +15,7 @@ from tamias2d.generated.schemes import FACTS
 from tamias2d.kernels.choice import Kernel, kernel
 from tamias2d.kernels.force_demand import ForceDemand, Tables, forces_on
 from tamias2d.kernels.force_source import arguments
+from tamias2d.kernels.jointing import joint_code
 from tamias2d.kernels.march_source import (
     DONE,
     ERROR,
@@ -44,9 +45,12 @@ _LIKELY = 1000  # accelerations are asked for by those who cannot say how often 
 
 
 def march_by_kernels(motion: Motion, scene: Scene) -> None:
-    """Let a motion by a generated scheme take its steps by kernels."""
-    jointed = bool(scene.joints)  # their reactions are not in kernels
-    if isinstance(motion, IntegratedMotion) and not jointed:
+    """Let a motion take its steps by kernels, or find the reactions of joints by them."""
+    if not isinstance(motion, IntegratedMotion):
+        return
+    if scene.joints:
+        motion.take_joint_codes(joint_code)
+    else:
         motion.marching = _makers(scene)
 
 

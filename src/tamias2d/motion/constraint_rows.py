@@ -22,7 +22,7 @@ _PLANE = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
-class _Block:
+class Block:
     """All joints of one kind: (r rows, k joints) of the whole, one row after the other."""
 
     functions: ConstraintFunctions
@@ -36,6 +36,7 @@ class _Block:
 
     @property
     def shape(self) -> tuple[int, int]:
+        """How many rows each joint has, and how many joints there are."""
         return len(self.functions.units), len(self.joints)
 
     def columns(self, rows: Array, end: str) -> tuple[Any, Any, Any]:
@@ -48,6 +49,7 @@ class _Block:
 
     @property
     def rows(self) -> slice:
+        """Where its rows stand among those of the mechanism."""
         count, joints = self.shape
         return slice(self.first, self.first + count * joints)
 
@@ -61,7 +63,7 @@ class ConstraintRows:
         groups: dict[object, list[int]] = {}
         for k, joint in enumerate(joints):
             groups.setdefault(joint.equations or joint.model, []).append(k)
-        self._blocks: list[_Block] = []
+        self.blocks: list[Block] = []
         self.count = 0
         for members in groups.values():
             chosen = [joints[k] for k in members]
@@ -70,11 +72,11 @@ class ConstraintRows:
                 for i, end in enumerate(ENDS)
             }
             given = _given(chosen)
-            block = _Block(chosen[0].functions, tuple(members), ends, given, self.count)
-            self._blocks.append(block)
+            block = Block(chosen[0].functions, tuple(members), ends, given, self.count)
+            self.blocks.append(block)
             self.count = block.rows.stop
-        self._fixed = np.array(fixed).reshape(-1, 3)
-        self._moving = len(row_of)
+        self.fixed = np.array(fixed).reshape(-1, 3)
+        self.moving = len(row_of)
 
     def values(self, time: float, position: Array) -> Array:
         """Return the rows (m,): zero where the joints hold."""
@@ -90,10 +92,10 @@ class ConstraintRows:
 
     def slopes(self, time: float, position: Array) -> Array:
         """Return the slopes (m, n, 3) of the rows by the coordinates of the bodies that move."""
-        found = np.zeros((self.count, self._moving + len(self._fixed), 3))
+        found = np.zeros((self.count, self.moving + len(self.fixed), 3))
         for _, rows, places, entries in self._slopes(time, position):
             found[rows, places] += entries
-        return found[:, : self._moving]
+        return found[:, : self.moving]
 
     def end_slopes(self, time: float, position: Array) -> dict[str, Array]:
         """Return the slopes (m, 3) of the rows by the coordinates of their bodies A, B and C."""
@@ -104,7 +106,7 @@ class ConstraintRows:
 
     def of_joints(self) -> Iterator[tuple[int, list[int], tuple[str, ...]]]:
         """Yield the place of each joint with the numbers and units of its rows."""
-        for block in self._blocks:
+        for block in self.blocks:
             count, joints = block.shape
             for k, joint in enumerate(block.joints):
                 rows = [block.first + i * joints + k for i in range(count)]
@@ -136,10 +138,10 @@ class ConstraintRows:
 
     def _known(
         self, time: float, position: Array, velocity: Array | None
-    ) -> Iterator[tuple[_Block, dict[str, Any]]]:
-        places = np.concatenate((position, self._fixed))
-        speeds = None if velocity is None else np.concatenate((velocity, 0 * self._fixed))
-        for block in self._blocks:
+    ) -> Iterator[tuple[Block, dict[str, Any]]]:
+        places = np.concatenate((position, self.fixed))
+        speeds = None if velocity is None else np.concatenate((velocity, 0 * self.fixed))
+        for block in self.blocks:
             values: dict[str, Any] = {"time": time, **block.given}
             for end in block.functions.bodies:
                 x, y, turn = block.columns(places, end)

@@ -9,6 +9,7 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
+from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.joint_instant import Now
@@ -70,6 +71,10 @@ class IntegratedMotion:
         """What takes many steps at once of bodies that act on no others, if anything does."""
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
         self.notes = notes + self._loads.joint_notes(self._moving)
+
+    def take_joint_codes(self, codes: JointCodes) -> None:
+        """Let code that is made for mechanisms find the reactions of their joints."""
+        self._loads.take_codes(codes)
 
     def segment(
         self, start: float, states: Sequence[State], constraints: Sequence[Constraint | None]

@@ -12,7 +12,7 @@ import numpy as np
 from tamias2d.generated import impact, rest
 from tamias2d.motion.bounded_least import bounded_shares, bounded_sum
 from tamias2d.motion.joint_events import STRIKES, JointEvent, Mode, Of
-from tamias2d.motion.joint_instant import SLIGHT, Cause, Now, Side
+from tamias2d.motion.joint_instant import Cause, Now, Side
 from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.mechanism import JointError
 from tamias2d.state import Array
@@ -124,14 +124,19 @@ class Decision:
         """Return how large a rate of each freedom counts as none.
 
         It is a share of the speeds that make it up, and of those that there have been, or that the
-        loads give over its length.
+        loads give over its length, be it by way of other bodies: what is held at rest has no speed
+        but by rounding.
         """
         mechanism, slopes = self._mechanism, np.abs(self._slopes)
+        length, free = mechanism.length(self._now.position), np.abs(self._now.free)
+        strength = free[:, :2].max(initial=0.0) + length * free[:, 2].max(initial=0.0)
         size = np.einsum("ijk,jk->i", slopes, np.abs(self._now.velocity))
-        pull = np.einsum("ijk,jk->i", slopes, np.abs(self._now.free))
+        pull = np.einsum("ijk,jk->i", slopes, free)
         for of, row in mechanism.row.items():
             size[row] += abs(mechanism.motor_speed(of))
-            pull[row] *= mechanism.slight(of, self._now.position) / SLIGHT
+            angle = mechanism.freedoms[of].measure == "angle"
+            pull[row] *= 1.0 if angle else length
+            pull[row] = max(pull[row], strength / length if angle else strength * length)
         mechanism.fastest = np.maximum(mechanism.fastest, size)
         noise: Array = _NOISE * size + _ROUNDING * (mechanism.fastest + np.sqrt(pull)) + 1e-300
         mechanism.noise = noise

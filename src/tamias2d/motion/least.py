@@ -10,7 +10,7 @@ from tamias2d.state import Array
 
 DEPENDENT = 5e-6
 """Of the largest; shorter combinations of rows, each of length one, count as none (GD19)."""
-_DOUBTFUL = 1e3
+DOUBTFUL = 1e3
 """Rows that can be this much longer than a combination of them ask for a decision on the rank."""
 
 
@@ -44,7 +44,7 @@ class LeastSolution:
         if not np.diagonal(triangle).all():
             return False
         self._inverse = np.linalg.inv(triangle)
-        return bool(np.einsum("ij,ij->", self._inverse, self._inverse) < _DOUBTFUL**2)
+        return bool(np.einsum("ij,ij->", self._inverse, self._inverse) < DOUBTFUL**2)
 
     def _decide(self, rows: Array) -> None:
         """Factorise those combinations of rows that do not count as none."""

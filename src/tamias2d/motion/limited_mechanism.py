@@ -13,6 +13,7 @@ import numpy as np
 from tamias2d.generated import definitions
 from tamias2d.motion.bounded_least import bounded_sum
 from tamias2d.motion.constraint_rows import ConstraintRows
+from tamias2d.motion.joint_code import JointCodes, Pushes
 from tamias2d.motion.joint_events import (
     STRIKES,
     JointEvent,
@@ -76,6 +77,7 @@ class LimitedMechanism:
         """Inverse masses and inertias (n, 3) of the bodies."""
         self._whole = Mechanism(scene, joints, bodies)
         self._known: dict[Mode, Mechanism] = {}
+        self._codes: JointCodes | None = None
 
     def mode(self, time: float) -> Mode:
         """Return what its joints do at a time in s."""
@@ -93,9 +95,46 @@ class LimitedMechanism:
                 speeds[len(joints)] = self.motor_speed(of)
                 joints.append(self._joint[of[0]].measured(self.freedoms[of], 0.0))
             self._known[mode] = Mechanism(
-                self._scene, joints, self.bodies, speeds=speeds, like=self.joints
-            )
+                self._scene, joints, self.bodies, speeds=speeds, like=self.joints,
+                pulled=lambda *now: self.pulled(Now(*now), mode),
+            )  # fmt: skip
+            if self._codes:
+                kinds = {joint.model for joint in self.joints if joint.rigid}
+                self._known[mode].take_code(
+                    self._codes, self._pushing(mode),
+                    kinds=frozenset(kinds | {each.measure for each in self.freedoms.values()}),
+                    pushed=frozenset(self.freedoms[of].measure for of in self._may_push()),
+                )  # fmt: skip
         return self._known[mode]
+
+    def take_code(self, codes: JointCodes) -> None:
+        """Let code find reactions and places, in each mode."""
+        self._codes = codes
+        self._known.clear()
+
+    def _may_push(self) -> list[Of]:
+        """Return the freedoms with a spring, or with a motor that may slip."""
+        return [
+            of for of, each in self.freedoms.items() if each.spring or np.isfinite(self.most(of))
+        ]
+
+    def _pushing(self, mode: Mode) -> Pushes | None:
+        """Return what springs and slipping motors exert in a mode."""
+        driven = dict(mode.driven)
+        laws: list[tuple[float, ...]] = []
+        measures: list[Joint] = []
+        for of in self._may_push():
+            each, sense = self.freedoms[of], driven.get(of, 0)
+            spring = each.spring
+            if of[0] in mode.broken or not (spring or sense):
+                continue
+            law = (spring.stiffness, spring.rest or 0.0, spring.damping) if spring else (0.0,) * 3
+            laws.append((*law, sense * self.most(of) if sense else 0.0))
+            measures.append(self._joint[of[0]].measured(each, 0.0))
+        if not measures:
+            return None
+        row_of = {body: k for k, body in enumerate(self.bodies)}
+        return Pushes(rows=ConstraintRows(self._scene, measures, row_of), laws=np.array(laws))
 
     def parts(self, mode: Mode) -> tuple[Mechanism, list[int]]:
         """Return the mechanism of a mode, and for each of its joints the index in the scene."""
@@ -128,10 +167,14 @@ class LimitedMechanism:
             if np.isfinite(self.end(of, side, mode))
         ]
 
+    def length(self, position: Array) -> float:
+        """Return a length that is not small, m."""
+        return self._whole.length(position)
+
     def slight(self, of: Of, position: Array) -> float:
         """Return how near a limit counts as touched, rad or m."""
         angle = self.freedoms[of].measure == "angle"
-        return SLIGHT * (1.0 if angle else self._whole.length(position))
+        return SLIGHT * (1.0 if angle else self.length(position))
 
     def motor_speed(self, of: Of) -> float:
         """Return the speed of a motor, rad/s or m/s; 0 where there is none."""
@@ -159,7 +202,7 @@ class LimitedMechanism:
 
     def accelerated(self, now: Now, mode: Mode) -> Array:
         """Return the accelerations (n, 3) in a mode."""
-        return self.within(mode).accelerations(*now[:3], self.pulled(now, mode))
+        return self.within(mode).accelerations(*now)
 
     def fitted(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array]:
         """Return places and velocities (n, 3), moved to where the joints hold (GD18)."""
@@ -260,7 +303,7 @@ class LimitedMechanism:
 
     def multipliers(self, now: Now, mode: Mode) -> Array:
         """Return the multipliers (m,) of the mechanism in a mode."""
-        return self.within(mode).multipliers(*now[:3], self.pulled(now, mode))
+        return self.within(mode).multipliers(*now)
 
     def shares(self, now: Now, mode: Mode) -> dict[Pusher, float]:
         """Return what limits and motors exert, N m or N; that of limits counts away from them."""

@@ -7,6 +7,7 @@ import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated import rotation, translation
+from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import Timeline
 from tamias2d.motion.mechanisms import Placed, mechanisms
 from tamias2d.motion.terms import Term, terms
@@ -25,8 +26,9 @@ _STILL: Acceleration = (0.0, 0.0, 0.0)
 class Loads:
     """The accelerations of a scene's bodies, free or held by lasting contacts."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, codes: JointCodes | None = None) -> None:
         self._scene = scene
+        self._codes = codes
         self.varying = varying_loads(scene)
         """Why the loads of a body vary, for each body whose loads do."""
         self.group_of = {body: group for group in groups(scene) for body in group}
@@ -76,8 +78,14 @@ class Loads:
         if not self._scene.joints:
             return []
         if (key := tuple(bodies)) not in self._mechanisms:
-            self._mechanisms[key] = mechanisms(self._scene, bodies, self.timeline)
+            self._mechanisms[key] = mechanisms(self._scene, bodies, self.timeline, self._codes)
         return self._mechanisms[key]
+
+    def take_codes(self, codes: JointCodes) -> None:
+        """Let code that is made for mechanisms find their reactions from now on."""
+        self._codes = codes
+        self._mechanisms.clear()
+        self._fields.clear()
 
     def struck(
         self, time: float, impulses: Mapping[int, Acceleration], state: StateOf

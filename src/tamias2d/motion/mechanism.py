@@ -5,22 +5,26 @@ and the rule for constraints that depend on each other (GD19).
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
 
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion.constraint_rows import ConstraintRows
+from tamias2d.motion.joint_code import JointCode, JointCodes, JointRows, Pushes
 from tamias2d.motion.least import LeastSolution
 from tamias2d.scene import Scene
 from tamias2d.scene.joints import Joint
 from tamias2d.state import Array, Vector
 
+Field = Callable[[float, Array, Array, Array], Array]
+"""Accelerations (n, 3) from a time, coordinates, rates and the accelerations by the loads."""
+
 _LARGEST = 2**22  # numbers in all rows: one solution of so many takes seconds
-_MOST = 20  # returns; each squares what is left, so that more than a few do not get there
-_NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding
-_ROUNDING = 1e-8  # of how far off the origin: a smaller mechanism is as good as a point there
+MOST = 20  # returns; each squares what is left, so that more than a few do not get there
+NEAR = 1e-7  # of the mechanism's size: after a shorter way back what is left is rounding
+ROUNDING = 1e-8  # of how far off the origin: a smaller mechanism is as good as a point there
 _APART = 1e-6  # of the mechanism's size: joints that depend on others may not be further apart
 _CONTRADICTION = 0.01  # of the accelerations: so much is no remnant of a joint near its instant
 
@@ -42,14 +46,19 @@ class Mechanism:
         *,
         speeds: Mapping[int, float] = MappingProxyType({}),
         like: Sequence[Joint] | None = None,
+        pulled: Field | None = None,
     ) -> None:
         """Take the joints, and the moving bodies in the order of their coordinates.
 
         Those whose numbers are in `speeds` keep no place but their rate, in rad/s or m/s. How far
-        the mechanism reaches follows from joints that it is `like`, or from its own.
+        the mechanism reaches follows from joints that it is `like`, or from its own. What springs
+        and motors give its bodies is added to the loads by `pulled`.
         """
         self.joints = tuple(joints)
         self.bodies = tuple(bodies)
+        self.code: JointCode | None = None
+        """What finds reactions and places faster, where it can."""
+        self._pulled = pulled
         self.rows = ConstraintRows(scene, joints, {body: k for k, body in enumerate(bodies)})
         if self.rows.count * 3 * len(bodies) > _LARGEST:
             raise SceneError(
@@ -78,20 +87,52 @@ class Mechanism:
         )
         self._reach = np.array([(1.0, 1.0, _lever(joints, k)) for k in bodies]).ravel()
 
+    def take_code(
+        self,
+        codes: JointCodes,
+        pushes: Pushes | None = None,
+        kinds: frozenset[str] = frozenset(),
+        pushed: frozenset[str] = frozenset(),
+    ) -> None:
+        """Let code find reactions and places; it also serves for mechanisms of other kinds."""
+        self.code = codes(
+            JointRows(
+                rows=self.rows,
+                weights=self._weights,
+                speeds=self.speeds,
+                placed=self.placed,
+                fixed=self._fixed,
+                length=self._reach_length,
+                reach=self._reach.reshape(-1, 3),
+                pushes=pushes,
+                kinds=kinds,
+                pushed=pushed,
+            )
+        )
+
     def accelerations(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
         """Return the accelerations (n, 3) for those by the loads alone.
 
         Raises:
             JointError: no reactions keep the joints.
         """
-        x, _ = self._reactions(time, position, velocity, free)
-        accelerations: Array = free + self._weights * x.reshape(free.shape)
+        if self.code and (found := self.code.react(time, position, velocity, free)):
+            return found[0]
+        pulled = self._pull(time, position, velocity, free)
+        x, _ = self._reactions(time, position, velocity, pulled)
+        accelerations: Array = pulled + self._weights * x.reshape(free.shape)
         return accelerations
 
     def multipliers(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
         """Return the multipliers (m,), likewise."""
-        x, least = self._reactions(time, position, velocity, free)
+        if self.code and (found := self.code.react(time, position, velocity, free)):
+            return found[1]
+        pulled = self._pull(time, position, velocity, free)
+        x, least = self._reactions(time, position, velocity, pulled)
         return least.shares(x)
+
+    def _pull(self, time: float, position: Array, velocity: Array, free: Array) -> Array:
+        return free if self._pulled is None else self._pulled(time, position, velocity, free)
 
     def _reactions(
         self, time: float, position: Array, velocity: Array, free: Array
@@ -128,6 +169,8 @@ class Mechanism:
         Raises:
             JointError: no place near by fits.
         """
+        if self.code and (found := self.code.fit(time, position, velocity)):
+            return found
         position, least = self._placed(time, position)
         return position, self._paced(time, position, velocity, least)
 
@@ -143,7 +186,7 @@ class Mechanism:
     def _placed(self, time: float, position: Array) -> tuple[Array, LeastSolution]:
         size = self._size(position)
         before = np.inf
-        for _ in range(_MOST):
+        for _ in range(MOST):
             with np.errstate(all="ignore"):
                 _, least = self._factors(time, position)
                 values = self.rows.values(time, position) * self.placed
@@ -152,7 +195,7 @@ class Mechanism:
             x = least(values)
             position = position - self._weights * x.reshape(position.shape)
             way = float(np.abs(x).max(initial=0.0))
-            if way <= _NEAR * size:
+            if way <= NEAR * size:
                 if least.missed(values) > _APART * self.length(position):
                     raise self._contradiction(time, least)
                 return position, least
@@ -173,7 +216,7 @@ class Mechanism:
         places = np.vstack((position[:, :2], self._fixed))
         spread = float(np.ptp(places, axis=0).max())
         far = float(np.abs(places).max())
-        return max(spread, self._reach_length, _ROUNDING * far) or far or 1.0
+        return max(spread, self._reach_length, ROUNDING * far) or far or 1.0
 
     def _size(self, position: Array) -> float:
         """Return a length that is not small, weighed as the coordinates are."""

@@ -5,6 +5,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents, Timeline
 from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.mechanism import Mechanism
@@ -16,8 +17,13 @@ Placed: TypeAlias = tuple[list[int], Mechanism | LimitedMechanism]
 """A mechanism, and the places of its bodies among others."""
 
 
-def mechanisms(scene: Scene, bodies: Sequence[int], timeline: Timeline) -> list[Placed]:
-    """Return the mechanisms among some bodies, each with the places of its own in `bodies`."""
+def mechanisms(
+    scene: Scene, bodies: Sequence[int], timeline: Timeline, codes: JointCodes | None = None
+) -> list[Placed]:
+    """Return the mechanisms among some bodies, each with the places of its own in `bodies`.
+
+    Their reactions are found by code that is made for them, if anything makes it.
+    """
     place = {body: k for k, body in enumerate(bodies)}
     chain = {body: {body} for body in bodies}
     for joint in scene.joints:
@@ -29,7 +35,10 @@ def mechanisms(scene: Scene, bodies: Sequence[int], timeline: Timeline) -> list[
         joints = [joint for joint in scene.joints if members & set(joint.bodies)]
         if joints:
             own = sorted(members, key=place.__getitem__)
-            found.append(([place[body] for body in own], _mechanism(scene, joints, own, timeline)))
+            one = _mechanism(scene, joints, own, timeline)
+            if codes is not None:
+                one.take_code(codes)
+            found.append(([place[body] for body in own], one))
     return found
 
 
@@ -56,13 +65,17 @@ def fitted(
 
 
 def fitted_history(
-    scene: Scene, times: Array, history: History, events: JointEvents | None = None
+    scene: Scene,
+    times: Array,
+    history: History,
+    events: JointEvents | None = None,
+    codes: JointCodes | None = None,
 ) -> History:
     """Return the states at times (k,), s, likewise; those of a scene without joints as they are."""
     if not scene.joints:
         return history
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
-    found = mechanisms(scene, moving, Timeline(list(events or ())))
+    found = mechanisms(scene, moving, Timeline(list(events or ())), codes)
     rows = [part.copy() for part in history]
     for k, time in enumerate(times.tolist()):
         q = np.column_stack((rows[0][k, moving], rows[1][k, moving]))

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_events import JointEvents
 from tamias2d.motion.joint_instant import Now
 from tamias2d.motion.joint_loads import Exerted, add_exerted
@@ -44,11 +45,15 @@ class Reactions:
 
 
 def reactions_of(
-    scene: Scene, times: Array, history: History, events: JointEvents | None = None
+    scene: Scene,
+    times: Array,
+    history: History,
+    events: JointEvents | None = None,
+    codes: JointCodes | None = None,
 ) -> Reactions:
     """Return the reactions at states that fit the joints, at times (k,), s, between events."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
-    loads = Loads(scene)
+    loads = Loads(scene, codes)
     loads.timeline.events += events or ()
     free = loads.free_field(moving)
     shape = (len(times), len(scene.joints))

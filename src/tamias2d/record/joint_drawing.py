@@ -31,6 +31,7 @@ COLOURS: dict[str, Colour] = {
 REACTION: Colour = (235, 120, 190)
 _TURNS, _ZIGZAG = 8, 0.025  # of a spring; its half-width, of the view's reach
 _PIN, _TICK, _ARC = 0.012, 0.03, 0.1  # of the view's reach
+_LIMB = 0.5  # of the smaller body: an arc of limits is no larger, so that heaps stay visible
 _SIDES = 12
 
 
@@ -91,6 +92,10 @@ class _Drawn:
         still = np.zeros(len(run.times))
         self.turn = still if body is None else run.orientation[:, body]
         """Of body A, rad."""
+        held = [run.scene.bodies[k] for k in joint.bodies]
+        shapes = [each.shape for each in held if each.dynamic and each.shape is not None]
+        self.size = min((shape.bounding_radius for shape in shapes), default=np.inf)
+        """How far the smaller of its bodies reaches, m; endless without shapes."""
 
 
 def _joint(drawn: _Drawn) -> Iterator[tuple[str, Points]]:
@@ -132,7 +137,7 @@ def _freedom(drawn: _Drawn, freedom: Freedom) -> Iterator[tuple[str, Points]]:
     upper = limits.upper if limits.upper is not None else lower + 0.5
     turns = drawn.turn[:, None] + np.linspace(lower, upper, _SIDES)
     around = np.stack([np.cos(turns), np.sin(turns)], axis=-1)
-    radius = _ARC * drawn.view.reach
+    radius = min(_ARC * drawn.view.reach, _LIMB * drawn.size)
     arc = drawn.b[:, None] + radius * around
     yield "limit", np.concatenate([drawn.b[:, None], arc, drawn.b[:, None]], axis=1)
 

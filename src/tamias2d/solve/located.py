@@ -5,7 +5,7 @@ import numpy as np
 from tamias2d.contact import MANY, Located, RangeError, is_event_driven
 from tamias2d.errors import SimulationError
 from tamias2d.event_driven import Discs
-from tamias2d.kernels import flight, march_by_kernels
+from tamias2d.kernels import flight, joint_code, march_by_kernels
 from tamias2d.motion import ClosedForm, Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
 from tamias2d.motion.mechanisms import fitted_history
@@ -35,7 +35,7 @@ def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool, asked: bool)
         if not located.can_meet:
             found = _without_contact(plan, method, motion)
             events = motion.joint_events()
-            history = fitted_history(plan.scene, plan.times, found, events)
+            history = fitted_history(plan.scene, plan.times, found, events, joint_code)
             return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
         follow(located, plan.duration, progress=progress)
     except SimulationError as refusal:
@@ -94,7 +94,7 @@ def _reached(plan: Plan, motion: Motion, located: Located, discs: Discs | None) 
     events = motion.joint_events()
     states = sample if discs is None else discs.history
     found = states(located.tracks[: len(plan.scene)], plan.times)
-    history = fitted_history(plan.scene, plan.times, found, events)
+    history = fitted_history(plan.scene, plan.times, found, events, joint_code)
     impacts = _impacts(located.impacts, owners(in_pieces(plan.scene)))
     return run_of(plan, history, impacts, motion.notes + located.notes, motion.tally, events)
 

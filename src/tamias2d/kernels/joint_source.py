@@ -1,0 +1,279 @@
+"""The source of the reactions of joints, and of the return to them: generated functions in loops.
+
+Serves: the makers of kernels. Hides: how joints of some kinds become loops. No equation is written
+here. The state of n bodies is one row of numbers: all x, then all y, then all orientations.
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from tamias2d.generated import definitions
+from tamias2d.generated.constraints import CONSTRAINTS
+from tamias2d.kernels import elimination, row_products
+from tamias2d.kernels.copied import copied
+from tamias2d.kernels.march_source import joined
+from tamias2d.motion.mechanism import MOST, ROUNDING
+from tamias2d.spec.constraint import ENDS
+from tamias2d.spec.constraint_functions import ConstraintFunctions, Formula
+
+ENTRIES = 9  # of a row: slopes by x, y and orientation of A, B and C
+LAW = 4  # numbers of a push: stiffness, rest, damping, constant
+_IN_MATH = ("atan2", "cos", "exp", "log", "sin", "sqrt", "tan", "pi")
+_PLACE = ("position", "orientation")
+_SPEED = ("velocity", "angular_velocity")
+_PATTERN = ("row_starts", "row_entries", "row_columns")
+_FACTORS = ("below", "below_rows", "targets")
+TABLES = (
+    *("still", "fixed", "sizes", "inverse", "weights", "speeds", "placed"),
+    *(*_PATTERN, "pairs", "order", *_FACTORS),
+    *("entries", "wanted", "total", "change", "diagonal", "lower", "own", "shared"),
+)
+"""What every kernel takes after its state, before the tables of its kinds."""
+
+
+@dataclass(frozen=True)
+class JointDemand:
+    """The kinds of rows that a mechanism has; those with equal demands share compiled code."""
+
+    kinds: tuple[str, ...]
+    pushed: tuple[str, ...] = ()
+    """Of what springs and motors push along."""
+
+    def __str__(self) -> str:
+        """What acts, in words."""
+        pushes = f"; springs and motors on {', '.join(self.pushed)}" if self.pushed else ""
+        return f"{', '.join(self.kinds)}{pushes}"
+
+
+def kind_of(functions: ConstraintFunctions) -> str | None:
+    """Return the name of a generated constraint; None for one of a scene's own."""
+    for name, known in CONSTRAINTS.items():
+        if known is functions:
+            return name
+    return None
+
+
+def tables_of(demand: JointDemand) -> list[str]:
+    """Return the names of all tables, in order."""
+    found = [*TABLES]
+    for kind in demand.kinds:
+        found += [f"{kind}_given", f"{kind}_ends"]
+    for kind in demand.pushed:
+        found += [f"{kind}_push_given", f"{kind}_push_ends", f"{kind}_push_law"]
+    return found
+
+
+_REACT = '''def react(time, position, velocity, rate, multipliers, {tables}):
+    """Add what joints give to the accelerations; return whether their rows are independent."""
+{pushes}
+    slopes(time, position, entries, still, {kinds})
+    multiply(entries, {pattern}, inverse, order, pairs, diagonal, lower)
+    if not independent(sizes[2], diagonal, lower, {factors}, own, shared):
+        return False
+    convective(time, position, velocity, wanted, still, {kinds})
+    along(entries, {pattern}, rate, total)
+    for i in range(len(wanted)):
+        wanted[i] = -(total[i] + wanted[i])
+        multipliers[i] = wanted[i]
+    solve(diagonal, lower, below, below_rows, order, multipliers)
+    across(entries, {pattern}, multipliers, change)
+    for j in range(len(change)):
+        change[j] = inverse[j] * change[j]
+    along(entries, {pattern}, change, total)
+    for i in range(len(wanted)):
+        total[i] = wanted[i] - total[i]
+    solve(diagonal, lower, below, below_rows, order, total)
+    for i in range(len(wanted)):
+        multipliers[i] = multipliers[i] + total[i]
+    across(entries, {pattern}, multipliers, change)
+    check = 0.0
+    for j in range(len(rate)):
+        rate[j] = rate[j] + inverse[j] * change[j]
+        check += rate[j] * 0.0
+    return check == 0.0'''
+
+_FIT = '''def fit(time, position, velocity, {tables}):
+    """Move places and velocities to where joints hold; return whether that could be done."""
+    before = 1e300
+    near = sizes[1] * length_of(position, fixed, sizes[0], {rounding})
+    for _ in range({most}):
+        slopes(time, position, entries, still, {kinds})
+        multiply(entries, {pattern}, inverse, order, pairs, diagonal, lower)
+        if not independent(sizes[2], diagonal, lower, {factors}, own, shared):
+            return False
+        values(time, position, total, still, {kinds})
+        for i in range(len(total)):
+            total[i] = placed[i] * total[i]
+        solve(diagonal, lower, below, below_rows, order, total)
+        across(entries, {pattern}, total, change)
+        way, check = 0.0, 0.0
+        for j in range(len(position)):
+            position[j] = position[j] - inverse[j] * change[j]
+            way = max(way, abs(weights[j] * change[j]))
+            check += position[j] * 0.0
+        if not check == 0.0 or way > 2 * before:
+            return False
+        before = way
+        if way <= near:
+            break
+    if not before <= near:
+        return False
+    rates(time, position, velocity, total, still, {kinds})
+    for i in range(len(total)):
+        total[i] = total[i] - speeds[i]
+    solve(diagonal, lower, below, below_rows, order, total)
+    across(entries, {pattern}, total, change)
+    check = 0.0
+    for j in range(len(velocity)):
+        velocity[j] = velocity[j] - inverse[j] * change[j]
+        check += velocity[j] * 0.0
+    return check == 0.0'''
+
+_INDEPENDENT = '''def independent(doubtful, diagonal, lower, {factors}, own, shared):
+    """Factorise; return whether no combination of rows is much shorter than they are."""
+    for k in range(len(diagonal)):
+        own[k] = diagonal[k]
+    if not factorised(diagonal, lower, {factors}):
+        return False
+    return inverse_size(diagonal, lower, {factors}, own, shared) < doubtful'''
+
+
+_ENTRY = '''def joints(fitting, time, position, velocity, rate, multipliers, {tables}):
+    """Move a state to where joints hold, or add what they give; return whether that was done."""
+    if fitting:
+        return fit(time, position, velocity, {tables})
+    return react(time, position, velocity, rate, multipliers, {tables})'''
+
+
+@cache
+def joints(demand: JointDemand) -> tuple[str, str]:
+    """Return the source of reactions and of the return: for the compiler, and plain.
+
+    They are one source, because most of what they need is the same.
+    """
+    names = {
+        "tables": ", ".join(tables_of(demand)),
+        "kinds": ", ".join(f"{kind}_given, {kind}_ends" for kind in demand.kinds),
+        "pattern": ", ".join(_PATTERN),
+        "factors": ", ".join(_FACTORS),
+        "pushes": "\n".join(f"    {line}" for line in _pushes(demand)),
+        "rounding": ROUNDING,
+        "most": MOST,
+    }
+    loops = [_loops(demand, name) for name in ("slopes", "constraint", "rate", "convective")]
+    parts = [template.format(**names) for template in (_INDEPENDENT, _REACT, _FIT, _ENTRY)]
+    helpers = [*loops, *parts[:-1]]
+    copies = _copies("\n".join(helpers))
+    used = "\n".join([*copies, *helpers])
+    imports = [name for name in _IN_MATH if re.search(rf"\b{name}\b", used)]
+    head = f'"""Joints of Tamias2D: {demand}.\n\nMade from the generated functions.\n"""\n'
+    return joined(head, imports, [*copies, *helpers], parts[-1])
+
+
+def _copies(body: str) -> list[str]:
+    """The functions that are called."""
+    known: list[Callable[..., Any]] = [
+        definitions.joint_spring_force,
+        definitions.joint_spring_torque,
+        *(elimination.factorised, elimination.inverse_size, elimination.solve),
+        *(row_products.along, row_products.across, row_products.multiply, row_products.length_of),
+        *(row_products.place_of, row_products.rates_of, row_products.push_along),
+        *(formula.function for each in CONSTRAINTS.values() for formula in _formulas(each)),
+    ]
+    return [copied(f, {}) for f in known if re.search(rf"(?<!def ){f.__name__}\(", body)]
+
+
+def _formulas(functions: ConstraintFunctions) -> Iterator[Formula]:
+    yield from (functions.constraint, *functions.slopes.values())
+    yield from (functions.rate, functions.convective)
+
+
+_CALLED = {"slopes": "slopes", "constraint": "values", "rate": "rates", "convective": "convective"}
+
+
+def _loops(demand: JointDemand, name: str) -> str:
+    """Return the function that computes one thing of the rows of all kinds."""
+    target = "entries" if name == "slopes" else "found"
+    moving = "velocity, " if name in ("rate", "convective") else ""
+    tables = ", ".join(f"{kind}_given, {kind}_ends" for kind in demand.kinds)
+    lines = [
+        f"def {_CALLED[name]}(time, position, {moving}{target}, still, {tables}):",
+        "    first = 0",
+    ]
+    for kind in demand.kinds:
+        lines += (f"    {line}" for line in _loop(kind, name, bool(moving)))
+    return "\n".join(lines)
+
+
+def _loop(kind: str, name: str, moving: bool) -> Iterator[str]:
+    functions = CONSTRAINTS[kind]
+    rows = len(functions.units)
+    yield f"joints = len({kind}_ends) // {len(functions.bodies)}"
+    yield "for k in range(joints):"
+    yield from (f"    {line}" for line in _state(kind, kind, moving=moving))
+    if name != "slopes":
+        formula: Formula = getattr(functions, name)
+        found = ", ".join(f"found[first + k + {i} * joints]" for i in range(rows))
+        yield f"    {found}{',' * (rows == 1)} = {_call(formula)}"
+    else:
+        for end, formula in functions.slopes.items():
+            numbers = [f"slope_{i}_{axis}" for i in range(rows) for axis in ("x", "y", "turn")]
+            yield f"    {', '.join(numbers)} = {_call(formula)}"
+            for i in range(rows):
+                yield f"    at = {ENTRIES} * (first + k + {i} * joints) + {3 * ENDS.index(end)}"
+                entries = ", ".join(f"entries[at{f' + {a}' if a else ''}]" for a in range(3))
+                yield f"    {entries} = {', '.join(numbers[3 * i : 3 * i + 3])}"
+    yield f"first = first + {rows} * joints"
+
+
+def _call(formula: Formula) -> str:
+    return f"{formula.function.__name__}({', '.join(formula.arguments)})"
+
+
+def _state(kind: str, table: str, *, moving: bool) -> Iterator[str]:
+    """Set what the functions of one joint take: its parameters, and where its bodies are."""
+    functions = CONSTRAINTS[kind]
+    shapes = shapes_of(functions)
+    yield f"at = {sum(shapes.values())} * k"
+    at = 0
+    for name, size in shapes.items():
+        parts = ", ".join(f"{table}_given[at + {at + i}]" for i in range(size))
+        yield f"{name} = ({parts})" if size == 2 else f"{name} = {parts}"
+        at += size
+    for i, end in enumerate(functions.bodies):
+        body = f"{table}_ends[{len(functions.bodies)} * k + {i}]"
+        yield f"x, y, orientation_{end} = place_of({body}, position, still)"
+        yield f"position_{end} = (x, y)"
+        if moving:
+            yield f"x, y, angular_velocity_{end} = rates_of({body}, velocity)"
+            yield f"velocity_{end} = (x, y)"
+
+
+def shapes_of(functions: ConstraintFunctions) -> dict[str, int]:
+    """Return of how many numbers each parameter consists."""
+    return {
+        name: 2 if name.startswith(("anchor", "guide", "post")) else 1
+        for name in functions.parameters
+    }
+
+
+def _pushes(demand: JointDemand) -> Iterator[str]:
+    """Add what springs and motors give to the accelerations."""
+    for kind in demand.pushed:
+        functions = CONSTRAINTS[kind]
+        table = f"{kind}_push"
+        law = "joint_spring_torque" if kind == "angle" else "joint_spring_force"
+        yield f"for k in range(len({table}_law) // {LAW}):"
+        yield from (f"    {line}" for line in _state(kind, table, moving=True))
+        yield f"    (value,) = {_call(functions.constraint)}"
+        yield f"    (speed,) = {_call(functions.rate)}"
+        yield f"    at = {LAW} * k"
+        numbers = [f"{table}_law[at{f' + {i}' if i else ''}]" for i in range(LAW)]
+        stretch = f"value - {numbers[1]}"
+        yield f"    push = {law}({numbers[0]}, {stretch}, {numbers[2]}, speed) + {numbers[3]}"
+        for i, end in enumerate(functions.bodies):
+            body = f"{table}_ends[{len(functions.bodies)} * k + {i}]"
+            yield f"    push_along({body}, push, {_call(functions.slopes[end])}, inverse, rate)"

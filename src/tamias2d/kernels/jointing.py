@@ -1,0 +1,225 @@
+"""Reactions of joints by kernels, and the return to them.
+
+Serves: mechanisms, to which it is given by `march_by_kernels`. Hides: the tables that kernels take,
+and whether these are compiled. Compiled and plain code have the same bits, so that it does not
+matter which of them ran.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.kernels import joint_source
+from tamias2d.kernels.choice import kernel
+from tamias2d.kernels.elimination import Elimination, elimination
+from tamias2d.kernels.joint_source import ENTRIES, JointDemand, kind_of, shapes_of, tables_of
+from tamias2d.motion.constraint_rows import Block, ConstraintRows
+from tamias2d.motion.joint_code import JointRows
+from tamias2d.motion.least import DEPENDENT, DOUBTFUL
+from tamias2d.motion.mechanism import NEAR
+from tamias2d.spec.constraint import ENDS
+from tamias2d.state import Array
+
+_WORK = 2**20  # products of an elimination; more are done faster by those who know blocks
+_LIKELY = 1000  # reactions are asked for by those who cannot say how often they will
+Tables = dict[str, NDArray[Any]]
+
+
+def joint_code(joints: JointRows) -> "KernelJoints | None":
+    """Return code for a mechanism; None where a joint has an equation of its own, or for many."""
+    kinds = _kinds(joints.rows)
+    pushed = _kinds(joints.pushes.rows) if joints.pushes else {}
+    if None in kinds or None in pushed:
+        return None
+    every = {kind for kind in kinds if kind} | joints.kinds
+    every_pushed = {kind for kind in pushed if kind} | joints.pushed
+    demand = JointDemand(tuple(sorted(every)), tuple(sorted(every_pushed)))
+    numbers = _numbers(joints.rows, demand)
+    tables = _tables(joints, demand, numbers)
+    return None if tables is None else KernelJoints(demand, tables, numbers)
+
+
+class KernelJoints:
+    """The reactions of one mechanism by kernels (`JointCode`)."""
+
+    def __init__(self, demand: JointDemand, tables: Tables, numbers: NDArray[np.int64]) -> None:
+        self._demand = demand
+        self._tables = [tables[name] for name in tables_of(demand)]
+        self._numbers = numbers
+
+    @cached_property
+    def _lists(self) -> list[list[Any]]:
+        """The tables as plain Python takes them."""
+        return [table.tolist() for table in self._tables]
+
+    def react(
+        self, time: float, position: Array, velocity: Array, free: Array
+    ) -> tuple[Array, Array] | None:
+        """Return the accelerations (n, 3) for those by the loads, and the multipliers (m,)."""
+        found = self._run(False, time, position, velocity, free)
+        if found is None:
+            return None
+        multipliers = np.empty(len(self._numbers))
+        multipliers[self._numbers] = found[3]
+        return _rows(found[2]), multipliers
+
+    def fit(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array] | None:
+        """Return places and velocities (n, 3), moved to where the joints hold (GD18)."""
+        found = self._run(True, time, position, velocity, velocity)
+        return None if found is None else (_rows(found[0]), _rows(found[1]))
+
+    def _run(self, fitting: bool, time: float, *states: Array) -> list[Array] | None:
+        """Return states and multipliers after a kernel; None where it could not do it."""
+        code = kernel(*joint_source.joints(self._demand), "joints")
+        compiled: Callable[..., bool] | None = code.compiled(_LIKELY)
+        rows = [state.T.flatten() for state in states] + [np.zeros(len(self._numbers))]
+        if compiled is not None:
+            return rows if compiled(fitting, time, *rows, *self._tables) else None
+        lists = [row.tolist() for row in rows]
+        try:
+            good = code.plain(fitting, time, *lists, *self._lists)
+        except (ArithmeticError, ValueError):  # where compiled code goes on with what is not finite
+            return None
+        return [np.array(row) for row in lists] if good else None
+
+
+def _rows(flat: Array) -> Array:
+    return flat.reshape(3, -1).T.copy()
+
+
+def _kinds(rows: ConstraintRows) -> dict[str | None, Block]:
+    return {kind_of(block.functions): block for block in rows.blocks}
+
+
+def _numbers(rows: ConstraintRows, demand: JointDemand) -> NDArray[np.int64]:
+    """Return the numbers of a mechanism's rows in the order of a kernel's."""
+    blocks = _kinds(rows)
+    found = [blocks[kind].rows for kind in demand.kinds if kind in blocks]
+    return np.array([k for own in found for k in range(own.start, own.stop)], dtype=np.int64)
+
+
+def _tables(joints: JointRows, demand: JointDemand, numbers: NDArray[np.int64]) -> Tables | None:
+    """Return what a kernel takes; None where eliminating would take long."""
+    rows, size = joints.rows, joints.weights.size
+    holds = list(_held(rows, demand.kinds))
+    columns = [{column for _, column in row} for row in holds]
+    if any(len(own) < len(row) for own, row in zip(columns, holds, strict=True)):
+        return None  # a body holds itself
+    found = elimination(columns, _WORK)
+    if found is None:
+        return None
+    still = [*rows.fixed, *(joints.pushes.rows.fixed if joints.pushes else ())]
+    weights = joints.weights.T.ravel()
+    tables: Tables = {
+        "still": np.array(still).ravel(),
+        "fixed": joints.fixed.ravel(),
+        "sizes": np.array(
+            [
+                joints.length,
+                NEAR / joints.weights[:, :2].max(initial=0.0),
+                _doubtful(joints, columns),
+            ]
+        ),
+        "weights": weights,
+        "inverse": weights * weights,
+        "speeds": joints.speeds[numbers],
+        "placed": joints.placed[numbers],
+        **_pattern(holds, found),
+        "entries": np.zeros(ENTRIES * len(holds)),
+        "change": np.zeros(size),
+        "lower": np.zeros(len(found.below_rows)),
+        "shared": np.zeros(len(found.below_rows)),
+        **{name: np.zeros(len(holds)) for name in ("wanted", "total", "diagonal", "own")},
+    }
+    blocks = _kinds(rows)
+    for kind in demand.kinds:
+        tables |= _block(kind, blocks.get(kind), 0, rows.moving)
+    pushes = joints.pushes
+    blocks = _kinds(pushes.rows) if pushes else {}
+    for kind in demand.pushed:
+        tables |= _block(f"{kind}_push", blocks.get(kind), len(rows.fixed), rows.moving)
+        laws = pushes.laws[list(blocks[kind].joints)] if pushes and kind in blocks else ()
+        tables[f"{kind}_push_law"] = np.array(laws, dtype=np.float64).ravel()
+    return tables
+
+
+def _doubtful(joints: JointRows, columns: Sequence[set[int]]) -> float:
+    """Return the trace of the inverse from which on some rows may depend on others (GD19).
+
+    What a combination of rows measures by mass and what it measures by the reach of joints are
+    apart by a factor at most, and no combination is longer than all rows that share a body.
+    """
+    ratio = (joints.weights / joints.reach)[joints.weights > 0]
+    spread = float(ratio.max(initial=1e-300) / ratio.min(initial=np.inf))
+    together = Counter(column for own in columns for column in own)
+    longest = max((sum(together[c] for c in own) for own in columns), default=1)
+    return max(DOUBTFUL**2, 1 / (DEPENDENT * spread) ** 2 / longest)
+
+
+def _held(rows: ConstraintRows, kinds: Iterable[str]) -> Iterator[list[tuple[int, int]]]:
+    """Yield the places of the slopes of each row and their columns, in the order of a kernel."""
+    blocks = _kinds(rows)
+    number = 0
+    for kind in kinds:
+        if kind not in blocks:
+            continue
+        block = blocks[kind]
+        for _ in range(block.shape[0]):
+            for k in range(block.shape[1]):
+                bodies = [(end, int(block.ends[end][k])) for end in block.functions.bodies]
+                yield [
+                    (ENTRIES * number + 3 * ENDS.index(end) + axis, axis * rows.moving + body)
+                    for end, body in bodies
+                    if body < rows.moving
+                    for axis in range(3)
+                ]
+                number += 1
+
+
+def _pattern(holds: Sequence[list[tuple[int, int]]], found: Elimination) -> Tables:
+    starts = [0]
+    at: list[dict[int, list[int]]] = []
+    for row in holds:
+        columns: dict[int, list[int]] = {}
+        for place, (_, column) in enumerate(row, starts[-1]):
+            columns.setdefault(column, []).append(place)
+        at.append(columns)
+        starts.append(starts[-1] + len(row))
+    pairs: list[int] = []
+    for k, row_number in enumerate(found.order):
+        for p in range(found.below[k], found.below[k + 1]):
+            first, second = at[row_number], at[found.order[found.below_rows[p]]]
+            for column in sorted(first.keys() & second.keys()):
+                for a in first[column]:
+                    for b in second[column]:
+                        pairs += (p, a, b)
+    lists = {
+        "row_starts": starts,
+        "row_entries": [entry for row in holds for entry, _ in row],
+        "row_columns": [column for row in holds for _, column in row],
+        "pairs": pairs,
+        **vars(found),
+    }
+    return {name: np.array(values, dtype=np.int64) for name, values in lists.items()}
+
+
+def _block(name: str, block: Block | None, stills: int, moving: int) -> Tables:
+    """Return the parameters and the ends of the joints of one kind; still ones follow others."""
+    given: list[Array] = []
+    ends: list[NDArray[np.intp]] = []
+    if block is not None:
+        for parameter, size in shapes_of(block.functions).items():
+            value = block.given[parameter]
+            parts = value if size == 2 else (value,)
+            given += [np.broadcast_to(part, len(block.joints)) for part in parts]
+        for end in block.functions.bodies:
+            places = block.ends[end]
+            ends.append(np.where(places < moving, places, places + stills))
+    return {
+        f"{name}_given": np.array(given, dtype=np.float64).T.ravel(),
+        f"{name}_ends": np.array(ends, dtype=np.int64).T.ravel(),
+    }

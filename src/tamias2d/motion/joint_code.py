@@ -1,0 +1,59 @@
+"""The protocol of code that is made for the joints of one mechanism."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias
+
+from tamias2d.motion.constraint_rows import ConstraintRows
+from tamias2d.state import Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pushes:
+    """What springs and slipping motors exert along rows (DD64, DD65, GD22)."""
+
+    rows: ConstraintRows
+    laws: Array
+    """(k, 4) for the joints of the rows: stiffness, rest, damping, and a constant push."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class JointRows:
+    """A mechanism as code for it knows it."""
+
+    rows: ConstraintRows
+    weights: Array
+    """(n, 3), roots of the inverse masses and inertias of its bodies."""
+    speeds: Array
+    """(m,), the rate that each row keeps."""
+    placed: Array
+    """(m,), 1 for each row that keeps a place."""
+    fixed: Array
+    """(k, 2), where it holds what stands still, m."""
+    length: float
+    """How far joints reach at most, m."""
+    reach: Array
+    """(n, 3), one over how far they reach on each body, 1/m, for its orientation; else 1."""
+    pushes: Pushes | None = None
+    kinds: frozenset[str] = frozenset()
+    """Of rows that it may have at other times; those of pushes likewise."""
+    pushed: frozenset[str] = frozenset()
+
+
+class JointCode(Protocol):
+    """The reactions of a mechanism whose rows do not depend on each other.
+
+    None are returned where they may, and where a number is not finite.
+    """
+
+    def react(
+        self, time: float, position: Array, velocity: Array, free: Array
+    ) -> tuple[Array, Array] | None:
+        """Return the accelerations (n, 3) for those by the loads, and the multipliers (m,)."""
+
+    def fit(self, time: float, position: Array, velocity: Array) -> tuple[Array, Array] | None:
+        """Return places and velocities (n, 3), moved to where the joints hold (GD18)."""
+
+
+JointCodes: TypeAlias = Callable[[JointRows], JointCode | None]
+"""What makes code for a mechanism, if it can."""
