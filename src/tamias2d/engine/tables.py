@@ -518,6 +518,7 @@ BLOCKS = _constraints()
 BOUNCING = _constraints()  # contacts with restitution
 LANES_FILLED = _constraints()  # 1 if lanes hold what stays while the arrangement does
 SLABS = _constraints()
+FREE_ISLANDS = _constraints()  # islands that touch nothing but themselves
 
 
 class Constraints(NamedTuple):
@@ -552,6 +553,9 @@ REST_GRAVITY = _rest(2)  # m/s^2
 
 _energy = Columns()
 BEFORE_RESTITUTION = _energy(3)  # m/s, m/s, rad/s, of each body: its velocity
+VELOCITY_GIVEN = _energy(2)  # m/s, of each body, as the next two: what contacts have given it
+ANGULAR_VELOCITY_GIVEN = _energy()  # rad/s, in all substeps
+MOMENT_AHEAD = _energy()  # m^2/s, about where it was as the step began
 REFERENCE = _energy(3)  # m/s, m/s, rad/s, of a root, as all below: the rigid motion, at the root,
 # from which the island is seen, and towards which its motion is damped
 SUPPORT = _energy()  # how many motions support it, one of those in `solver.energy`
@@ -571,6 +575,8 @@ MOMENT_X = _energy()  # kg m, of the mass
 MOMENT_Y = _energy()
 MOMENT_OF_INERTIA = _energy()  # kg m^2
 DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
+IS_HELD = _energy()  # 1 if the island touches something that does not move freely, or cannot turn
+RETURNED = _energy()  # rad/s, by which an island gives back what its contacts have given it
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()

@@ -1,5 +1,6 @@
 """Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
-Share of a bounce; Bound on the energy of an island.
+Share of a bounce; Bound on the energy of an island; Angular momentum that contacts give;
+Angular momentum of a free island.
 
 Generated from srs/models/island_energy.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -413,3 +414,97 @@ def angular_velocity_damped(
     Source: IM11, srs/models/island_energy.md:247.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
+
+
+def moment_ahead_moved(
+    moment_ahead: Scalar, velocity: Vector, velocity_change: Vector, time_step: Scalar
+) -> Scalar:
+    """Moment of the changes that contacts make in the velocity of a body about where its centre of
+    mass was as the step began; as a body moves on in a substep (m^2/s).
+
+    moment_ahead_moved = moment_ahead - time_step*cross(velocity, velocity_change)
+
+    Args:
+        moment_ahead: Moment of the changes that contacts make in the velocity of a body about
+            where its centre of mass was as the step began, m^2/s
+        velocity: Velocity of the centre of mass, m/s
+        velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD66, srs/models/island_energy.md:334.
+    """
+    velocity_x, velocity_y = velocity
+    velocity_change_x, velocity_change_y = velocity_change
+    return moment_ahead - time_step * (
+        velocity_x * velocity_change_y - velocity_y * velocity_change_x
+    )
+
+
+def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vector) -> Scalar:
+    """Moment of the changes that contacts make in the velocity of a body about where its centre of
+    mass was as the step began; after the bodies have moved (m^2/s).
+
+    moment_ahead_later = moment_ahead + cross(shift, velocity_change)
+
+    Args:
+        moment_ahead: Moment of the changes that contacts make in the velocity of a body about
+            where its centre of mass was as the step began, m^2/s
+        shift: How far the centre of mass has moved since the step began, m
+        velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
+
+    Source: DD66, srs/models/island_energy.md:335.
+    """
+    shift_x, shift_y = shift
+    velocity_change_x, velocity_change_y = velocity_change
+    return moment_ahead + shift_x * velocity_change_y - shift_y * velocity_change_x
+
+
+def angular_momentum_given(
+    mass: Scalar,
+    position: Vector,
+    velocity_given: Vector,
+    moment_ahead: Scalar,
+    inertia: Scalar,
+    angular_velocity_given: Scalar,
+) -> Scalar:
+    """Angular momentum about the origin that contacts have given (kg*m^2/s).
+
+    angular_momentum_given = mass*(cross(position, velocity_given) + moment_ahead) +
+    inertia*angular_velocity_given
+
+    Args:
+        mass: Mass of a body, kg
+        position: Position of the centre of mass, m
+        velocity_given: What contacts have changed in the velocity of a body in all substeps,
+            m/s
+        moment_ahead: Moment of the changes that contacts make in the velocity of a body about
+            where its centre of mass was as the step began, m^2/s
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_velocity_given: What contacts have changed in the angular velocity of a body in
+            all substeps, rad/s
+
+    Source: DD66, srs/models/island_energy.md:336.
+    """
+    position_x, position_y = position
+    velocity_given_x, velocity_given_y = velocity_given
+    return (
+        mass * (position_x * velocity_given_y - position_y * velocity_given_x + moment_ahead)
+        + inertia * angular_velocity_given
+    )
+
+
+def angular_velocity_returned(angular_momentum_given: Scalar, inertia_island: Scalar) -> Scalar:
+    """Angular velocity of the motion as one that gives an island back the angular momentum it had
+    (rad/s).
+
+    angular_velocity_returned = -angular_momentum_given/inertia_island
+
+    Args:
+        angular_momentum_given: Angular momentum about the origin that contacts have given,
+            kg*m^2/s
+        inertia_island: Moment of inertia about the centre of mass; of an island as one body,
+            kg*m^2
+
+    Source: IM17, srs/models/island_energy.md:384.
+    """
+    return (-angular_momentum_given) / inertia_island

@@ -1775,6 +1775,56 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1111,
     ),
+    "velocity_change": Symbol(
+        "velocity_change",
+        "m/s",
+        "what contacts have changed in the velocity of a body in a substep",
+        shape="vector",
+        tex="\\Delta\\boldsymbol{v}",
+        file="srs/symbols.md",
+        line=1118,
+    ),
+    "velocity_given": Symbol(
+        "velocity_given",
+        "m/s",
+        "what contacts have changed in the velocity of a body in all substeps",
+        shape="vector",
+        tex="\\Delta\\boldsymbol{v}_\\Sigma",
+        file="srs/symbols.md",
+        line=1123,
+    ),
+    "angular_velocity_given": Symbol(
+        "angular_velocity_given",
+        "rad/s",
+        "what contacts have changed in the angular velocity of a body in all substeps",
+        tex="\\Delta\\omega_\\Sigma",
+        file="srs/symbols.md",
+        line=1128,
+    ),
+    "moment_ahead": Symbol(
+        "moment_ahead",
+        "m^2/s",
+        "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
+        tex="\\lambda",
+        file="srs/symbols.md",
+        line=1133,
+    ),
+    "angular_momentum_given": Symbol(
+        "angular_momentum_given",
+        "kg*m^2/s",
+        "angular momentum about the origin that contacts have given",
+        tex="\\Delta L",
+        file="srs/symbols.md",
+        line=1139,
+    ),
+    "angular_velocity_returned": Symbol(
+        "angular_velocity_returned",
+        "rad/s",
+        "angular velocity of the motion as one that gives an island back the angular momentum it had",
+        tex="\\omega_r",
+        file="srs/symbols.md",
+        line=1143,
+    ),
     "mass_moment": Symbol(
         "mass_moment",
         "kg*m",
@@ -1782,7 +1832,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1118,
+        line=1149,
     ),
     "energy": Symbol(
         "energy",
@@ -1790,7 +1840,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1123,
+        line=1154,
     ),
     "radius": Symbol(
         "radius",
@@ -1799,7 +1849,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1132,
+        line=1163,
     ),
     "length": Symbol(
         "length",
@@ -1808,7 +1858,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1137,
+        line=1168,
     ),
     "width": Symbol(
         "width",
@@ -1817,7 +1867,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1144,
+        line=1175,
     ),
     "height": Symbol(
         "height",
@@ -1826,7 +1876,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1149,
+        line=1180,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1835,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1154,
+        line=1185,
     ),
     "center": Symbol(
         "center",
@@ -1844,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1159,
+        line=1190,
     ),
     "offset": Symbol(
         "offset",
@@ -1852,7 +1902,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1164,
+        line=1195,
     ),
     "area": Symbol(
         "area",
@@ -1861,7 +1911,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1168,
+        line=1199,
     ),
     "way": Symbol(
         "way",
@@ -1870,7 +1920,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1173,
+        line=1204,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -1878,7 +1928,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1178,
+        line=1209,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -1887,7 +1937,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1182,
+        line=1213,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -1896,7 +1946,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1187,
+        line=1218,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -1904,7 +1954,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1192,
+        line=1223,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -1912,7 +1962,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1196,
+        line=1227,
     ),
     "lean": Symbol(
         "lean",
@@ -1920,7 +1970,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1200,
+        line=1231,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -1928,7 +1978,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1204,
+        line=1235,
     ),
     "admitted": Symbol(
         "admitted",
@@ -1936,7 +1986,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1208,
+        line=1239,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1945,7 +1995,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1214,
+        line=1245,
     ),
     "row_value": Symbol(
         "row_value",
@@ -1953,7 +2003,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1227,
+        line=1258,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -1961,7 +2011,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1231,
+        line=1262,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -1970,7 +2020,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1235,
+        line=1266,
     ),
     "slope": Symbol(
         "slope",
@@ -1979,7 +2029,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1240,
+        line=1271,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -1987,7 +2037,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1245,
+        line=1276,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -1995,7 +2045,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1249,
+        line=1280,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2003,7 +2053,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1253,
+        line=1284,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2012,7 +2062,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1257,
+        line=1288,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2020,7 +2070,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1262,
+        line=1293,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2028,7 +2078,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1266,
+        line=1297,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2036,7 +2086,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1270,
+        line=1301,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2044,7 +2094,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1274,
+        line=1305,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2052,7 +2102,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1278,
+        line=1309,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2061,7 +2111,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1282,
+        line=1313,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2070,7 +2120,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1287,
+        line=1318,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2079,7 +2129,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1292,
+        line=1323,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2088,7 +2138,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1297,
+        line=1328,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2096,7 +2146,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1302,
+        line=1333,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2105,7 +2155,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1306,
+        line=1337,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2113,7 +2163,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1311,
+        line=1342,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2122,7 +2172,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1315,
+        line=1346,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2130,7 +2180,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1320,
+        line=1351,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2138,7 +2188,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1324,
+        line=1355,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2147,7 +2197,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1328,
+        line=1359,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2156,7 +2206,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1333,
+        line=1364,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2165,7 +2215,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1338,
+        line=1369,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2173,7 +2223,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1343,
+        line=1374,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2181,7 +2231,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1347,
+        line=1378,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2189,7 +2239,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1351,
+        line=1382,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2198,7 +2248,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1355,
+        line=1386,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2206,7 +2256,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1360,
+        line=1391,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2215,6 +2265,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1364,
+        line=1395,
     ),
 }

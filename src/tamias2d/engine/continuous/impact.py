@@ -16,6 +16,7 @@ from tamias2d.engine.continuous.impulse import (
     speed_along,
 )
 from tamias2d.engine.continuous.trajectory import relative_place
+from tamias2d.engine.continuous.two_as_one import keeps_turning, return_turning, two_as_one
 from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,
@@ -95,7 +96,7 @@ def rebound(
     """
     time_step, left = control.progress[PART_TIME], 1.0 - now
     if bodies.kind[i] == bodies.kind[j]:
-        return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+        return rebound_freely(i, j, now, time_step, friction, restitution, bodies, manifold)
     k, wall = (i, j) if bodies.kind[i] == DYNAMIC else (j, i)
     support = support_velocity(k, wall, now, bodies.pose, bodies.motion)
     spin = bodies.motion[wall, SPIN]
@@ -105,6 +106,26 @@ def rebound(
     after = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     after -= work_ahead(k, left, control, bodies)
     take_energy_back(k, after - before, support, spin, bodies.motion, bodies.properties)
+    return impulse
+
+
+def rebound_freely(
+    i: int,
+    j: int,
+    now: float,
+    time_step: float,
+    friction: float,
+    restitution: float,
+    bodies: Bodies,
+    manifold: Array,
+) -> float:
+    """Apply the impact of two bodies that move freely, and let them keep their angular momentum."""
+    if not keeps_turning(i, j, bodies):
+        return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+    origin = (bodies.pose[i, X], bodies.pose[i, Y])
+    before = two_as_one(i, j, origin, bodies)
+    impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+    return_turning(i, j, before, origin, bodies)
     return impulse
 
 
