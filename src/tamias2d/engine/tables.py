@@ -576,7 +576,8 @@ MOMENT_Y = _energy()
 MOMENT_OF_INERTIA = _energy()  # kg m^2
 DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
 IS_HELD = _energy()  # 1 if the island touches something that does not move freely, or cannot turn
-RETURNED = _energy()  # rad/s, by which an island gives back what its contacts have given it
+GIVEN = _energy()  # kg m^2/s, what contacts have given an island that nothing holds
+ENERGY_PUSHED = _energy()  # J, of its bodies that contacts have pushed
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()

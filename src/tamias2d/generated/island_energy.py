@@ -493,18 +493,110 @@ def angular_momentum_given(
     )
 
 
-def angular_velocity_returned(angular_momentum_given: Scalar, inertia_island: Scalar) -> Scalar:
-    """Angular velocity of the motion as one that gives an island back the angular momentum it had
-    (rad/s).
+def angular_velocity_island_returned(
+    angular_velocity_island: Scalar, angular_momentum_given: Scalar, inertia_island: Scalar
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; of an island as one body; with the angular
+    momentum that the island had (rad/s).
 
-    angular_velocity_returned = -angular_momentum_given/inertia_island
+    angular_velocity_island_returned = angular_velocity_island -
+    angular_momentum_given/inertia_island
 
     Args:
+        angular_velocity_island: Rate of turning, positive counter-clockwise; of an island as
+            one body, rad/s
         angular_momentum_given: Angular momentum about the origin that contacts have given,
             kg*m^2/s
         inertia_island: Moment of inertia about the centre of mass; of an island as one body,
             kg*m^2
 
-    Source: IM17, srs/models/island_energy.md:384.
+    Source: IM17, srs/models/island_energy.md:398.
     """
-    return (-angular_momentum_given) / inertia_island
+    return angular_velocity_island - angular_momentum_given / inertia_island
+
+
+def returned_share(
+    kinetic_energy: Scalar,
+    kinetic_energy_least: Scalar,
+    kinetic_energy_least_returned: Scalar,
+    share_largest: Scalar,
+) -> Scalar:
+    """Factor of what differs in the velocities of an island from its motion as one, where that
+    gets back its angular momentum (1).
+
+    returned_share = min(sqrt(max(kinetic_energy - kinetic_energy_least_returned,
+    0)/(kinetic_energy - kinetic_energy_least)), share_largest)
+
+    Args:
+        kinetic_energy: Energy of motion, turning included, J
+        kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
+        kinetic_energy_least_returned: Energy of motion, turning included; the least that there
+            can be; with the angular momentum that the island had, J
+        share_largest: The largest factor by which motion that is left may grow, 1
+
+    Source: IM17, srs/models/island_energy.md:400.
+    """
+    return least(
+        sqrt(
+            largest(kinetic_energy - kinetic_energy_least_returned, 0)
+            / (kinetic_energy - kinetic_energy_least)
+        ),
+        share_largest,
+    )
+
+
+def velocity_returned(
+    velocity: Vector,
+    velocity_island: Vector,
+    velocity_island_returned: Vector,
+    returned_share: Scalar,
+) -> Vector:
+    """Velocity of the centre of mass; with the angular momentum that the island had (m/s).
+
+    velocity_returned = velocity_island_returned + returned_share*(velocity - velocity_island)
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        velocity_island: Velocity of the centre of mass; of an island as one body, m/s
+        velocity_island_returned: Velocity of the centre of mass; of an island as one body; with
+            the angular momentum that the island had, m/s
+        returned_share: Factor of what differs in the velocities of an island from its motion as
+            one, where that gets back its angular momentum, 1
+
+    Source: IM17, srs/models/island_energy.md:403.
+    """
+    velocity_x, velocity_y = velocity
+    velocity_island_x, velocity_island_y = velocity_island
+    velocity_island_returned_x, velocity_island_returned_y = velocity_island_returned
+    return (
+        velocity_island_returned_x + returned_share * (velocity_x - velocity_island_x),
+        velocity_island_returned_y + returned_share * (velocity_y - velocity_island_y),
+    )
+
+
+def angular_velocity_returned(
+    angular_velocity: Scalar,
+    angular_velocity_island: Scalar,
+    angular_velocity_island_returned: Scalar,
+    returned_share: Scalar,
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; with the angular momentum that the island had
+    (rad/s).
+
+    angular_velocity_returned = angular_velocity_island_returned +
+    returned_share*(angular_velocity - angular_velocity_island)
+
+    Args:
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        angular_velocity_island: Rate of turning, positive counter-clockwise; of an island as
+            one body, rad/s
+        angular_velocity_island_returned: Rate of turning, positive counter-clockwise; of an
+            island as one body; with the angular momentum that the island had, rad/s
+        returned_share: Factor of what differs in the velocities of an island from its motion as
+            one, where that gets back its angular momentum, 1
+
+    Source: IM17, srs/models/island_energy.md:405.
+    """
+    return angular_velocity_island_returned + returned_share * (
+        angular_velocity - angular_velocity_island
+    )

@@ -1817,13 +1817,23 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1139,
     ),
-    "angular_velocity_returned": Symbol(
-        "angular_velocity_returned",
-        "rad/s",
-        "angular velocity of the motion as one that gives an island back the angular momentum it had",
-        tex="\\omega_r",
+    "returned_share": Symbol(
+        "returned_share",
+        "1",
+        "factor of what differs in the velocities of an island from its motion as one, where that gets back its angular momentum",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\sigma_r",
         file="srs/symbols.md",
         line=1143,
+    ),
+    "share_largest": Symbol(
+        "share_largest",
+        "1",
+        "the largest factor by which motion that is left may grow",
+        range=Range(">= 1", low=1.0, low_open=False),
+        tex="\\sigma_{\\max}",
+        file="srs/symbols.md",
+        line=1150,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1832,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1149,
+        line=1155,
     ),
     "energy": Symbol(
         "energy",
@@ -1840,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1154,
+        line=1160,
     ),
     "radius": Symbol(
         "radius",
@@ -1849,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1163,
+        line=1169,
     ),
     "length": Symbol(
         "length",
@@ -1858,7 +1868,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1168,
+        line=1174,
     ),
     "width": Symbol(
         "width",
@@ -1867,7 +1877,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1175,
+        line=1181,
     ),
     "height": Symbol(
         "height",
@@ -1876,7 +1886,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1180,
+        line=1186,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1885,7 +1895,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1185,
+        line=1191,
     ),
     "center": Symbol(
         "center",
@@ -1894,7 +1904,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1190,
+        line=1196,
     ),
     "offset": Symbol(
         "offset",
@@ -1902,7 +1912,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1195,
+        line=1201,
     ),
     "area": Symbol(
         "area",
@@ -1911,7 +1921,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1199,
+        line=1205,
     ),
     "way": Symbol(
         "way",
@@ -1920,7 +1930,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1204,
+        line=1210,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -1928,7 +1938,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1209,
+        line=1215,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -1937,7 +1947,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1213,
+        line=1219,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -1946,7 +1956,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1218,
+        line=1224,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -1954,7 +1964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1223,
+        line=1229,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -1962,7 +1972,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1227,
+        line=1233,
     ),
     "lean": Symbol(
         "lean",
@@ -1970,7 +1980,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1231,
+        line=1237,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -1978,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1235,
+        line=1241,
     ),
     "admitted": Symbol(
         "admitted",
@@ -1986,7 +1996,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1239,
+        line=1245,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1995,7 +2005,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1245,
+        line=1251,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2003,7 +2013,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1258,
+        line=1264,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2011,7 +2021,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1262,
+        line=1268,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2020,7 +2030,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1266,
+        line=1272,
     ),
     "slope": Symbol(
         "slope",
@@ -2029,7 +2039,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1271,
+        line=1277,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2037,7 +2047,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1276,
+        line=1282,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2045,7 +2055,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1280,
+        line=1286,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2053,7 +2063,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1284,
+        line=1290,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2062,7 +2072,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1288,
+        line=1294,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2070,7 +2080,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1293,
+        line=1299,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2078,7 +2088,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1297,
+        line=1303,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2086,7 +2096,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1301,
+        line=1307,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2094,7 +2104,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1305,
+        line=1311,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2102,7 +2112,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1309,
+        line=1315,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2111,7 +2121,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1313,
+        line=1319,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2120,7 +2130,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1318,
+        line=1324,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2129,7 +2139,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1323,
+        line=1329,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2138,7 +2148,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1328,
+        line=1334,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2146,7 +2156,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1333,
+        line=1339,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2155,7 +2165,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1337,
+        line=1343,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2163,7 +2173,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1342,
+        line=1348,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2172,7 +2182,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1346,
+        line=1352,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2180,7 +2190,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1351,
+        line=1357,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2188,7 +2198,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1355,
+        line=1361,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2197,7 +2207,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1359,
+        line=1365,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2206,7 +2216,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1364,
+        line=1370,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2215,7 +2225,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1369,
+        line=1375,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2223,7 +2233,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1374,
+        line=1380,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2231,7 +2241,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1378,
+        line=1384,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2239,7 +2249,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1382,
+        line=1388,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2248,7 +2258,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1386,
+        line=1392,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2256,7 +2266,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1391,
+        line=1397,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2265,6 +2275,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1395,
+        line=1401,
     ),
 }

@@ -16,7 +16,7 @@ from tamias2d.engine.continuous.impulse import (
     speed_along,
 )
 from tamias2d.engine.continuous.trajectory import relative_place
-from tamias2d.engine.continuous.two_as_one import keeps_turning, return_turning, two_as_one
+from tamias2d.engine.continuous.two_as_one import keeps_turning, return_turning, turning_of
 from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,
@@ -122,10 +122,9 @@ def rebound_freely(
     """Apply the impact of two bodies that move freely, and let them keep their angular momentum."""
     if not keeps_turning(i, j, bodies):
         return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
-    origin = (bodies.pose[i, X], bodies.pose[i, Y])
-    before = two_as_one(i, j, origin, bodies)
+    before = turning_of(i, j, (bodies.pose[i, X], bodies.pose[i, Y]), bodies)
     impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
-    return_turning(i, j, before, origin, bodies)
+    return_turning(i, j, before, bodies)
     return impulse
 
 

@@ -1,47 +1,29 @@
 """Two bodies that meet in flight keep their angular momentum (IM17).
 
 Those that had contacts do not end a step with the velocity of their path, and then an impact on the
-path is not quite one of the velocities. What it gives both is taken from their motion as one, and
-from what is left of their energy, if it has risen by that (IM11).
+path is not quite one of the velocities. What it gives both is taken from their motion as one.
 """
 
 from typing import NamedTuple
 
-from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
+from tamias2d.engine.solver.angular_momentum import as_one, return_motion
+from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.tables import DX, DY, FORCE_GAIN, INVERSE_INERTIA, SPIN, VX, VY, Bodies, X, Y
-from tamias2d.generated.definitions import (
-    angular_momentum,
-    kinetic_energy,
-    momentum,
-    point_velocity,
-)
-from tamias2d.generated.island_energy import (
-    angular_velocity_damped,
-    angular_velocity_island,
-    angular_velocity_returned,
-    damped_share,
-    inertia_island,
-    inertia_origin,
-    mass_moment,
-    position_island,
-    velocity_damped,
-    velocity_island,
-)
+from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
+from tamias2d.generated.island_energy import inertia_origin, mass_moment
 from tamias2d.state import Vector
 
 ROUNDED = 1e-15  # of what an angular momentum is the sum of
 
 
-class TwoAsOne(NamedTuple):
-    """What two bodies are together, at the end of the step."""
+class Turning(NamedTuple):
+    """The angular momentum of two bodies at the end of the step, before they meet."""
 
-    mass: float  # kg
-    place: Vector  # m, of their centre of mass
-    inertia: float  # kg m^2
-    velocity: Vector  # m/s
-    turning: float  # kg m^2/s, angular momentum about the origin
-    size: float  # kg m^2/s, of what that is the sum of
-    energy: float  # J
+    origin: Vector  # m
+    whole: float  # kg m^2/s
+    size: float  # kg m^2/s, of what it is the sum of
+    spin_i: float  # rad/s
+    spin_j: float
 
 
 def keeps_turning(i: int, j: int, bodies: Bodies) -> bool:
@@ -59,62 +41,46 @@ def place_at_end(i: int, origin: Vector, bodies: Bodies) -> Vector:
     return (pose[X] - origin[0]) + now[DX], (pose[Y] - origin[1]) + now[DY]
 
 
-def two_as_one(i: int, j: int, origin: Vector, bodies: Bodies) -> TwoAsOne:
-    """Return what two bodies are together, as seen from some place, m."""
-    whole = turning = size = energy = about = x = y = by_x = by_y = 0.0
+def turning_of(i: int, j: int, origin: Vector, bodies: Bodies) -> Turning:
+    """Return the angular momentum of two bodies about some place, m."""
+    whole = size = 0.0
     for k in (i, j):
         mass, inertia = mass_and_inertia(k, bodies.properties)
-        now, place = bodies.motion[k], place_at_end(k, origin, bodies)
-        velocity = (now[VX], now[VY])
-        along, moment = momentum(mass, velocity), mass_moment(mass, place)
-        own = angular_momentum(mass, place, velocity, inertia, now[SPIN])
-        whole, turning, size = whole + mass, turning + own, size + abs(own)
-        x, y, by_x, by_y = x + moment[0], y + moment[1], by_x + along[0], by_y + along[1]
-        about += inertia_origin(mass, place, inertia)
-        energy += kinetic_energy(mass, velocity, inertia, now[SPIN])
-    middle = position_island((x, y), whole)
-    return TwoAsOne(
-        whole,
-        middle,
-        inertia_island(about, whole, middle),
-        velocity_island((by_x, by_y), whole),
-        turning,
-        size,
-        energy,
-    )
+        now = bodies.motion[k]
+        own = angular_momentum(
+            mass, place_at_end(k, origin, bodies), (now[VX], now[VY]), inertia, now[SPIN]
+        )
+        whole, size = whole + own, size + abs(own)
+    return Turning(origin, whole, size, bodies.motion[i, SPIN], bodies.motion[j, SPIN])
 
 
-def return_turning(i: int, j: int, before: TwoAsOne, origin: Vector, bodies: Bodies) -> None:
+def return_turning(i: int, j: int, before: Turning, bodies: Bodies) -> None:
     """Give two bodies back the angular momentum that they had before they met."""
-    after = two_as_one(i, j, origin, bodies)
-    given = after.turning - before.turning
+    origin = before.origin
+    after = turning_of(i, j, origin, bodies)
+    given = after.whole - before.whole
     if abs(given) <= ROUNDED * max(before.size, after.size):
         return
-    add_motion_as_one(i, j, after, angular_velocity_returned(given, after.inertia), origin, bodies)
-    now = two_as_one(i, j, origin, bodies)
-    if now.energy > before.energy * (1.0 + GRACE):
-        lose_energy(i, j, now, before.energy, origin, bodies)
-
-
-def add_motion_as_one(
-    i: int, j: int, one: TwoAsOne, spin: float, origin: Vector, bodies: Bodies
-) -> None:
-    """Let two bodies turn about their centre of mass as one, in addition, rad/s."""
+    mass = about = turning = energy = x = y = by_x = by_y = 0.0
     for k in (i, j):
-        now, (x, y) = bodies.motion[k], place_at_end(k, origin, bodies)
-        arm = (x - one.place[0], y - one.place[1])
-        now[VX], now[VY] = point_velocity((now[VX], now[VY]), spin, arm)
-        now[SPIN] += spin
-
-
-def lose_energy(i: int, j: int, one: TwoAsOne, most: float, origin: Vector, bodies: Bodies) -> None:
-    """Let the motion of two bodies come so near to their motion as one that they have no more."""
-    spin = angular_velocity_island(one.turning, one.mass, one.place, one.velocity, one.inertia)
-    least = kinetic_energy(one.mass, one.velocity, one.inertia, spin)
-    share = damped_share(one.energy, most, least) if most > least and one.energy > least else 0.0
+        own, inertia = mass_and_inertia(k, bodies.properties)
+        inertia = inertia if is_turned(k, i, before, bodies) else 0.0
+        now, place = bodies.motion[k], place_at_end(k, origin, bodies)
+        velocity = (now[VX], now[VY])
+        along, moment = momentum(own, velocity), mass_moment(own, place)
+        mass, x, y = mass + own, x + moment[0], y + moment[1]
+        by_x, by_y = by_x + along[0], by_y + along[1]
+        about += inertia_origin(own, place, inertia)
+        turning += angular_momentum(own, place, velocity, inertia, now[SPIN])
+        energy += kinetic_energy(own, velocity, inertia, now[SPIN])
+    one = as_one(mass, (x, y), (by_x, by_y), about, turning)
+    turned_i, turned_j = is_turned(i, i, before, bodies), is_turned(j, i, before, bodies)
     for k in (i, j):
-        now, (x, y) = bodies.motion[k], place_at_end(k, origin, bodies)
-        arm = (x - one.place[0], y - one.place[1])
-        as_one = point_velocity(one.velocity, spin, arm)
-        now[VX], now[VY] = velocity_damped((now[VX], now[VY]), as_one, share)
-        now[SPIN] = angular_velocity_damped(now[SPIN], spin, share)
+        turned = turned_i if k == i else turned_j
+        place = place_at_end(k, origin, bodies)
+        return_motion(one, given, energy, turned, place, bodies.motion[k])
+
+
+def is_turned(k: int, first: int, before: Turning, bodies: Bodies) -> bool:
+    """Return whether the impact has turned a body, the first one or the other."""
+    return bool(bodies.motion[k, SPIN] != (before.spin_i if k == first else before.spin_j))

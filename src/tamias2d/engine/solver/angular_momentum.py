@@ -8,6 +8,8 @@ Cost: where some are free, two visits to each body in a substep; otherwise one t
 those that touch change.
 """
 
+from typing import NamedTuple
+
 from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.stages import hold_tied
 from tamias2d.engine.solver.energy import mass_and_inertia
@@ -22,7 +24,9 @@ from tamias2d.engine.tables import (
     DY,
     DYNAMIC,
     ENERGY_KEPT,
+    ENERGY_PUSHED,
     FREE_ISLANDS,
+    GIVEN,
     INVERSE_INERTIA,
     IS_HELD,
     ISLAND_MASS,
@@ -30,9 +34,10 @@ from tamias2d.engine.tables import (
     MOMENT_OF_INERTIA,
     MOMENT_X,
     MOMENT_Y,
+    MOMENTUM_X,
+    MOMENTUM_Y,
     MOVED,
     REFERENCE,
-    RETURNED,
     ROOT,
     SPIN,
     SUBSTEP_START,
@@ -48,9 +53,16 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
-from tamias2d.generated.definitions import kinetic_energy, point_velocity
+from tamias2d.generated.definitions import (
+    angular_momentum,
+    kinetic_energy,
+    momentum,
+    point_velocity,
+)
 from tamias2d.generated.island_energy import (
     angular_momentum_given,
+    angular_velocity_island,
+    angular_velocity_island_returned,
     angular_velocity_returned,
     inertia_island,
     inertia_origin,
@@ -58,9 +70,14 @@ from tamias2d.generated.island_energy import (
     moment_ahead_later,
     moment_ahead_moved,
     position_island,
+    returned_share,
+    velocity_island,
+    velocity_returned,
     velocity_seen,
 )
 from tamias2d.state import Array, Vector
+
+MOST_GROWTH = 1.0 + 2.0**-6  # of what is left of the motion, so that energy stays
 
 
 def find_free_islands(
@@ -146,21 +163,19 @@ def keep_angular_momentum(
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands):
+            rows[i, GIVEN] = rows[i, ENERGY_PUSHED] = 0.0
             for n in range(ISLAND_MASS, MOMENT_OF_INERTIA + 1):
                 rows[i, n] = 0.0
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
         if is_pushed_and_free(i, bodies, islands):
             add_moment_of(i, bodies, rows[i])
-            sum_given(i, links[i, ROOT], bodies, rows[i], rows[links[i, ROOT]])
+            sum_pushed(i, links[i, ROOT], bodies, rows[i], rows[links[i, ROOT]])
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
-        if is_root(i, bodies, islands) and rows[i, ISLAND_MASS] > 0.0:
-            find_returned(rows[i])
-    for k in range(constraints.counts[ACTIVE]):
-        i = touching.active[k]
-        if is_pushed_and_free(i, bodies, islands):
-            turn_with_island(i, links[i, ROOT], bodies, rows[links[i, ROOT]])
+        row = rows[links[i, ROOT]]
+        if is_pushed_and_free(i, bodies, islands) and row[GIVEN] != 0.0:
+            return_of_island(i, links[i, ROOT], bodies, rows[i], row)
 
 
 def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
@@ -169,17 +184,12 @@ def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     return bool((bodies.kind[i] == DYNAMIC) & (bodies.moved[i] == MOVED) & free)
 
 
-def sum_given(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
-    """Add mass, moments and what contacts have given a body to those of its island."""
+def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
+    """Add the motion of a body, and what contacts have given it, to those of its island."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
     start = (bodies.pose[i, X] - bodies.pose[root, X], bodies.pose[i, Y] - bodies.pose[root, Y])
-    place = place_from(root, i, bodies)
-    moment = mass_moment(mass, place)
-    row[ISLAND_MASS] += mass
-    row[MOMENT_X] += moment[0]
-    row[MOMENT_Y] += moment[1]
-    row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
-    row[ANGULAR_MOMENTUM] += angular_momentum_given(
+    now, place = bodies.motion[i], place_from(root, i, bodies)
+    row[GIVEN] += angular_momentum_given(
         mass,
         start,
         (given[VELOCITY_GIVEN], given[VELOCITY_GIVEN + 1]),
@@ -187,26 +197,81 @@ def sum_given(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> No
         inertia,
         given[ANGULAR_VELOCITY_GIVEN],
     )
+    inertia = inertia if given[ANGULAR_VELOCITY_GIVEN] != 0.0 else 0.0
+    velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
+    along, moment = momentum(mass, velocity), mass_moment(mass, place)
+    row[ISLAND_MASS] += mass
+    row[MOMENTUM_X] += along[0]
+    row[MOMENTUM_Y] += along[1]
+    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, now[SPIN])
+    row[MOMENT_X] += moment[0]
+    row[MOMENT_Y] += moment[1]
+    row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
+    row[ENERGY_PUSHED] += kinetic_energy(mass, velocity, inertia, now[SPIN])
 
 
-def find_returned(row: Array) -> None:
-    """Write the place of an island, as seen from its root, and how fast it turns back."""
-    mass = row[ISLAND_MASS]
-    place = position_island((row[MOMENT_X], row[MOMENT_Y]), mass)
-    inertia = inertia_island(row[MOMENT_OF_INERTIA], mass, place)
-    row[MOMENT_X], row[MOMENT_Y] = place
-    row[RETURNED] = angular_velocity_returned(row[ANGULAR_MOMENTUM], inertia)
-
-
-def turn_with_island(i: int, root: int, bodies: Bodies, row: Array) -> None:
-    """Let a body turn back with its island, whose energy changes by that."""
+def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
+    """Give a body the motion that it has where its island has its angular momentum."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, reference = bodies.motion[i], (row[REFERENCE], row[REFERENCE + 1])
+    one = as_one(
+        row[ISLAND_MASS],
+        (row[MOMENT_X], row[MOMENT_Y]),
+        (row[MOMENTUM_X], row[MOMENTUM_Y]),
+        row[MOMENT_OF_INERTIA],
+        row[ANGULAR_MOMENTUM],
+    )
     seen = velocity_seen((now[VX], now[VY]), reference)
     before = kinetic_energy(mass, seen, inertia, now[SPIN])
-    x, y = place_from(root, i, bodies)
-    arm = (x - row[MOMENT_X], y - row[MOMENT_Y])
-    now[VX], now[VY] = point_velocity((now[VX], now[VY]), row[RETURNED], arm)
-    now[SPIN] += row[RETURNED]
-    seen = velocity_seen((now[VX], now[VY]), reference)
+    turned = given[ANGULAR_VELOCITY_GIVEN] != 0.0
+    now[VX], now[VY] = seen
+    return_motion(one, row[GIVEN], row[ENERGY_PUSHED], turned, place_from(root, i, bodies), now)
+    seen = (now[VX], now[VY])
     row[ENERGY_KEPT] += kinetic_energy(mass, seen, inertia, now[SPIN]) - before
+    now[VX], now[VY] = seen[0] + reference[0], seen[1] + reference[1]
+
+
+class AsOne(NamedTuple):
+    """The motion of some bodies as one (DD38)."""
+
+    mass: float  # kg
+    place: Vector  # m, of the centre of mass
+    velocity: Vector  # m/s
+    inertia: float  # kg m^2
+    spin: float  # rad/s
+
+
+def as_one(mass: float, moment: Vector, along: Vector, about: float, turning: float) -> AsOne:
+    """Return the motion as one of bodies, from sums over them.
+
+    These are masses, kg, their moments, kg m, momenta, kg m/s, and about the origin inertias,
+    kg m^2, and angular momenta, kg m^2/s.
+    """
+    place, velocity = position_island(moment, mass), velocity_island(along, mass)
+    inertia = inertia_island(about, mass, place)
+    return AsOne(
+        mass,
+        place,
+        velocity,
+        inertia,
+        angular_velocity_island(turning, mass, place, velocity, inertia),
+    )
+
+
+def return_motion(
+    one: AsOne, given: float, energy: float, turned: bool, place: Vector, now: Array
+) -> None:
+    """Give a body the motion that it has without the angular momentum given to all, kg m^2/s.
+
+    The energy is that of all of them, J.
+    """
+    spin = angular_velocity_island_returned(one.spin, given, one.inertia)
+    least = kinetic_energy(one.mass, one.velocity, one.inertia, one.spin)
+    later = kinetic_energy(one.mass, one.velocity, one.inertia, spin)
+    share = returned_share(energy, least, later, MOST_GROWTH) if energy > least else 1.0
+    arm = (place[0] - one.place[0], place[1] - one.place[1])
+    before = point_velocity(one.velocity, one.spin, arm)
+    after = point_velocity(one.velocity, spin, arm)
+    now[VX], now[VY] = velocity_returned((now[VX], now[VY]), before, after, share)
+    if turned:
+        now[SPIN] = angular_velocity_returned(now[SPIN], one.spin, spin, share)
