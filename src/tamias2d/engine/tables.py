@@ -378,6 +378,7 @@ POINT_COUNT = _flags()
 FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
+KNOWN_SIDE = _flags()  # 1 if the normal tells the side of a piece, which was not touched
 LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list
@@ -404,7 +405,7 @@ class Contacts(NamedTuple):
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),
-        Saved({POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, LOCATED: 16}),
+        Saved({POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, KNOWN_SIDE: 2, LOCATED: 16}),
     ]
 
 
@@ -418,6 +419,7 @@ PRESSED_DEEP = _touching()  # 1 if there is a deep overlap
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
 
 
+RIGHT_LOW, RIGHT_HIGH, LEFT_LOW, LEFT_HIGH = range(4)  # columns of sides: see chain_sides
 ALL, HOLDING = range(2)  # columns of near: contacts that touch or will, those with an impulse
 
 
@@ -426,6 +428,7 @@ class Touching(NamedTuple):
 
     counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
     near: Annotated[IndexRows, Sized("slots", 2)]  # numbers of contacts of each body, see above
+    sides: Annotated[IndexRows, Sized("shapes", 4)]  # pieces that a shape touches, plus 1
     approach: Annotated[Floats, Sized("slots")]  # m/s, at which each body approaches others
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
     body_a: Annotated[Places, Sized("contacts")]  # slot

@@ -167,7 +167,7 @@ def foresee_contact(
     x, y = path.x + at * path.dx, path.y + at * path.dy
     first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, held, rows)
     if first > 0 and (is_piece(a) or is_piece(b)):
-        verdict = judge(s, t, placed_a, placed_b, x, y, margin, manifold, rows, shapes)
+        verdict = judge(s, t, placed_a, placed_b, (x, y), margin, held, manifold, rows, shapes)
         if not verdict.stays:
             first, second = verdict.first, verdict.second
         if first == BESIDE:
