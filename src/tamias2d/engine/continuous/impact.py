@@ -16,7 +16,12 @@ from tamias2d.engine.continuous.impulse import (
     speed_along,
 )
 from tamias2d.engine.continuous.trajectory import relative_place
-from tamias2d.engine.continuous.two_as_one import keeps_turning, return_turning, turning_of
+from tamias2d.engine.continuous.two_as_one import (
+    keeps_turning,
+    place_at_end,
+    return_turning,
+    turning_of,
+)
 from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,
@@ -122,7 +127,7 @@ def rebound_freely(
     """Apply the impact of two bodies that move freely, and let them keep their angular momentum."""
     if not keeps_turning(i, j, bodies):
         return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
-    before = turning_of(i, j, (bodies.pose[i, X], bodies.pose[i, Y]), bodies)
+    before = turning_of(i, j, place_at_end(i, (0.0, 0.0), bodies), bodies)
     impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
     return_turning(i, j, before, bodies)
     return impulse

@@ -6,7 +6,7 @@ path is not quite one of the velocities. What it gives both is taken from their 
 
 from typing import NamedTuple
 
-from tamias2d.engine.solver.angular_momentum import as_one, return_motion
+from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.tables import DX, DY, FORCE_GAIN, INVERSE_INERTIA, SPIN, VX, VY, Bodies, X, Y
 from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
@@ -74,6 +74,8 @@ def return_turning(i: int, j: int, before: Turning, bodies: Bodies) -> None:
         turning += angular_momentum(own, place, velocity, inertia, now[SPIN])
         energy += kinetic_energy(own, velocity, inertia, now[SPIN])
     one = as_one(mass, (x, y), (by_x, by_y), about, turning)
+    if not can_turn(one, about):
+        return
     turned_i, turned_j = is_turned(i, i, before, bodies), is_turned(j, i, before, bodies)
     for k in (i, j):
         turned = turned_i if k == i else turned_j

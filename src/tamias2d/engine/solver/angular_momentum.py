@@ -77,6 +77,7 @@ from tamias2d.generated.island_energy import (
 )
 from tamias2d.state import Array, Vector
 
+LEAST_INERTIA = 2.0**-30  # of the inertia about the root: a body alone that nothing turns has none
 MOST_GROWTH = 1.0 + 2.0**-6  # of what is left of the motion, so that energy stays
 
 
@@ -224,6 +225,8 @@ def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array
     seen = velocity_seen((now[VX], now[VY]), reference)
     before = kinetic_energy(mass, seen, inertia, now[SPIN])
     turned = given[ANGULAR_VELOCITY_GIVEN] != 0.0
+    if not can_turn(one, row[MOMENT_OF_INERTIA]):
+        return
     now[VX], now[VY] = seen
     return_motion(one, row[GIVEN], row[ENERGY_PUSHED], turned, place_from(root, i, bodies), now)
     seen = (now[VX], now[VY])
@@ -256,6 +259,11 @@ def as_one(mass: float, moment: Vector, along: Vector, about: float, turning: fl
         inertia,
         angular_velocity_island(turning, mass, place, velocity, inertia),
     )
+
+
+def can_turn(one: AsOne, about: float) -> bool:
+    """Return whether bodies have an inertia as one, besides what rounding leaves of a sum."""
+    return one.inertia > LEAST_INERTIA * about
 
 
 def return_motion(
