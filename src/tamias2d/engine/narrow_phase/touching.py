@@ -115,11 +115,10 @@ def find_touching(
                 p, i, j, count, smaller, control, bodies, contacts
             )
             beside = contacts.flags[p, FEATURE] == BESIDE
-            far = smallest_gap(contacts.manifolds[p], count) > (CLOSE + AHEAD) * smaller
-            if not meets and (far or beside):
+            gap = smallest_gap(contacts.manifolds[p], count)
+            if not meets and (beside or gap > (CLOSE + AHEAD) * smaller):
                 contacts.flags[p, POINT_COUNT] = 0
                 continue
-            gap = smallest_gap(contacts.manifolds[p], count)
             deep = deep | (gap < -DEEP * smaller)
             note_sinking(i, j, before, gap, control, bodies)
             same = same & (touching.contact[total] == p) & (touching.colour[total] % 2 == count - 1)
