@@ -6,7 +6,7 @@ path is not quite one of the velocities. What it gives both is taken from their 
 
 from typing import NamedTuple
 
-from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion
+from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.tables import DX, DY, FORCE_GAIN, INVERSE_INERTIA, SPIN, VX, VY, Bodies, X, Y
 from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
@@ -22,6 +22,7 @@ class Turning(NamedTuple):
     origin: Vector  # m
     whole: float  # kg m^2/s
     size: float  # kg m^2/s, of what it is the sum of
+    energy: float  # J
     spin_i: float  # rad/s
     spin_j: float
 
@@ -43,7 +44,7 @@ def place_at_end(i: int, origin: Vector, bodies: Bodies) -> Vector:
 
 def turning_of(i: int, j: int, origin: Vector, bodies: Bodies) -> Turning:
     """Return the angular momentum of two bodies about some place, m."""
-    whole = size = 0.0
+    whole = size = energy = 0.0
     for k in (i, j):
         mass, inertia = mass_and_inertia(k, bodies.properties)
         now = bodies.motion[k]
@@ -51,7 +52,8 @@ def turning_of(i: int, j: int, origin: Vector, bodies: Bodies) -> Turning:
             mass, place_at_end(k, origin, bodies), (now[VX], now[VY]), inertia, now[SPIN]
         )
         whole, size = whole + own, size + abs(own)
-    return Turning(origin, whole, size, bodies.motion[i, SPIN], bodies.motion[j, SPIN])
+        energy += kinetic_energy(mass, (now[VX], now[VY]), inertia, now[SPIN])
+    return Turning(origin, whole, size, energy, bodies.motion[i, SPIN], bodies.motion[j, SPIN])
 
 
 def return_turning(i: int, j: int, before: Turning, bodies: Bodies) -> None:
@@ -74,7 +76,8 @@ def return_turning(i: int, j: int, before: Turning, bodies: Bodies) -> None:
         turning += angular_momentum(own, place, velocity, inertia, now[SPIN])
         energy += kinetic_energy(own, velocity, inertia, now[SPIN])
     one = as_one(mass, (x, y), (by_x, by_y), about, turning)
-    if not can_turn(one, about):
+    room = before.energy - after.energy
+    if not (can_turn(one, about) and suffices(one, given, energy, room)):
         return
     turned_i, turned_j = is_turned(i, i, before, bodies), is_turned(j, i, before, bodies)
     for k in (i, j):

@@ -266,6 +266,16 @@ def can_turn(one: AsOne, about: float) -> bool:
     return one.inertia > LEAST_INERTIA * about
 
 
+def suffices(one: AsOne, given: float, energy: float, room: float) -> bool:
+    """Return whether bodies have the energy for their angular momentum, J, with some more to take.
+
+    They may not where their paths are far from what their velocities say.
+    """
+    spin = angular_velocity_island_returned(one.spin, given, one.inertia)
+    least = kinetic_energy(one.mass, one.velocity, one.inertia, spin)
+    return least <= energy + max(room, 0.0)
+
+
 def return_motion(
     one: AsOne, given: float, energy: float, turned: bool, place: Vector, now: Array
 ) -> None:
