@@ -14,6 +14,11 @@ from tamias2d.engine.joints.stages import (
     relax_joints,
     solve_joints,
 )
+from tamias2d.engine.solver.angular_momentum import (
+    add_moments,
+    add_moments_before,
+    begin_moments,
+)
 from tamias2d.engine.solver.blocks import clear_lanes, fill_lanes
 from tamias2d.engine.solver.energy import makes_energy, sum_step_energy
 from tamias2d.engine.solver.energy_bound import bound_energy, note_before_restitution
@@ -27,6 +32,7 @@ from tamias2d.engine.tables import (
     ACTIVE,
     BLOCKS,
     BOUNCING,
+    FREE_ISLANDS,
     GRAVITY_X,
     GRAVITY_Y,
     IMPACTS,
@@ -82,7 +88,8 @@ def solve_contacts(world: World, contacts: Contacts) -> None:
             take_stage(stage, front - stage, substep, world, contacts)
     note_unsolved(control, world.direct)
     constraints.counts[LANES_FILLED] = 1
-    if constraints.counts[BOUNCING] > 0 or makes_energy(constraints.energy):
+    looked_at = constraints.counts[BOUNCING] + constraints.counts[FREE_ISLANDS] > 0
+    if looked_at or makes_energy(constraints.energy):
         finish_step(world)
     if sprung:
         end_springs(world.bodies, world.springs)
@@ -149,6 +156,8 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
         constraints.scratch[PREFETCHED] = total
     first, last = bodies_of_stage(slab, constraints)
     begin_step(first, last, world.control, bodies, touching)
+    if constraints.counts[FREE_ISLANDS] > 0:
+        begin_moments(first, last, touching, world.islands)
     if constraints.counts[LANES_FILLED] == 0:
         clear_lanes(block, block_end, len(bodies.kind) - 1, blocks, lanes)
         fill_lanes(contact, contact_end, bodies, world.shapes, contacts, touching, constraints)
@@ -165,6 +174,8 @@ def solve_slab(again: bool, slab: int, substep: float, world: World) -> None:
     bodies, constraints = world.bodies, world.constraints
     slabs = constraints.slabs
     first, last = bodies_of_stage(slab, constraints)
+    if again and constraints.counts[FREE_ISLANDS] > 0:
+        add_moments(first, last, bodies, world.touching, world.islands)
     apply_forces(again, first, last, bodies, world.touching)
     sprung = world.springs.counts[NETWORKS_TOUCHED] > 0
     share = 1.0 / world.control.progress[PART_TIME]
@@ -186,6 +197,8 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     bodies, constraints = world.bodies, world.constraints
     slabs = constraints.slabs
     first, last = bodies_of_stage(slab, constraints)
+    if constraints.counts[FREE_ISLANDS] > 0:
+        add_moments_before(substep, first, last, bodies, world.touching, world.islands)
     integrate_positions(substep, first, last, bodies, world.touching)
     relax_joints(world)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]

@@ -379,6 +379,7 @@ FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
 SENSES = _flags()  # 1 if one of the shapes is a sensor
+KNOWN_SIDE = _flags()  # 1 if the normal tells the side of a piece, which was not touched
 LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list
@@ -405,7 +406,9 @@ class Contacts(NamedTuple):
     flags: Annotated[
         IndexRows,
         Sized("contacts", _flags.width),
-        Saved({POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, SENSES: 2, LOCATED: 16}),
+        Saved(
+            {POINT_COUNT: 3, TOUCHES: 16, CACHED_AXIS: 2**31, SENSES: 2, KNOWN_SIDE: 2, LOCATED: 16}
+        ),
     ]
 
 
@@ -420,6 +423,7 @@ IMPACTS = _touching()  # 1 if the solver is given contacts that come about in th
 LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous collision
 
 
+RIGHT_LOW, RIGHT_HIGH, LEFT_LOW, LEFT_HIGH = range(4)  # columns of sides: see chain_sides
 ALL, HOLDING = range(2)  # columns of near: contacts that touch or will, those with an impulse
 
 
@@ -428,6 +432,7 @@ class Touching(NamedTuple):
 
     counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
     near: Annotated[IndexRows, Sized("slots", 2)]  # numbers of contacts of each body, see above
+    sides: Annotated[IndexRows, Sized("shapes", 4)]  # pieces that a shape touches, plus 1
     approach: Annotated[Floats, Sized("slots")]  # m/s, at which each body approaches others
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
     body_a: Annotated[Places, Sized("contacts")]  # slot
@@ -521,6 +526,7 @@ BOUNCING = _constraints()  # contacts with restitution
 SWEEPS = _constraints()  # over the contacts in each stage of this part
 LANES_FILLED = _constraints()  # 1 if lanes hold what stays while the arrangement does
 SLABS = _constraints()
+FREE_ISLANDS = _constraints()  # islands that touch nothing but themselves
 
 
 class Constraints(NamedTuple):
@@ -555,6 +561,9 @@ REST_GRAVITY = _rest(2)  # m/s^2
 
 _energy = Columns()
 BEFORE_RESTITUTION = _energy(3)  # m/s, m/s, rad/s, of each body: its velocity
+VELOCITY_GIVEN = _energy(2)  # m/s, of each body, as the next two: what contacts have given it
+ANGULAR_VELOCITY_GIVEN = _energy()  # rad/s, in all substeps
+MOMENT_AHEAD = _energy()  # m^2/s, about where it was as the step began
 REFERENCE = _energy(3)  # m/s, m/s, rad/s, of a root, as all below: the rigid motion, at the root,
 # from which the island is seen, and towards which its motion is damped
 SUPPORT = _energy()  # how many motions support it, one of those in `solver.energy`
@@ -574,6 +583,9 @@ MOMENT_X = _energy()  # kg m, of the mass
 MOMENT_Y = _energy()
 MOMENT_OF_INERTIA = _energy()  # kg m^2
 DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where none is taken
+IS_HELD = _energy()  # 1 if the island touches something that does not move freely, or cannot turn
+GIVEN = _energy()  # kg m^2/s, what contacts have given an island that nothing holds
+ENERGY_PUSHED = _energy()  # J, of its bodies that contacts have pushed
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()

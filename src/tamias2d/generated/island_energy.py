@@ -1,5 +1,6 @@
 """Island energy: Work in a step; Motion seen from a support; Motion of an island as one body;
-Share of a bounce; Bound on the energy of an island.
+Share of a bounce; Bound on the energy of an island; Angular momentum that contacts give;
+Angular momentum of a free island.
 
 Generated from srs/models/island_energy.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -413,3 +414,189 @@ def angular_velocity_damped(
     Source: IM11, srs/models/island_energy.md:247.
     """
     return angular_velocity_island + damped_share * (angular_velocity - angular_velocity_island)
+
+
+def moment_ahead_moved(
+    moment_ahead: Scalar, velocity: Vector, velocity_change: Vector, time_step: Scalar
+) -> Scalar:
+    """Moment of the changes that contacts make in the velocity of a body about where its centre of
+    mass was as the step began; as a body moves on in a substep (m^2/s).
+
+    moment_ahead_moved = moment_ahead - time_step*cross(velocity, velocity_change)
+
+    Args:
+        moment_ahead: Moment of the changes that contacts make in the velocity of a body about
+            where its centre of mass was as the step began, m^2/s
+        velocity: Velocity of the centre of mass, m/s
+        velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD66, srs/models/island_energy.md:334.
+    """
+    velocity_x, velocity_y = velocity
+    velocity_change_x, velocity_change_y = velocity_change
+    return moment_ahead - time_step * (
+        velocity_x * velocity_change_y - velocity_y * velocity_change_x
+    )
+
+
+def moment_ahead_later(moment_ahead: Scalar, shift: Vector, velocity_change: Vector) -> Scalar:
+    """Moment of the changes that contacts make in the velocity of a body about where its centre of
+    mass was as the step began; after the bodies have moved (m^2/s).
+
+    moment_ahead_later = moment_ahead + cross(shift, velocity_change)
+
+    Args:
+        moment_ahead: Moment of the changes that contacts make in the velocity of a body about
+            where its centre of mass was as the step began, m^2/s
+        shift: How far the centre of mass has moved since the step began, m
+        velocity_change: What contacts have changed in the velocity of a body in a substep, m/s
+
+    Source: DD66, srs/models/island_energy.md:335.
+    """
+    shift_x, shift_y = shift
+    velocity_change_x, velocity_change_y = velocity_change
+    return moment_ahead + shift_x * velocity_change_y - shift_y * velocity_change_x
+
+
+def angular_momentum_given(
+    mass: Scalar,
+    position: Vector,
+    velocity_given: Vector,
+    moment_ahead: Scalar,
+    inertia: Scalar,
+    angular_velocity_given: Scalar,
+) -> Scalar:
+    """Angular momentum about the origin that contacts have given (kg*m^2/s).
+
+    angular_momentum_given = mass*(cross(position, velocity_given) + moment_ahead) +
+    inertia*angular_velocity_given
+
+    Args:
+        mass: Mass of a body, kg
+        position: Position of the centre of mass, m
+        velocity_given: What contacts have changed in the velocity of a body in all substeps,
+            m/s
+        moment_ahead: Moment of the changes that contacts make in the velocity of a body about
+            where its centre of mass was as the step began, m^2/s
+        inertia: Moment of inertia about the centre of mass, kg*m^2
+        angular_velocity_given: What contacts have changed in the angular velocity of a body in
+            all substeps, rad/s
+
+    Source: DD66, srs/models/island_energy.md:336.
+    """
+    position_x, position_y = position
+    velocity_given_x, velocity_given_y = velocity_given
+    return (
+        mass * (position_x * velocity_given_y - position_y * velocity_given_x + moment_ahead)
+        + inertia * angular_velocity_given
+    )
+
+
+def angular_velocity_island_returned(
+    angular_velocity_island: Scalar, angular_momentum_given: Scalar, inertia_island: Scalar
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; of an island as one body; with the angular
+    momentum that the island had (rad/s).
+
+    angular_velocity_island_returned = angular_velocity_island -
+    angular_momentum_given/inertia_island
+
+    Args:
+        angular_velocity_island: Rate of turning, positive counter-clockwise; of an island as
+            one body, rad/s
+        angular_momentum_given: Angular momentum about the origin that contacts have given,
+            kg*m^2/s
+        inertia_island: Moment of inertia about the centre of mass; of an island as one body,
+            kg*m^2
+
+    Source: IM17, srs/models/island_energy.md:398.
+    """
+    return angular_velocity_island - angular_momentum_given / inertia_island
+
+
+def returned_share(
+    kinetic_energy: Scalar,
+    kinetic_energy_least: Scalar,
+    kinetic_energy_least_returned: Scalar,
+    share_largest: Scalar,
+) -> Scalar:
+    """Factor of what differs in the velocities of an island from its motion as one, where that
+    gets back its angular momentum (1).
+
+    returned_share = min(sqrt(max(kinetic_energy - kinetic_energy_least_returned,
+    0)/(kinetic_energy - kinetic_energy_least)), share_largest)
+
+    Args:
+        kinetic_energy: Energy of motion, turning included, J
+        kinetic_energy_least: Energy of motion, turning included; the least that there can be, J
+        kinetic_energy_least_returned: Energy of motion, turning included; the least that there
+            can be; with the angular momentum that the island had, J
+        share_largest: The largest factor by which motion that is left may grow, 1
+
+    Source: IM17, srs/models/island_energy.md:400.
+    """
+    return least(
+        sqrt(
+            largest(kinetic_energy - kinetic_energy_least_returned, 0)
+            / (kinetic_energy - kinetic_energy_least)
+        ),
+        share_largest,
+    )
+
+
+def velocity_returned(
+    velocity: Vector,
+    velocity_island: Vector,
+    velocity_island_returned: Vector,
+    returned_share: Scalar,
+) -> Vector:
+    """Velocity of the centre of mass; with the angular momentum that the island had (m/s).
+
+    velocity_returned = velocity_island_returned + returned_share*(velocity - velocity_island)
+
+    Args:
+        velocity: Velocity of the centre of mass, m/s
+        velocity_island: Velocity of the centre of mass; of an island as one body, m/s
+        velocity_island_returned: Velocity of the centre of mass; of an island as one body; with
+            the angular momentum that the island had, m/s
+        returned_share: Factor of what differs in the velocities of an island from its motion as
+            one, where that gets back its angular momentum, 1
+
+    Source: IM17, srs/models/island_energy.md:403.
+    """
+    velocity_x, velocity_y = velocity
+    velocity_island_x, velocity_island_y = velocity_island
+    velocity_island_returned_x, velocity_island_returned_y = velocity_island_returned
+    return (
+        velocity_island_returned_x + returned_share * (velocity_x - velocity_island_x),
+        velocity_island_returned_y + returned_share * (velocity_y - velocity_island_y),
+    )
+
+
+def angular_velocity_returned(
+    angular_velocity: Scalar,
+    angular_velocity_island: Scalar,
+    angular_velocity_island_returned: Scalar,
+    returned_share: Scalar,
+) -> Scalar:
+    """Rate of turning, positive counter-clockwise; with the angular momentum that the island had
+    (rad/s).
+
+    angular_velocity_returned = angular_velocity_island_returned +
+    returned_share*(angular_velocity - angular_velocity_island)
+
+    Args:
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        angular_velocity_island: Rate of turning, positive counter-clockwise; of an island as
+            one body, rad/s
+        angular_velocity_island_returned: Rate of turning, positive counter-clockwise; of an
+            island as one body; with the angular momentum that the island had, rad/s
+        returned_share: Factor of what differs in the velocities of an island from its motion as
+            one, where that gets back its angular momentum, 1
+
+    Source: IM17, srs/models/island_energy.md:405.
+    """
+    return angular_velocity_island_returned + returned_share * (
+        angular_velocity - angular_velocity_island
+    )

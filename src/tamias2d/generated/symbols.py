@@ -1775,6 +1775,66 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1111,
     ),
+    "velocity_change": Symbol(
+        "velocity_change",
+        "m/s",
+        "what contacts have changed in the velocity of a body in a substep",
+        shape="vector",
+        tex="\\Delta\\boldsymbol{v}",
+        file="srs/symbols.md",
+        line=1118,
+    ),
+    "velocity_given": Symbol(
+        "velocity_given",
+        "m/s",
+        "what contacts have changed in the velocity of a body in all substeps",
+        shape="vector",
+        tex="\\Delta\\boldsymbol{v}_\\Sigma",
+        file="srs/symbols.md",
+        line=1123,
+    ),
+    "angular_velocity_given": Symbol(
+        "angular_velocity_given",
+        "rad/s",
+        "what contacts have changed in the angular velocity of a body in all substeps",
+        tex="\\Delta\\omega_\\Sigma",
+        file="srs/symbols.md",
+        line=1128,
+    ),
+    "moment_ahead": Symbol(
+        "moment_ahead",
+        "m^2/s",
+        "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
+        tex="\\lambda",
+        file="srs/symbols.md",
+        line=1133,
+    ),
+    "angular_momentum_given": Symbol(
+        "angular_momentum_given",
+        "kg*m^2/s",
+        "angular momentum about the origin that contacts have given",
+        tex="\\Delta L",
+        file="srs/symbols.md",
+        line=1139,
+    ),
+    "returned_share": Symbol(
+        "returned_share",
+        "1",
+        "factor of what differs in the velocities of an island from its motion as one, where that gets back its angular momentum",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\sigma_r",
+        file="srs/symbols.md",
+        line=1143,
+    ),
+    "share_largest": Symbol(
+        "share_largest",
+        "1",
+        "the largest factor by which motion that is left may grow",
+        range=Range(">= 1", low=1.0, low_open=False),
+        tex="\\sigma_{\\max}",
+        file="srs/symbols.md",
+        line=1150,
+    ),
     "mass_moment": Symbol(
         "mass_moment",
         "kg*m",
@@ -1782,7 +1842,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1118,
+        line=1155,
     ),
     "energy": Symbol(
         "energy",
@@ -1790,7 +1850,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1123,
+        line=1160,
     ),
     "radius": Symbol(
         "radius",
@@ -1799,7 +1859,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1132,
+        line=1169,
     ),
     "length": Symbol(
         "length",
@@ -1808,7 +1868,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1137,
+        line=1174,
     ),
     "width": Symbol(
         "width",
@@ -1817,7 +1877,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1144,
+        line=1181,
     ),
     "height": Symbol(
         "height",
@@ -1826,7 +1886,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1149,
+        line=1186,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1835,7 +1895,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1154,
+        line=1191,
     ),
     "center": Symbol(
         "center",
@@ -1844,7 +1904,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1159,
+        line=1196,
     ),
     "offset": Symbol(
         "offset",
@@ -1852,7 +1912,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1164,
+        line=1201,
     ),
     "area": Symbol(
         "area",
@@ -1861,7 +1921,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1168,
+        line=1205,
     ),
     "way": Symbol(
         "way",
@@ -1870,7 +1930,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1173,
+        line=1210,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -1878,7 +1938,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1178,
+        line=1215,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -1887,7 +1947,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1182,
+        line=1219,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -1896,7 +1956,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1187,
+        line=1224,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -1904,7 +1964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1192,
+        line=1229,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -1912,7 +1972,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1196,
+        line=1233,
     ),
     "lean": Symbol(
         "lean",
@@ -1920,7 +1980,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1200,
+        line=1237,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -1928,7 +1988,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1204,
+        line=1241,
     ),
     "admitted": Symbol(
         "admitted",
@@ -1936,7 +1996,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1208,
+        line=1245,
     ),
     "centroid": Symbol(
         "centroid",
@@ -1945,7 +2005,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1214,
+        line=1251,
     ),
     "row_value": Symbol(
         "row_value",
@@ -1953,7 +2013,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1227,
+        line=1264,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -1961,7 +2021,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1231,
+        line=1268,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -1970,7 +2030,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1235,
+        line=1272,
     ),
     "slope": Symbol(
         "slope",
@@ -1979,7 +2039,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1240,
+        line=1277,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -1987,7 +2047,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1245,
+        line=1282,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -1995,7 +2055,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1249,
+        line=1286,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2003,7 +2063,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1253,
+        line=1290,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2012,7 +2072,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1257,
+        line=1294,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2020,7 +2080,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1262,
+        line=1299,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2028,7 +2088,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1266,
+        line=1303,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2036,7 +2096,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1270,
+        line=1307,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2044,7 +2104,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1274,
+        line=1311,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2052,7 +2112,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1278,
+        line=1315,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2061,7 +2121,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1282,
+        line=1319,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2070,7 +2130,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1287,
+        line=1324,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2079,7 +2139,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1292,
+        line=1329,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2088,7 +2148,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1297,
+        line=1334,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2096,7 +2156,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1302,
+        line=1339,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2105,7 +2165,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1306,
+        line=1343,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2113,7 +2173,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1311,
+        line=1348,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2122,7 +2182,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1315,
+        line=1352,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2130,7 +2190,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1320,
+        line=1357,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2138,7 +2198,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1324,
+        line=1361,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2147,7 +2207,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1328,
+        line=1365,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2156,7 +2216,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1333,
+        line=1370,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2165,7 +2225,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1338,
+        line=1375,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2173,7 +2233,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1343,
+        line=1380,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2181,7 +2241,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1347,
+        line=1384,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2189,7 +2249,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1351,
+        line=1388,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2198,7 +2258,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1355,
+        line=1392,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2206,7 +2266,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1360,
+        line=1397,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2215,6 +2275,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1364,
+        line=1401,
     ),
 }

@@ -10,7 +10,7 @@ from math import sqrt
 
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED, Sweep, safe_advance
 from tamias2d.engine.continuous.trajectory import RelativePath
-from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
+from tamias2d.engine.narrow_phase.chain import BESIDE, has_end, is_piece, judge
 from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.collide import collide_cores
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
@@ -69,6 +69,7 @@ def advance(
     manifold, rows = events.scratch[0], events.scratch[1:]
     least = hair = near
     piece = is_piece(p) or is_piece(q)
+    kept = piece and not has_end(s if is_piece(p) else t, shapes)
     for pose in range(MOST_POSES):
         if at >= last:
             return MISSED
@@ -79,7 +80,7 @@ def advance(
         stays = True
         if piece and gap <= near:
             stays, gap = measure_gap_of_piece(
-                s, t, placed_a, placed_b, x, y, gap, manifold, rows, shapes
+                s, t, placed_a, placed_b, (x, y), gap, held, manifold, rows, shapes
             )
         if at == 0.0 and gap <= near:
             known = held[0] != 0.0 or held[1] != 0.0
@@ -89,7 +90,10 @@ def advance(
                 least = gap - near
         elif gap > near:
             least = hair = near
-        held = (0.0, 0.0) if gap > near else (manifold[NX], manifold[NY])
+        if gap <= near:
+            held = (manifold[NX], manifold[NY])
+        elif not kept:  # a shape may have come to the other side
+            held = (0.0, 0.0)
         if not (gap > least and (least == near or pose < MOST_CLOSE_POSES)):
             return at
         if not stays:
@@ -118,9 +122,9 @@ def measure_gap_of_piece(
     t: int,
     a: Core,
     b: Core,
-    x: float,
-    y: float,
+    at: Vector,
     gap: float,
+    held: Vector,
     manifold: Array,
     vertices: Array,
     shapes: Shapes,
@@ -129,7 +133,7 @@ def measure_gap_of_piece(
 
     Where the piece takes none, the gap is huge.
     """
-    verdict = judge(s, t, a, b, x, y, UNBOUNDED, manifold, vertices, shapes)
+    verdict = judge(s, t, a, b, at, UNBOUNDED, held, manifold, vertices, shapes)
     if verdict.stays:
         return True, gap
     if verdict.first == 0 or verdict.first == BESIDE:

@@ -304,7 +304,7 @@ def manifold_at(
     gap = measure_gap(manifold, a, b, x, y, held, shapes.world_vertices)
     if is_piece(a) or is_piece(b):
         _, gap = measure_gap_of_piece(
-            s, t, a, b, x, y, gap, manifold, shapes.world_vertices, shapes
+            s, t, a, b, (x, y), gap, held, manifold, shapes.world_vertices, shapes
         )
     return gap
 

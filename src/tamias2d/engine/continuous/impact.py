@@ -16,6 +16,12 @@ from tamias2d.engine.continuous.impulse import (
     speed_along,
 )
 from tamias2d.engine.continuous.trajectory import relative_place
+from tamias2d.engine.continuous.two_as_one import (
+    keeps_turning,
+    place_at_end,
+    return_turning,
+    turning_of,
+)
 from tamias2d.engine.continuous.work import (
     energy_seen,
     support_velocity,
@@ -95,7 +101,7 @@ def rebound(
     """
     time_step, left = control.progress[PART_TIME], 1.0 - now
     if bodies.kind[i] == bodies.kind[j]:
-        return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+        return rebound_freely(i, j, now, time_step, friction, restitution, bodies, manifold)
     k, wall = (i, j) if bodies.kind[i] == DYNAMIC else (j, i)
     support = support_velocity(k, wall, now, bodies.pose, bodies.motion)
     spin = bodies.motion[wall, SPIN]
@@ -105,6 +111,25 @@ def rebound(
     after = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     after -= work_ahead(k, left, control, bodies)
     take_energy_back(k, after - before, support, spin, bodies.motion, bodies.properties)
+    return impulse
+
+
+def rebound_freely(
+    i: int,
+    j: int,
+    now: float,
+    time_step: float,
+    friction: float,
+    restitution: float,
+    bodies: Bodies,
+    manifold: Array,
+) -> float:
+    """Apply the impact of two bodies that move freely, and let them keep their angular momentum."""
+    if not keeps_turning(i, j, bodies):
+        return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+    before = turning_of(i, j, place_at_end(i, (0.0, 0.0), bodies), bodies)
+    impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+    return_turning(i, j, before, bodies)
     return impulse
 
 

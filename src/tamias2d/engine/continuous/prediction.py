@@ -175,7 +175,7 @@ def foresee_contact(
     margin += abs(path.dx) + abs(path.dy)  # an impact at one end brings the other one down
     first, second = collide_cores(manifold, placed_a, placed_b, x, y, margin, held, rows)
     if first > 0 and (is_piece(a) or is_piece(b)):
-        verdict = judge(s, t, placed_a, placed_b, x, y, margin, manifold, rows, shapes)
+        verdict = judge(s, t, placed_a, placed_b, (x, y), margin, held, manifold, rows, shapes)
         if not verdict.stays:
             first, second = verdict.first, verdict.second
         if first == BESIDE:

@@ -7,7 +7,7 @@ Cost: a visit to each body, and two more where there is too much.
 """
 
 from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.solver.island_damping import find_rigid_motion
+from tamias2d.engine.solver.island_damping import find_rigid_motion, place_from
 from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_ONE
 from tamias2d.engine.tables import (
     ANGULAR_MOMENTUM,
@@ -38,8 +38,6 @@ from tamias2d.engine.tables import (
     Control,
     Islands,
     Joints,
-    X,
-    Y,
 )
 from tamias2d.generated.definitions import (
     angular_momentum,
@@ -55,7 +53,7 @@ from tamias2d.generated.island_energy import (
     work,
 )
 from tamias2d.generated.joint_step import kinetic_energy_most
-from tamias2d.state import Array, Vector
+from tamias2d.state import Array
 
 
 def bound_mechanism(
@@ -115,11 +113,3 @@ def add_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
     row[MOMENT_X] += moment[0]
     row[MOMENT_Y] += moment[1]
     row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
-
-
-def place_from(root: int, i: int, bodies: Bodies) -> Vector:
-    """Return where a body is from another one at the end of the step, m."""
-    pose, now = bodies.pose[i], bodies.motion[i]
-    origin, moved = bodies.pose[root], bodies.motion[root]
-    x, y = pose[X] - origin[X], pose[Y] - origin[Y]
-    return x + (now[DX] - moved[DX]), y + (now[DY] - moved[DY])

@@ -22,6 +22,7 @@ from tamias2d.engine.tables import (
     IMPULSE_RATIO,
     IN_CONTACT,
     INCREMENT,
+    IS_HELD,
     J_FORCE,
     J_GIVEN,
     J_PULL,
@@ -34,11 +35,13 @@ from tamias2d.engine.tables import (
     M_GOVERNED,
     M_JOINT,
     M_STATUS,
+    M_TIED,
     MECHANISMS,
     MECHANISMS_AWAKE,
     MECHANISMS_TOUCHED,
     N_BODY,
     PART_TIME,
+    ROOT,
     S_TREE,
     SLABS,
     SLEEP_ID,
@@ -75,6 +78,14 @@ def note_places(world: World) -> None:
     joints.members[0, JOINED_SLOT] = len(world.bodies.kind) - 1  # the plane is the idle body
     for m in range(1, len(joints.members)):
         joints.members[m, JOINED_SLOT] = world.state.slot_of_body[joints.members[m, JOINED_BODY]]
+
+
+def hold_tied(islands: Islands, joints: Joints) -> None:
+    """Mark the islands of mechanisms that are tied to what does not move freely."""
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_TIED] == 1:
+            i = joints.members[joints.sparse[n, I_NODE] + 1, JOINED_SLOT]
+            islands.energy[islands.links[i, ROOT], IS_HELD] = 1.0
 
 
 def note_mechanisms(world: World) -> None:

@@ -28,11 +28,12 @@ from tamias2d.engine.tables import (
     Shapes,
 )
 from tamias2d.generated.terrain import admitted, corner_room
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 BESIDE = FEATURES * FEATURES - 1  # feature of a point beside a piece, which may come over it
 SAME = 2.0**-44  # sine: a direction that leans by no more is the normal of the piece
 STRAIGHT = 2.0**-17  # sine: a corner that turns by no more does not stick out
+FACING = 2.0**-3  # cosine: a normal that leans more over a piece tells no side of it
 SLIVER = 2.0**-4  # of the size of a shape: how much of it may be on the other side of a neighbour
 
 
@@ -61,47 +62,60 @@ def is_piece(p: Core) -> bool:
     return p.kind >= PIECE
 
 
+def has_end(piece: int, shapes: Shapes) -> bool:
+    """Return whether the chain of a piece ends with it."""
+    row = shapes.material[piece]
+    return bool(row[START_COSINE] == -1.0 or row[END_COSINE] == -1.0)
+
+
 def judge(
     s: int,
     t: int,
     a: Core,
     b: Core,
-    x: float,
-    y: float,
+    at: Vector,
     margin: float,
+    held: Vector,
     manifold: Array,
     vertices: Array,
     shapes: Shapes,
 ) -> Verdict:
     """Look at the manifold of shapes s and t, one of them a piece, and write another if it must.
 
-    B is at (x, y) from A, m. Where there is no contact, but one may come about, the first feature
-    is `BESIDE`, and the manifold stays.
+    B is `at` some place from A, m; the normal of their contact before, (0, 0) where there was none,
+    tells on which side of the piece the other shape is. Where there is no contact, but one may come
+    about, the first feature is `BESIDE`, and the manifold stays.
     """
     if is_piece(b):
-        return judge_piece(t, b, a, -x, -y, margin, True, manifold, vertices, shapes)
-    return judge_piece(s, a, b, x, y, margin, False, manifold, vertices, shapes)
+        back, up = (-at[0], -at[1]), (-held[0], -held[1])
+        return judge_piece(t, b, a, back, margin, up, True, manifold, vertices, shapes)
+    return judge_piece(s, a, b, at, margin, held, False, manifold, vertices, shapes)
 
 
 def judge_piece(
     piece: int,
     p: Core,
     q: Core,
-    x: float,
-    y: float,
+    at: Vector,
     margin: float,
+    held: Vector,
     swapped: bool,
     manifold: Array,
     vertices: Array,
     shapes: Shapes,
 ) -> Verdict:
-    """Look at the manifold of a piece and another shape, which is at (x, y) from it, m.
+    """Look at the manifold of a piece and another shape, which is at some place from it, m.
 
-    Swapped says that the piece is B.
+    Swapped says that the piece is B. The normal of before leads away from the piece.
     """
     ux, uy = (-manifold[NX], -manifold[NY]) if swapped else (manifold[NX], manifold[NY])
     right = seen_from(0, piece, p, vertices, shapes)
     one_sided, round_ = p.kind == ONE_SIDED_PIECE, q.vertex_count == 1
+    x, y = at[0], at[1]
+    up = right.nx * held[0] + right.ny * held[1]
+    if abs(up) >= FACING and not round_:
+        side = seen_from(0 if up > 0.0 else 1, piece, p, vertices, shapes)
+        return judge_side(side, p, q, at, margin, swapped, manifold, vertices)
     if is_normal(ux, uy, right, round_):
         return verdict_of(one_sided or not is_beyond_neighbour(right, p, q, x, y, vertices))
     left = seen_from(1, piece, p, vertices, shapes)
@@ -123,6 +137,34 @@ def judge_piece(
             )
             if first > 0:
                 return Verdict(False, first, second)
+    return verdict_of(False)
+
+
+def judge_side(
+    side: Side,
+    p: Core,
+    q: Core,
+    at: Vector,
+    margin: float,
+    swapped: bool,
+    manifold: Array,
+    vertices: Array,
+) -> Verdict:
+    """Look at the manifold of a piece and a shape with sides that is on a known side of it.
+
+    What of the shape is behind the piece, and not past its ends, has come through it.
+    """
+    ux, uy = (-manifold[NX], -manifold[NY]) if swapped else (manifold[NX], manifold[NY])
+    if is_normal(ux, uy, side, False):
+        return verdict_of(True)
+    x, y = at[0], at[1]
+    low, vertex = foremost_vertex(side, p, q, x, y, vertices)
+    over = low <= q.radius and is_over(side, p, q, vertex, x, y, vertices)
+    within = margin if over or leans_little(ux, uy, side) else 0.0
+    if low <= q.radius or within > 0.0:
+        first, second = clip_piece(manifold, side, p, q, vertex, x, y, within, swapped, vertices)
+        if first > 0:
+            return Verdict(False, first, second)
     return verdict_of(False)
 
 

@@ -10,15 +10,18 @@ separating axis test between convex polyhedra (GDC 2013); Catto, Box2D v3 (2024)
 pairs that do not touch yet.
 """
 
-from tamias2d.engine.narrow_phase.chain import is_piece, judge
+from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
 from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.disc import collide_disc, collide_discs
 from tamias2d.engine.narrow_phase.half_plane import collide_half_plane
-from tamias2d.engine.narrow_phase.polygon import collide_cached, collide_polygons
+from tamias2d.engine.narrow_phase.polygon import collide_cached, collide_polygons, held_normal
 from tamias2d.engine.tables import (
     FEATURE,
     HALF_PLANE,
+    KNOWN_SIDE,
     NORMAL_IMPULSE,
+    NX,
+    NY,
     POINT,
     POINT_COUNT,
     PRELOAD,
@@ -70,11 +73,14 @@ def collide_piece(
     """Do the same where one of the shapes is a piece of a chain."""
     manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
     a, b, vertices = core_of(s, shapes), core_of(t, shapes), shapes.world_vertices
+    held = held_normal(manifold, flags)
     first, second = find_points(manifold, flags, a, b, x, y, margin, vertices)
     if first > 0:
-        verdict = judge(s, t, a, b, x, y, margin, manifold, vertices, shapes)
+        verdict = judge(s, t, a, b, (x, y), margin, held, manifold, vertices, shapes)
         if not verdict.stays:
             first, second = verdict.first, verdict.second
+    if flags[KNOWN_SIDE] == 1 and (first == 0 or first == BESIDE):
+        manifold[NX], manifold[NY] = held
     return match_impulses(manifold, flags, first, second)
 
 

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from tamias2d.engine.tables import PIECE, SHAPE_INRADIUS, THIN_CAPSULE, Shapes
+from tamias2d.engine.tables import SHAPE_INRADIUS, THIN_CAPSULE, Shapes
 
 
 class Core(NamedTuple):
@@ -27,8 +27,8 @@ def core_of(s: int, shapes: Shapes) -> Core:
 
 
 def is_thin(a: Core, b: Core) -> bool:
-    """Return whether one of two shapes is next to nothing across."""
-    return THIN_CAPSULE <= a.kind < PIECE or THIN_CAPSULE <= b.kind < PIECE
+    """Return whether one of two shapes is next to nothing across, such as a piece of a chain."""
+    return a.kind >= THIN_CAPSULE or b.kind >= THIN_CAPSULE
 
 
 def next_vertex(k: int, count: int) -> int:

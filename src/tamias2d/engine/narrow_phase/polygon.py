@@ -25,6 +25,7 @@ from tamias2d.engine.narrow_phase.separation import (
 )
 from tamias2d.engine.tables import (
     CACHED_AXIS,
+    KNOWN_SIDE,
     MET_IN_FLIGHT,
     NX,
     NY,
@@ -101,10 +102,15 @@ def search(
 
 
 def held_normal(manifold: Array, flags: Integers) -> Vector:
-    """Return the normal of a contact that has points or met in flight, (0, 0) of others."""
-    if flags[POINT_COUNT] == 0 and flags[TOUCHES] < MET_IN_FLIGHT:
+    """Return the normal of a contact that tells the side, (0, 0) of others."""
+    if flags[KNOWN_SIDE] == 0 and not touched(flags):
         return 0.0, 0.0
     return manifold[NX], manifold[NY]
+
+
+def touched(flags: Integers) -> bool:
+    """Return whether a contact has points, or met in flight."""
+    return bool(flags[POINT_COUNT] > 0 or flags[TOUCHES] >= MET_IN_FLIGHT)
 
 
 def collide_polygons(

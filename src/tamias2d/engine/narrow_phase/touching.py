@@ -2,6 +2,7 @@
 
 from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.chain import BESIDE
+from tamias2d.engine.narrow_phase.chain_sides import note_sides
 from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.tables import (
     ARRANGED,
@@ -89,6 +90,7 @@ def find_touching(
     total = marked = new_static = 0
     deep = False
     same = touching.counts[ARRANGED] == 1
+    note_sides(broad_phase.counts[CONTACTS], contacts, shapes, touching.sides)
     for p in range(broad_phase.counts[CONTACTS]):
         age_flags(again, contacts.flags[p])
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]

@@ -9,6 +9,7 @@ its motion is damped. The bound is tested where there is restitution, or where t
 in all than there may be. Cost: some visits to each body.
 """
 
+from tamias2d.engine.solver.angular_momentum import keep_angular_momentum
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     choose_islands_to_damp,
@@ -42,6 +43,7 @@ from tamias2d.engine.tables import (
     ENERGY_START,
     FILLED,
     FIRST_RESTITUTION,
+    FREE_ISLANDS,
     GRAVITY_X,
     GRAVITY_Y,
     INVERSE_MASS,
@@ -111,6 +113,8 @@ def bound_energy(
     if choose_kept_shares(bodies, touching, constraints, islands):
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)
+    if constraints.counts[FREE_ISLANDS] > 0:
+        keep_angular_momentum(bodies, touching, constraints, islands)
     if choose_islands_to_damp(bodies, touching, constraints, islands):
         sum_island_motions(bodies, touching, constraints, islands)
         damp_islands(bodies, touching, constraints, islands)

@@ -10,6 +10,8 @@ from tamias2d.engine.tables import (
     ACTIVE,
     ANGULAR_MOMENTUM,
     DAMPED_SHARE,
+    DX,
+    DY,
     DYNAMIC,
     ENERGY_BOUND,
     ENERGY_KEPT,
@@ -50,7 +52,7 @@ from tamias2d.generated.island_energy import (
     velocity_island,
     velocity_seen,
 )
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 
 def choose_islands_to_damp(
@@ -92,8 +94,7 @@ def sum_island_motions(
 def sum_body_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
     """Add mass, momentum and moments of a body to those of its island, as seen from the root."""
     mass, inertia = mass_and_inertia(i, bodies.properties)
-    now, pose, origin = bodies.motion[i], bodies.pose[i], bodies.pose[root]
-    place = (pose[X] - origin[X], pose[Y] - origin[Y])
+    now, place = bodies.motion[i], place_from(root, i, bodies)
     velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
     along, moment = momentum(mass, velocity), mass_moment(mass, place)
     row[ISLAND_MASS] += mass
@@ -135,7 +136,28 @@ def damp_islands(
         if bodies.kind[i] == DYNAMIC:
             factor = islands.energy[islands.links[i, ROOT], DAMPED_SHARE]
             if factor < 1.0:
-                velocity, spin = reference_at(i, bodies, islands)
+                velocity, spin = motion_as_one(i, bodies, islands)
                 now = bodies.motion[i]
                 now[VX], now[VY] = velocity_damped((now[VX], now[VY]), velocity, factor)
                 now[SPIN] = angular_velocity_damped(now[SPIN], spin, factor)
+
+
+def motion_as_one(i: int, bodies: Bodies, islands: Islands) -> tuple[Vector, float]:
+    """Return the velocity, at a body, and the spin of the motion to which its island comes nearer.
+
+    A free island has its angular momentum where it is at the end of the step.
+    """
+    root = islands.links[i, ROOT]
+    row = islands.energy[root]
+    if row[SUPPORT] != FREE:
+        return reference_at(i, bodies, islands)
+    velocity, spin = (row[REFERENCE], row[REFERENCE + 1]), row[REFERENCE + 2]
+    return point_velocity(velocity, spin, place_from(root, i, bodies)), float(spin)
+
+
+def place_from(root: int, i: int, bodies: Bodies) -> Vector:
+    """Return where a body is from another one at the end of the step, m."""
+    pose, now = bodies.pose[i], bodies.motion[i]
+    origin, moved = bodies.pose[root], bodies.motion[root]
+    x, y = pose[X] - origin[X], pose[Y] - origin[Y]
+    return x + (now[DX] - moved[DX]), y + (now[DY] - moved[DY])

@@ -1,0 +1,143 @@
+"""On which side of a chain a shape is: what touches one piece is on that side of the next one, too.
+
+A piece by itself has no inside. A shape that lies a little too deep on one piece, by rounding or
+because a soft step lets it, would come to the next one from behind, and pass. It is told its side
+there. Where a corner sticks out by more than a right angle, what touches one of its pieces may
+well be behind the other one, and is told nothing.
+
+Cost: where there are chains, some visits to each contact.
+"""
+
+from tamias2d.engine.narrow_phase.chain import FACING, STRAIGHT
+from tamias2d.engine.narrow_phase.polygon import held_normal, touched
+from tamias2d.engine.tables import (
+    END_COSINE,
+    END_SINE,
+    KNOWN_SIDE,
+    LEFT_HIGH,
+    LEFT_LOW,
+    NX,
+    NY,
+    PIECE,
+    POINT_COUNT,
+    RIGHT_HIGH,
+    RIGHT_LOW,
+    START_COSINE,
+    START_SINE,
+    Contacts,
+    Integers,
+    Shapes,
+)
+
+NO_PIECE = -1
+
+
+def note_sides(count: int, contacts: Contacts, shapes: Shapes, sides: Integers) -> None:
+    """Let the contacts with pieces beside those that a shape touches know its side.
+
+    The sides of a shape are the first and the last piece that it touches from the right, and from
+    the left, each plus 1.
+    """
+    if not has_chains(shapes):
+        return
+    for p in range(count):
+        piece, other = piece_and_other(p, contacts, shapes)
+        if piece >= 0:
+            contacts.flags[p, KNOWN_SIDE] = 0
+            for n in range(4):
+                sides[other, n] = 0
+    for p in range(count):
+        piece, other = piece_and_other(p, contacts, shapes)
+        if piece >= 0 and touched(contacts.flags[p]):
+            note_touched(p, piece, sides[other], contacts, shapes)
+    for p in range(count):
+        piece, other = piece_and_other(p, contacts, shapes)
+        if piece >= 0 and contacts.flags[p, POINT_COUNT] == 0:
+            tell_side(p, piece, sides[other], contacts, shapes)
+
+
+def has_chains(shapes: Shapes) -> bool:
+    """Return whether some shape is a piece of a chain."""
+    highest = 0
+    for s in range(len(shapes.kind)):
+        highest = max(highest, shapes.kind[s])
+    return bool(highest >= PIECE)
+
+
+def piece_and_other(p: int, contacts: Contacts, shapes: Shapes) -> tuple[int, int]:
+    """Return the piece and the other shape of a contact, which has sides; `NO_PIECE` if there is
+    no such piece."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    if shapes.kind[s] < PIECE:
+        s, t = t, s
+    found = shapes.kind[s] >= PIECE and shapes.vertex_count[t] > 1
+    return (s if found else NO_PIECE), t
+
+
+def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
+    """Add the piece of a contact to those that its other shape touches from one side."""
+    hx, hy = held_normal(contacts.manifolds[p], contacts.flags[p])
+    if contacts.pairs[p, 0] != piece:
+        hx, hy = -hx, -hy
+    v = shapes.first[piece]
+    up = hx * shapes.world_vertices[v, 2] + hy * shapes.world_vertices[v, 3]
+    if abs(up) < FACING:
+        return
+    low, high = (RIGHT_LOW, RIGHT_HIGH) if up > 0.0 else (LEFT_LOW, LEFT_HIGH)
+    if sides[low] > 0 and shapes.slot[sides[low] - 1] == shapes.slot[piece]:
+        sides[low], sides[high] = min(sides[low], piece + 1), max(sides[high], piece + 1)
+    else:
+        sides[low] = sides[high] = piece + 1
+
+
+def tell_side(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
+    """Let a contact that has not touched know on which side of its piece the other shape is."""
+    right = is_continued(piece, sides[RIGHT_LOW] - 1, sides[RIGHT_HIGH] - 1, 1.0, shapes)
+    left = is_continued(piece, sides[LEFT_LOW] - 1, sides[LEFT_HIGH] - 1, -1.0, shapes)
+    if right == left:
+        return
+    sense = 1.0 if right == (contacts.pairs[p, 0] == piece) else -1.0
+    v, manifold = shapes.first[piece], contacts.manifolds[p]
+    manifold[NX] = sense * shapes.world_vertices[v, 2]
+    manifold[NY] = sense * shapes.world_vertices[v, 3]
+    contacts.flags[p, KNOWN_SIDE] = 1
+
+
+def is_continued(piece: int, low: int, high: int, sense: float, shapes: Shapes) -> bool:
+    """Return whether a piece is among those from low to high, or beside them, round a corner that
+    does not hide it. The sense is 1 on the right side and -1 on the left one.
+    """
+    if low < 0 or shapes.slot[low] != shapes.slot[piece]:
+        return False
+    if low <= piece <= high:
+        return True
+    row = shapes.material[piece]
+    after = previous_piece(piece, shapes) == high
+    before = next_piece(piece, shapes) == low
+    start = after and shows(row[START_COSINE], sense * row[START_SINE])
+    return bool(start or (before and shows(row[END_COSINE], sense * row[END_SINE])))
+
+
+def shows(cosine: float, sine: float) -> bool:
+    """Return whether the pieces of a corner are both before what touches one of them."""
+    return bool(cosine > -1.0 and (cosine >= 0.0 or sine < -STRAIGHT))
+
+
+def previous_piece(piece: int, shapes: Shapes) -> int:
+    """Return the piece before one, or the last one of a loop where it is the first."""
+    if piece > 0 and shapes.slot[piece - 1] == shapes.slot[piece]:
+        return piece - 1
+    last = piece
+    while last + 1 < len(shapes.slot) and shapes.slot[last + 1] == shapes.slot[piece]:
+        last += 1
+    return last
+
+
+def next_piece(piece: int, shapes: Shapes) -> int:
+    """Return the piece after one, or the first one of a loop where it is the last."""
+    if piece + 1 < len(shapes.slot) and shapes.slot[piece + 1] == shapes.slot[piece]:
+        return piece + 1
+    first = piece
+    while first > 0 and shapes.slot[first - 1] == shapes.slot[piece]:
+        first -= 1
+    return first

@@ -1,0 +1,295 @@
+"""Free islands keep their angular momentum: what their contacts have given them goes back (IM17).
+
+The arms of contacts are those of the begin of the step, and their two ends go apart in it. What
+that gives an island is added up and taken from its motion as one, by which no contact opens or
+closes. An island is free if it touches nothing but itself. Where none is, nothing is added up.
+
+Cost: where some are free, two visits to each body in a substep; otherwise one to each contact when
+those that touch change.
+"""
+
+from typing import NamedTuple
+
+from tamias2d.engine.islands import update_islands
+from tamias2d.engine.joints.stages import hold_tied
+from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.solver.island_damping import place_from
+from tamias2d.engine.solver.support import is_root
+from tamias2d.engine.tables import (
+    ACTIVE,
+    ANGULAR_MOMENTUM,
+    ANGULAR_VELOCITY_GIVEN,
+    CONTACT_CHANGE,
+    DX,
+    DY,
+    DYNAMIC,
+    ENERGY_KEPT,
+    ENERGY_PUSHED,
+    FREE_ISLANDS,
+    GIVEN,
+    INVERSE_INERTIA,
+    IS_HELD,
+    ISLAND_MASS,
+    MOMENT_AHEAD,
+    MOMENT_OF_INERTIA,
+    MOMENT_X,
+    MOMENT_Y,
+    MOMENTUM_X,
+    MOMENTUM_Y,
+    MOVED,
+    REFERENCE,
+    ROOT,
+    SPIN,
+    SUBSTEP_START,
+    TOUCHING,
+    VELOCITY_GIVEN,
+    VX,
+    VY,
+    Bodies,
+    Constraints,
+    Islands,
+    Joints,
+    Touching,
+    X,
+    Y,
+)
+from tamias2d.generated.definitions import (
+    angular_momentum,
+    kinetic_energy,
+    momentum,
+    point_velocity,
+)
+from tamias2d.generated.island_energy import (
+    angular_momentum_given,
+    angular_velocity_island,
+    angular_velocity_island_returned,
+    angular_velocity_returned,
+    inertia_island,
+    inertia_origin,
+    mass_moment,
+    moment_ahead_later,
+    moment_ahead_moved,
+    position_island,
+    returned_share,
+    velocity_island,
+    velocity_returned,
+    velocity_seen,
+)
+from tamias2d.state import Array, Vector
+
+LEAST_INERTIA = 2.0**-30  # of the inertia about the root: a body alone that nothing turns has none
+MOST_GROWTH = 1.0 + 2.0**-6  # of what is left of the motion, so that energy stays
+
+
+def find_free_islands(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands, joints: Joints
+) -> None:
+    """Mark the islands that something holds, and count the others that have contacts."""
+    links, marks = islands.links, islands.energy
+    update_islands(bodies, touching, islands, joints)
+    for k in range(constraints.counts[ACTIVE]):
+        marks[links[touching.active[k], ROOT], IS_HELD] = 0.0
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if bodies.properties[i, INVERSE_INERTIA] == 0.0:
+            marks[links[i, ROOT], IS_HELD] = 1.0
+    for k in range(touching.counts[TOUCHING]):
+        i, j = touching.body_a[k], touching.body_b[k]
+        if bodies.kind[i] != DYNAMIC:
+            marks[links[j, ROOT], IS_HELD] = 1.0
+        if bodies.kind[j] != DYNAMIC:
+            marks[links[i, ROOT], IS_HELD] = 1.0
+    hold_tied(islands, joints)
+    free = 0
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        free += is_root(i, bodies, islands) and marks[i, IS_HELD] == 0.0
+    constraints.counts[FREE_ISLANDS] = free
+
+
+def begin_moments(first: int, last: int, touching: Touching, islands: Islands) -> None:
+    """Begin to add up what contacts give some bodies."""
+    for k in range(first, last):
+        for n in range(VELOCITY_GIVEN, MOMENT_AHEAD + 1):
+            islands.energy[touching.active_by_slab[k], n] = 0.0
+
+
+def add_moments_before(
+    substep: float, first: int, last: int, bodies: Bodies, touching: Touching, islands: Islands
+) -> None:
+    """Add what contacts have given some bodies in a substep, s, with which these move on."""
+    for k in range(first, last):
+        i = touching.active_by_slab[k]
+        given, now = islands.energy[i], bodies.motion[i]
+        given[MOMENT_AHEAD] = moment_ahead_moved(
+            given[MOMENT_AHEAD], (now[VX], now[VY]), velocity_change(i, bodies), substep
+        )
+
+
+def add_moments(
+    first: int, last: int, bodies: Bodies, touching: Touching, islands: Islands
+) -> None:
+    """Add all that contacts have given some bodies in a substep, after these have moved on."""
+    for k in range(first, last):
+        i = touching.active_by_slab[k]
+        add_moment_of(i, bodies, islands.energy[i])
+
+
+def add_moment_of(i: int, bodies: Bodies, given: Array) -> None:
+    """Add what contacts have given a body in a substep."""
+    now, state = bodies.motion[i], bodies.substep_state[i]
+    by_x, by_y = velocity_change(i, bodies)
+    given[VELOCITY_GIVEN] += by_x
+    given[VELOCITY_GIVEN + 1] += by_y
+    given[ANGULAR_VELOCITY_GIVEN] += state[CONTACT_CHANGE + 2] + (
+        now[SPIN] - state[SUBSTEP_START + 2]
+    )
+    given[MOMENT_AHEAD] = moment_ahead_later(given[MOMENT_AHEAD], (now[DX], now[DY]), (by_x, by_y))
+
+
+def velocity_change(i: int, bodies: Bodies) -> Vector:
+    """Return what contacts have changed in the velocity of a body in this substep, m/s."""
+    now, state = bodies.motion[i], bodies.substep_state[i]
+    return (
+        state[CONTACT_CHANGE] + (now[VX] - state[SUBSTEP_START]),
+        state[CONTACT_CHANGE + 1] + (now[VY] - state[SUBSTEP_START + 1]),
+    )
+
+
+def keep_angular_momentum(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> None:
+    """Take from free islands what contacts have given them, and note the energy that they have."""
+    rows, links = islands.energy, islands.links
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if is_root(i, bodies, islands):
+            rows[i, GIVEN] = rows[i, ENERGY_PUSHED] = 0.0
+            for n in range(ISLAND_MASS, MOMENT_OF_INERTIA + 1):
+                rows[i, n] = 0.0
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        if is_pushed_and_free(i, bodies, islands):
+            add_moment_of(i, bodies, rows[i])
+            sum_pushed(i, links[i, ROOT], bodies, rows[i], rows[links[i, ROOT]])
+    for k in range(constraints.counts[ACTIVE]):
+        i = touching.active[k]
+        row = rows[links[i, ROOT]]
+        if is_pushed_and_free(i, bodies, islands) and row[GIVEN] != 0.0:
+            return_of_island(i, links[i, ROOT], bodies, rows[i], row)
+
+
+def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
+    """Return whether contacts have pushed a body, of an island that nothing holds."""
+    free = islands.energy[islands.links[i, ROOT], IS_HELD] == 0.0
+    return bool((bodies.kind[i] == DYNAMIC) & (bodies.moved[i] == MOVED) & free)
+
+
+def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
+    """Add the motion of a body, and what contacts have given it, to those of its island."""
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    start = (bodies.pose[i, X] - bodies.pose[root, X], bodies.pose[i, Y] - bodies.pose[root, Y])
+    now, place = bodies.motion[i], place_from(root, i, bodies)
+    row[GIVEN] += angular_momentum_given(
+        mass,
+        start,
+        (given[VELOCITY_GIVEN], given[VELOCITY_GIVEN + 1]),
+        given[MOMENT_AHEAD],
+        inertia,
+        given[ANGULAR_VELOCITY_GIVEN],
+    )
+    inertia = inertia if given[ANGULAR_VELOCITY_GIVEN] != 0.0 else 0.0
+    velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
+    along, moment = momentum(mass, velocity), mass_moment(mass, place)
+    row[ISLAND_MASS] += mass
+    row[MOMENTUM_X] += along[0]
+    row[MOMENTUM_Y] += along[1]
+    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, now[SPIN])
+    row[MOMENT_X] += moment[0]
+    row[MOMENT_Y] += moment[1]
+    row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
+    row[ENERGY_PUSHED] += kinetic_energy(mass, velocity, inertia, now[SPIN])
+
+
+def return_of_island(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> None:
+    """Give a body the motion that it has where its island has its angular momentum."""
+    mass, inertia = mass_and_inertia(i, bodies.properties)
+    now, reference = bodies.motion[i], (row[REFERENCE], row[REFERENCE + 1])
+    one = as_one(
+        row[ISLAND_MASS],
+        (row[MOMENT_X], row[MOMENT_Y]),
+        (row[MOMENTUM_X], row[MOMENTUM_Y]),
+        row[MOMENT_OF_INERTIA],
+        row[ANGULAR_MOMENTUM],
+    )
+    seen = velocity_seen((now[VX], now[VY]), reference)
+    before = kinetic_energy(mass, seen, inertia, now[SPIN])
+    turned = given[ANGULAR_VELOCITY_GIVEN] != 0.0
+    if not can_turn(one, row[MOMENT_OF_INERTIA]):
+        return
+    now[VX], now[VY] = seen
+    return_motion(one, row[GIVEN], row[ENERGY_PUSHED], turned, place_from(root, i, bodies), now)
+    seen = (now[VX], now[VY])
+    row[ENERGY_KEPT] += kinetic_energy(mass, seen, inertia, now[SPIN]) - before
+    now[VX], now[VY] = seen[0] + reference[0], seen[1] + reference[1]
+
+
+class AsOne(NamedTuple):
+    """The motion of some bodies as one (DD38)."""
+
+    mass: float  # kg
+    place: Vector  # m, of the centre of mass
+    velocity: Vector  # m/s
+    inertia: float  # kg m^2
+    spin: float  # rad/s
+
+
+def as_one(mass: float, moment: Vector, along: Vector, about: float, turning: float) -> AsOne:
+    """Return the motion as one of bodies, from sums over them.
+
+    These are masses, kg, their moments, kg m, momenta, kg m/s, and about the origin inertias,
+    kg m^2, and angular momenta, kg m^2/s.
+    """
+    place, velocity = position_island(moment, mass), velocity_island(along, mass)
+    inertia = inertia_island(about, mass, place)
+    return AsOne(
+        mass,
+        place,
+        velocity,
+        inertia,
+        angular_velocity_island(turning, mass, place, velocity, inertia),
+    )
+
+
+def can_turn(one: AsOne, about: float) -> bool:
+    """Return whether bodies have an inertia as one, besides what rounding leaves of a sum."""
+    return one.inertia > LEAST_INERTIA * about
+
+
+def suffices(one: AsOne, given: float, energy: float, room: float) -> bool:
+    """Return whether bodies have the energy for their angular momentum, J, with some more to take.
+
+    They may not where their paths are far from what their velocities say.
+    """
+    spin = angular_velocity_island_returned(one.spin, given, one.inertia)
+    least = kinetic_energy(one.mass, one.velocity, one.inertia, spin)
+    return least <= energy + max(room, 0.0)
+
+
+def return_motion(
+    one: AsOne, given: float, energy: float, turned: bool, place: Vector, now: Array
+) -> None:
+    """Give a body the motion that it has without the angular momentum given to all, kg m^2/s.
+
+    The energy is that of all of them, J.
+    """
+    spin = angular_velocity_island_returned(one.spin, given, one.inertia)
+    least = kinetic_energy(one.mass, one.velocity, one.inertia, one.spin)
+    later = kinetic_energy(one.mass, one.velocity, one.inertia, spin)
+    share = returned_share(energy, least, later, MOST_GROWTH) if energy > least else 1.0
+    arm = (place[0] - one.place[0], place[1] - one.place[1])
+    before = point_velocity(one.velocity, one.spin, arm)
+    after = point_velocity(one.velocity, spin, arm)
+    now[VX], now[VY] = velocity_returned((now[VX], now[VY]), before, after, share)
+    if turned:
+        now[SPIN] = angular_velocity_returned(now[SPIN], one.spin, spin, share)
