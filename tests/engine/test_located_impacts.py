@@ -46,6 +46,22 @@ def test_an_oblique_bounce_leaves_as_rigid_bodies_do(friction: float, restitutio
         assert found == pytest.approx(expected, abs=1e-9)  # the gap at which they meet, over 4 m/s
 
 
+@pytest.mark.parametrize("gap", [1e-9, 1e-6, 1e-5])
+def test_a_step_may_end_a_hair_before_a_landing(gap: float) -> None:
+    """The disc meets the floor early in the next step; half of what counts as a meeting is 1.2e-5 m."""
+    height, restitution, before = 1.0, 0.5, 40
+    falling, down = math.sqrt(2 * height / 9.81), math.sqrt(2 * height * 9.81)
+    step = (falling - gap / down) / before
+    sim, body = floor_and_disc(step=step, height=height, restitution=restitution)
+    sim.step(before)
+    assert sim.velocity[body][1] == pytest.approx(-9.81 * before * step, rel=1e-12)
+    sim.step(10)
+    left = (before + 10) * step - falling
+    risen = restitution * down * left - 9.81 * left**2 / 2
+    assert sim.position[body][1] - 0.2 == pytest.approx(risen, abs=1e-9)
+    assert sim.velocity[body][1] == pytest.approx(restitution * down - 9.81 * left, abs=1e-9)
+
+
 @pytest.mark.parametrize("step", [1 / 60, 1 / 240, 1e-3])
 def test_a_ball_keeps_its_height_whatever_the_step(step: float) -> None:
     sim, body = floor_and_disc(step=step, height=1.0, restitution=1.0)

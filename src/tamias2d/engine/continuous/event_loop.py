@@ -325,6 +325,8 @@ def resolve_impact(
     i, j = shapes.slot[s], shapes.slot[t]
     if contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies):
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
+        if now > 1.0:
+            return False
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
     manifold_at(s, t, now, held, bodies, shapes, events)
     manifold = events.scratch[0]
