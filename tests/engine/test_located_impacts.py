@@ -48,7 +48,7 @@ def test_an_oblique_bounce_leaves_as_rigid_bodies_do(friction: float, restitutio
 
 @pytest.mark.parametrize("gap", [1e-9, 1e-6, 1e-5])
 def test_a_step_may_end_a_hair_before_a_landing(gap: float) -> None:
-    """The disc meets the floor early in the next step; half of what counts as a meeting is 1.2e-5 m."""
+    """It meets the floor early in the next step. Half of what counts as meeting is 1.2e-5 m."""
     height, restitution, before = 1.0, 0.5, 40
     falling, down = math.sqrt(2 * height / 9.81), math.sqrt(2 * height * 9.81)
     step = (falling - gap / down) / before
