@@ -24,15 +24,25 @@ class Box2D:
     name = "pyb2d3"
 
     def __init__(
-        self, scene: Scene, time_step: float, substeps: int = SUBSTEPS, *, listens: bool = False
+        self,
+        scene: Scene,
+        time_step: float,
+        substeps: int = SUBSTEPS,
+        *,
+        listens: bool = False,
+        slowest_bounce: float = 1.0,
     ) -> None:
+        """Take a scene; what meets more slowly than the slowest bounce, m/s, stays together."""
         pyb2d3 = imported(self.name, "pyb2d3")
         refuse_untranslated(scene, self.name)
         self._time_step, self._substeps, self._listens = time_step, substeps, listens
         self._steps = 0
         self.met: dict[Pair, float] = {}
+        self.begun: list[tuple[float, Pair]] = []
+        """Ends of steps, s, in which pairs began to touch; only what listens fills it."""
         self._world = pyb2d3.World(gravity=scene.gravity)
         self._world.sleeping_enabled = False
+        self._world.restitution_threshold = slowest_bounce
         size = size_of(scene)
         rubs, parts = friction(scene), restitution(scene)
         self.bodies = [_body(pyb2d3, self._world, body) for body in scene.bodies]
@@ -71,7 +81,9 @@ class Box2D:
         for begun in self._world.get_contact_events().begin_events():
             both = (begun.shape_a.body.id, begun.shape_b.body.id)
             a, b = sorted(self._index[one] for one in both)
-            self.met.setdefault((a, b), self._steps * self._time_step)
+            time = self._steps * self._time_step
+            self.met.setdefault((a, b), time)
+            self.begun.append((time, (a, b)))
 
     def masses(self) -> Array:
         """Return (n, 2): mass, kg, and inertia, kg m^2; what does not move has zeros."""
