@@ -100,7 +100,11 @@ def test_an_error_without_limit_is_null_in_json() -> None:
 
 def test_other_engines_are_shown_but_never_on_the_front(studied: Study) -> None:
     peers = [k for k, point in enumerate(studied.points) if point.peer]
-    assert len(peers) == 5
+    assert len(peers) == 6
+    told = studied.points[peers[-1]]
+    assert told.method == "pyb2d3"
+    assert told.failure is not None
+    assert "which is not translated" in told.failure
     assert not {*peers} & {*studied.leanest, *studied.fastest}
 
 

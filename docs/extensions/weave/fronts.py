@@ -77,7 +77,7 @@ class FrontDirective(WovenDirective):
 
 
 class FastestDirective(WovenDirective):
-    """For each of the scenes named, and each tolerance, the fastest way of each engine within it."""
+    """The fastest way of each engine within each tolerance, for each of the scenes named."""
 
     required_arguments = 1
     final_argument_whitespace = True
