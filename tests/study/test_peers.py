@@ -116,8 +116,7 @@ def test_box2d_comes_nearer_to_impacts_however_slow() -> None:
         run = box2d(scene, duration=2.0, steps=steps, times=[0.0, 1.99, 2.0])
         assert run.position[0] == pytest.approx(exact(scene, duration=2.0, times=[0.0]).position[0])
         assert len(run.impacts) == len(best.impacts)
-        ahead = 0.02 / 0.5 + 2.0 / steps  # it looks 2 cm ahead, and they meet at 1 m/s
-        assert run.impacts.time == pytest.approx(best.impacts.time, abs=ahead)
+        assert run.impacts.time == pytest.approx(best.impacts.time, abs=2 * 2.0 / steps)
         errors.append(np.abs(run.position[-1] - best.position[-1]).max())
         assert energy_drift(run) is None
     assert errors[1] < errors[0] / 4

@@ -40,7 +40,7 @@ def simulate(scene: Scene, *, duration: float, steps: int, times: Iterable[float
     before = np.clip(np.floor(wanted / dt).astype(np.int64), 0, steps - 1)
     states = _states(world, np.unique(np.concatenate((before, before + 1))).tolist())
     first, second = (np.array([states[k] for k in (before + n).tolist()]) for n in (0, 1))
-    ends = np.array([round(time / dt) for time, _ in world.begun], dtype=np.int64)
+    ends = np.array([round(time / dt) for time, _ in world.hits], dtype=np.int64)
     history = between_steps(first, second, wanted / dt - before, np.isin(before + 1, ends))
     energy, momentum, angular_momentum = balance(scene, history)
     return Run(
@@ -55,7 +55,7 @@ def simulate(scene: Scene, *, duration: float, steps: int, times: Iterable[float
         momentum=momentum,
         angular_momentum=angular_momentum,
         notes=(f"Box2D by pyb2d3: {steps} equal steps",),
-        cost=Cost(steps=steps, rejected=0, force_evaluations=steps, impacts=len(world.begun)),
+        cost=Cost(steps=steps, rejected=0, force_evaluations=steps, impacts=len(world.hits)),
     )
 
 
@@ -73,11 +73,11 @@ def _states(world: Box2D, needed: list[int]) -> dict[int, Array]:
 
 
 def _impacts(world: Box2D) -> Impacts:
-    count = len(world.begun)
+    count = len(world.hits)
     unknown = np.full(count, math.nan)
     return Impacts(
-        time=np.array([time for time, _ in world.begun]),
-        bodies=np.array([pair for _, pair in world.begun], dtype=np.int64).reshape(-1, 2),
+        time=np.array([time for time, _ in world.hits]),
+        bodies=np.array([pair for _, pair in world.hits], dtype=np.int64).reshape(-1, 2),
         point=np.full((count, 2), math.nan),
         normal=np.full((count, 2), math.nan),
         impulse=unknown,

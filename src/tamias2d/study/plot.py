@@ -104,8 +104,8 @@ def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) ->
     _mark(left, right)
     left.set_xlabel(
         f"places up to the horizon of {study.horizon:.3g} s, against {study.truth},\n"
-        f"relative to the way of the farthest body; below {study.floor:.0e}, grey, nothing is "
-        f"known;\nmedian of {study.phases} starts, bars to the worst"
+        "relative to the way of the farthest body;\n"
+        f"median of {study.phases} starts, bars to the worst; grey: nothing is known"
     )
     right.set_xlabel("overlap, relative to the smaller body's radius,\nor energy from nothing")
     if tolerance is not None:

@@ -74,10 +74,11 @@ def _without_limit(data: dict[str, Any], derived: str) -> dict[str, Any]:
 def _statistics(data: dict[str, Any] | None) -> dict[str, tuple[float, float]] | None:
     if data is None:
         return None
-    return {
-        name: tuple(math.nan if one[key] is None else one[key] for key in ("mean", "half_width"))
-        for name, one in data.items()
-    }  # type: ignore[return-value]
+    return {name: (_known(one["mean"]), _known(one["half_width"])) for name, one in data.items()}
+
+
+def _known(value: float | None) -> float:
+    return math.nan if value is None else value
 
 
 def _seconds(data: dict[str, Any] | None) -> Seconds | None:
