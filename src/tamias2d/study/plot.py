@@ -274,8 +274,8 @@ def _mark(*every: Any) -> None:
         for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
             narrow = high < _FEW_POWERS * low
             axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if narrow else (1.0,)))
-            few = {"labelOnlyBase": False, "minor_thresholds": (math.inf, math.inf)}
-            axis.set_major_formatter(LogFormatterSciNotation(**few if narrow else {}))
+            shown = (math.inf, math.inf) if narrow else None
+            axis.set_major_formatter(LogFormatterSciNotation(minor_thresholds=shown))
             axis.set_minor_formatter(NullFormatter())
 
 
