@@ -11,6 +11,7 @@ import tamias2d as t2
 from tamias2d.certificate import Certificate, from_json
 from tamias2d.replay import check
 from tamias2d.run import load
+from tamias2d.study import tolerance as tolerance_module
 from tamias2d.study.companion import limit_beside
 from tamias2d.study.error import history_error
 from tamias2d.study.pilot import Pilot
@@ -46,9 +47,27 @@ def test_no_listed_way_is_cheaper() -> None:
     costs = [one.force_evaluations for one in plan.estimates]
     assert costs == sorted(costs)
     assert all(one.why for one in plan.estimates)
+
+
+def test_others_are_weighed_only_where_order_8_does_not_meet_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """To weigh them costs more than they save."""
+    weighed = []
+    plan = tolerance_module.located_plan
+    monkeypatch.setattr(
+        tolerance_module, "located_plan", lambda *asked: weighed.append(asked) or plan(*asked)
+    )
     run = t2.simulate(oscillator(), duration=1.0, tolerance=1e-6)
-    assert run.cost is not None
-    assert run.cost.force_evaluations == pytest.approx(costs[0], rel=0.3)
+    assert not weighed
+    assert run.method == t2.Dop853(1e-7)
+    assert "no other method was weighed" in run.notes[0]
+    far = t2.Scene(gravity=(0.0, 0.0))  # so far out that its rounding is a part of the tolerance
+    far.add_body(None, mass=1.0, position=(3e9, 0.0))
+    far.add_spring(0, (3e9 - 3.0, 0.0), stiffness=100.0, rest_length=2.0)
+    with pytest.raises(t2.ToleranceError):
+        t2.simulate(far, duration=1.0, tolerance=1e-7)
+    assert weighed
 
 
 def test_a_looser_tolerance_costs_less() -> None:

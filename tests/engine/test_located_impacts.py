@@ -46,6 +46,45 @@ def test_an_oblique_bounce_leaves_as_rigid_bodies_do(friction: float, restitutio
         assert found == pytest.approx(expected, abs=1e-9)  # the gap at which they meet, over 4 m/s
 
 
+@pytest.mark.parametrize("gap", [1e-9, 1e-6, 1e-5])
+def test_a_step_may_end_a_hair_before_a_landing(gap: float) -> None:
+    """It meets the floor early in the next step. Half of what counts as meeting is 1.2e-5 m."""
+    height, restitution, before = 1.0, 0.5, 40
+    falling, down = math.sqrt(2 * height / 9.81), math.sqrt(2 * height * 9.81)
+    step = (falling - gap / down) / before
+    sim, body = floor_and_disc(step=step, height=height, restitution=restitution)
+    sim.step(before)
+    assert sim.velocity[body][1] == pytest.approx(-9.81 * before * step, rel=1e-12)
+    sim.step(10)
+    left = (before + 10) * step - falling
+    risen = restitution * down * left - 9.81 * left**2 / 2
+    assert sim.position[body][1] - 0.2 == pytest.approx(risen, abs=1e-9)
+    assert sim.velocity[body][1] == pytest.approx(restitution * down - 9.81 * left, abs=1e-9)
+
+
+@pytest.mark.parametrize("gap", [2.5e-7, 1e-6])
+@pytest.mark.parametrize("step", [1 / 7680, 1 / 61440])
+def test_a_body_that_starts_a_hair_above_the_floor_does_not_sink(step: float, gap: float) -> None:
+    """A tall box turns about its corner: in a short step it falls by less than a hair, too."""
+    surface: Any = {"friction": 0.6, "restitution": 0.0}
+    sim = t2.Simulator(t2.Scene(gravity=(0.0, -9.81)), time_step=step)
+    sim.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
+    body = sim.add(
+        t2.Box(width=0.1, height=1.0), mass=1.0, position=(0.0, 0.5 + gap), velocity=(0.75, 0.075),
+        angular_velocity=-1.5, **surface,
+    )  # fmt: skip
+    inertia, lowest = 1.01 / 12, 0.0
+    for _ in range(600):
+        sim.step()
+        angle = sim.orientation[body]
+        corner = sim.position[body][1] + 0.05 * math.sin(angle) - 0.5 * math.cos(angle)
+        lowest = min(lowest, corner)
+    speed, spin = sim.velocity[body], sim.angular_velocity[body]
+    energy = (speed @ speed + inertia * spin**2) / 2 + 9.81 * sim.position[body][1]
+    assert lowest > -1e-9
+    assert energy == pytest.approx(5.28375, abs=1e-4)  # 5.25 where it has sunk and is pushed out
+
+
 @pytest.mark.parametrize("step", [1 / 60, 1 / 240, 1e-3])
 def test_a_ball_keeps_its_height_whatever_the_step(step: float) -> None:
     sim, body = floor_and_disc(step=step, height=1.0, restitution=1.0)

@@ -7,6 +7,8 @@ import pytest
 
 from tamias2d.scene import Box, Capsule, Disc, HalfPlane, Scene, Segment, catalogue
 from tamias2d.simulate import simulate as exact
+from tamias2d.study.box2d_run import simulate as box2d
+from tamias2d.study.invariants import energy_drift
 from tamias2d.study.peers import simulate
 from tamias2d.study.pymunk_world import PeerError
 
@@ -103,3 +105,23 @@ def test_without_pymunk_it_says_so(bounce: Scene, monkeypatch: pytest.MonkeyPatc
     monkeypatch.setitem(sys.modules, "pymunk", None)
     with pytest.raises(PeerError, match="is not installed"):
         simulate(bounce, duration=1.0, steps=10, times=[1.0])
+
+
+def test_box2d_comes_nearer_to_impacts_however_slow() -> None:
+    """It bounces below 1 m/s, too, and its impacts are told one by one; of impulses nothing is."""
+    scene = catalogue.load("oblique-discs")
+    best = exact(scene, duration=2.0, times=[2.0])
+    errors = []
+    for steps in (60, 480):
+        run = box2d(scene, duration=2.0, steps=steps, times=[0.0, 1.99, 2.0])
+        assert run.position[0] == pytest.approx(exact(scene, duration=2.0, times=[0.0]).position[0])
+        assert len(run.impacts) == len(best.impacts)
+        assert run.impacts.time == pytest.approx(best.impacts.time, abs=2 * 2.0 / steps)
+        errors.append(np.abs(run.position[-1] - best.position[-1]).max())
+        assert energy_drift(run) is None
+    assert errors[1] < errors[0] / 4
+
+
+def test_box2d_is_told_no_springs() -> None:
+    with pytest.raises(PeerError, match="spring"):
+        box2d(catalogue.load("oscillator"), duration=1.0, steps=10, times=[1.0])

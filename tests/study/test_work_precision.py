@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ from tamias2d.errors import InputError
 from tamias2d.motion import RungeKutta4
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
-from tamias2d.study import candidates, work_precision
+from tamias2d.study import candidates, plot as drawn, work_precision
 from tamias2d.study.candidates import Candidate
 from tamias2d.study.event_errors import Errors
 from tamias2d.study.plot import plot
@@ -100,7 +101,11 @@ def test_an_error_without_limit_is_null_in_json() -> None:
 
 def test_other_engines_are_shown_but_never_on_the_front(studied: Study) -> None:
     peers = [k for k, point in enumerate(studied.points) if point.peer]
-    assert len(peers) == 5
+    assert len(peers) == 6
+    told = studied.points[peers[-1]]
+    assert told.method == "pyb2d3"
+    assert told.failure is not None
+    assert "which is not translated" in told.failure
     assert not {*peers} & {*studied.leanest, *studied.fastest}
 
 
@@ -155,6 +160,28 @@ def test_a_study_is_drawn_with_its_failures(studied: Study, tmp_path: Path) -> N
         assert f"<!-- {words}" in text
     with pytest.raises(InputError, match=r"suffix '\.jpeg2000'"):
         plot(studied, tmp_path / "study.jpeg2000", tolerance=None)
+
+
+@pytest.mark.parametrize(("low", "high", "labels"), [(2e-3, 2e-2, 3), (1e-9, 1.0, 5)])
+def test_labels_of_an_axis_are_a_few(low: float, high: float, labels: int) -> None:
+    """Powers of ten, or twos and fives beside them; nothing else, which would overlap."""
+    from matplotlib.figure import Figure
+
+    axes = Figure().subplots()
+    axes.set(xscale="log", yscale="log", xlim=(low, high), ylim=(low, high))
+    drawn._mark(axes)
+    for axis in (axes.xaxis, axes.yaxis):
+        shown = [label for label in axis.get_ticklabels(which="both") if label.get_text()]
+        inside = [one for one in shown if low <= 10 ** _power(one.get_text()) <= high]
+        assert len(inside) >= labels
+        assert len(shown) <= 12
+
+
+def _power(text: str) -> float:
+    """Return the power of ten of a label, as 5 * 10^-3 in TeX."""
+    found = re.search(r"(?:(\d)\s*\\times)?\s*\{?10\^\{(.*?)\}", text)
+    assert found is not None, text
+    return math.log10(float(found[1] or 1)) + float(found[2].replace("\N{MINUS SIGN}", "-"))
 
 
 def test_a_method_that_is_not_finite_has_an_error_without_limit(spring: Scene) -> None:

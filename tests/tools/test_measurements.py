@@ -2,18 +2,23 @@
 
 import json
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tamias2d.motion import ClosedForm, RungeKutta4
 from tamias2d.scene import catalogue
+from tamias2d.study import candidates, work_precision
+from tamias2d.study.report import as_json, contacts_as_json
+from tamias2d.study.stored import study_from_json
 from tools.measurements import (
     asked,
     certificates,
     certified_steps,
     crowds,
     drift,
+    fronts,
     held_out,
     impacts,
     jointed,
@@ -66,8 +71,8 @@ def test_certificates(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(certified_steps, "TOLERANCES", (1e-1, 1e-2))
     of = {None: names, "located": names, "stepped": ["cradle-touching"]}
     monkeypatch.setattr(catalogue, "names", lambda contacts=None: of[contacts])
-    monkeypatch.setattr(held_out, "scenes", lambda: iter(new))
-    monkeypatch.setattr(held_out, "stepped_scenes", lambda: iter(steps))
+    monkeypatch.setattr(held_out, "scenes", lambda *_: iter(new))
+    monkeypatch.setattr(held_out, "stepped_scenes", lambda *_: iter(steps))
     found, _ = lines_of(certificates)
     by_steps = {row["scene"] for row in found["stepped_rows"]}
     assert by_steps == {"cradle-touching", "platform 0"}
@@ -94,6 +99,22 @@ def test_drift(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(drift, "ORBITERS", (RungeKutta4(),))
     _, rows = lines_of(drift)
     assert len(rows) == 3
+
+
+def test_fronts(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """What is stored can be drawn: the same study comes back."""
+    monkeypatch.setattr(work_precision, "_RUNGS", 1)
+    monkeypatch.setattr(candidates, "TOLERANCES", (1e-4,))
+    small = {"scenes": ["projectiles", "incline"], "rates": (30,), "store": tmp_path}
+    monkeypatch.setattr(fronts, "measure", partial(fronts.measure, **small))
+    found, rows = lines_of(fronts)
+    assert [row[2] for row in rows] == ["located", "stepped"]
+    for name, study in found.items():
+        stored = json.loads((tmp_path / f"{name}.json").read_text())
+        assert stored == study
+        back: Any = study_from_json(stored)
+        report = contacts_as_json if "contacts" in study else as_json
+        assert report(back, tolerance=study["tolerance"]) == study
 
 
 def test_impacts(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,9 +12,9 @@ _EACH = 6
 _G = (0.0, -9.81)
 
 
-def scenes() -> Iterator[Scene]:
+def scenes(seed: int = SEED) -> Iterator[Scene]:
     """Yield throws through air, springs, orbits and bouncing discs, six of each."""
-    random = np.random.default_rng(SEED)
+    random = np.random.default_rng(seed)
     for make in (_throw, _springs, _orbit, _bounces):
         for k in range(_EACH):
             yield make(random, k)
@@ -81,9 +81,9 @@ def _bounces(random: np.random.Generator, k: int) -> Scene:
     return scene
 
 
-def stepped_scenes() -> Iterator[Scene]:
+def stepped_scenes(seed: int = SEED) -> Iterator[Scene]:
     """Yield slopes, drops and platforms, six of each, whose contacts are stepped."""
-    random = np.random.default_rng(SEED)
+    random = np.random.default_rng(seed)
     for make in (_slope, _drop, _platform):
         for k in range(_EACH):
             yield make(random, k)

@@ -90,7 +90,7 @@ def _tried(scene: Scene, duration: float) -> list[Candidate]:
     every = list(candidates(scene, rungs=[round(rate * duration) for rate in _RATES]))
     exact = any(way.name == "ClosedForm" for way in every)
     own = {"ClosedForm": ("",)} if exact else _OWN
-    return [way for way in every if way.peer or way.setting in own.get(way.name, ())]
+    return [way for way in every if way.name == "Pymunk" or way.setting in own.get(way.name, ())]
 
 
 def _by_hand(candidate: Candidate) -> Candidate:

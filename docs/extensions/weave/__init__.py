@@ -38,7 +38,7 @@ _TABLES = {
     "plan-table": PlanTableDirective,
     "gallery": gallery.GalleryDirective,
     "front": fronts.FrontDirective,
-    "cheapest": fronts.CheapestDirective,
+    "fastest": fronts.FastestDirective,
     "module-guide": GuideDirective,
     "interface": InterfaceDirective,
     "internals": InternalsDirective,

@@ -1,13 +1,13 @@
-"""What accuracy costs on a few scenes, measured by the build.
+"""What accuracy costs on scenes of all kinds, drawn from what was measured.
 
-Serves: `{front}` and `{cheapest}`. Hides: which ways are tried, and where results are kept:
-in build/fronts, until a source that they rest on changes.
+Serves: `{front}` and `{fastest}`. Hides: where measurements are stored, and which pictures of them
+are still good: those in build/fronts whose names hold what they were drawn from.
 """
 
 import hashlib
 import json
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -15,109 +15,50 @@ from typing import Any
 from docutils import nodes
 from sphinx.application import Sphinx
 
-from tamias2d.scene import catalogue
 from weave.chapter import WovenDirective
 from weave.markdown import fence, table
 
-SCENES = {"kepler": 10.0, "quadratic-drag": 3.0, "pendulum": 5.0, "bouncing-disc": 1.5}
-"""Names of the catalogue, and how long each is simulated, in s."""
-CONTACTS = {"incline": 1.0, "dominoes": 1.0, "arch": 1.0}
-"""The same of scenes whose contacts are stepped."""
-TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
-_RUNGS = (16, 64, 256)
-_PHASES = 8
-_LINE = 1e-6  # the tolerance in the pictures
-_RATES = (30, 120, 480)  # steps in a second through contacts
-_STARTS = 4  # of such a scene
-_LINE_OF_STEPS = 1e-2
-_SOURCES = ("study", "study/engines", "motion", "contact", "generated")
+TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8)
+_ENGINES = ("Tamias2D", "Pymunk", "pyb2d3")
 
 
 def on_builder_inited(app: Sphinx) -> None:
-    """Measure the scenes whose results are missing or out of date."""
-    folder = _folder(Path(app.srcdir))
+    """Draw the studies whose pictures are missing or out of date."""
+    docs = Path(app.srcdir)
+    folder = _folder(docs)
     folder.mkdir(parents=True, exist_ok=True)
-    every = [*SCENES, *CONTACTS]
-    wanted = {folder / _stem(name) for name in every}
+    wanted = {_picture(docs, path.stem): path for path in sorted(_stored(docs).glob("*.json"))}
     for old in folder.iterdir():
-        if old.with_suffix("") not in wanted:
+        if old not in wanted:
             old.unlink()
-    for name in every:
-        if not (folder / f"{_stem(name)}.json").is_file():
-            _measure(name, folder)
+    if find_spec("matplotlib"):
+        for picture, path in wanted.items():
+            if not picture.is_file():
+                _draw(json.loads(path.read_text("utf-8")), picture)
+
+
+def _stored(docs: Path) -> Path:
+    return docs / "measured/fronts"
 
 
 def _folder(docs: Path) -> Path:
     return docs.parent / "build/fronts"
 
 
-def _stem(name: str) -> str:
-    """The files' name holds what they were made from."""
-    import tamias2d
+def _picture(docs: Path, name: str) -> Path:
+    """The picture's name holds what it is drawn from."""
+    from tamias2d.study import plot, stored
 
-    package = Path(tamias2d.__file__).parent
-    sources = [Path(__file__)]
-    sources += [path for part in _SOURCES for path in sorted((package / part).glob("*.py"))]
-    content = b"".join([catalogue.text(name).encode(), *(path.read_bytes() for path in sources)])
-    return f"{name}-{hashlib.sha256(content).hexdigest()[:8]}"
+    sources = [_stored(docs) / f"{name}.json", *(Path(m.__file__ or "") for m in (plot, stored))]
+    content = b"".join(path.read_bytes() for path in sources)
+    return _folder(docs) / f"{name}-{hashlib.sha256(content).hexdigest()[:8]}.png"
 
 
-def _measure(name: str, folder: Path) -> None:
+def _draw(data: dict[str, Any], picture: Path) -> None:
     from tamias2d.study.plot import plot
-    from tamias2d.study.report import as_json, contacts_as_json
+    from tamias2d.study.stored import study_from_json
 
-    study: Any
-    if name in CONTACTS:
-        study, line = _contact_study(name), _LINE_OF_STEPS
-        said = contacts_as_json(study, tolerance=line)
-    else:
-        study, line = _study(name), _LINE
-        said = as_json(study, tolerance=line)
-    if find_spec("matplotlib"):
-        plot(study, folder / f"{_stem(name)}.png", tolerance=line)
-    text = json.dumps(said)
-    (folder / f"{_stem(name)}.json").write_text(text, encoding="utf-8")
-
-
-def _study(name: str) -> Any:
-    from tamias2d.study.phases import phases
-    from tamias2d.study.truth import floor_of, truth_of
-    from tamias2d.study.work_precision import Study, point_of
-
-    scene, duration = catalogue.load(name), SCENES[name]
-    first = truth_of(scene, duration)
-    impacts = first.history.run.impacts
-    start = float(impacts.time[0]) if len(impacts) else 0.0
-    scenes = phases(scene, duration, _PHASES if len(impacts) else 1, first_impact=start)
-    truths = [first, *(truth_of(other, duration) for other in scenes[1:])]
-    return Study(
-        scene=name,
-        duration=duration,
-        truth=first.how,
-        floor=floor_of(first),
-        phases=len(scenes),
-        impacts=len(impacts),
-        points=tuple(point_of(way, scenes, truths, timed=True) for way in _ways(scene)),
-        complete=True,
-    )
-
-
-def _contact_study(name: str) -> Any:
-    from tamias2d.study.contact_study import contact_study
-    from tamias2d.study.stepped_plan import stepped_because
-
-    scene, duration = catalogue.load(name), CONTACTS[name]
-    reason = stepped_because(scene, duration) or "as asked"
-    return contact_study(
-        scene, duration=duration, reason=reason, phases_asked=_STARTS, rates=_RATES
-    )
-
-
-def _ways(scene: Any) -> Iterator[Any]:
-    from tamias2d.study.candidates import candidates
-
-    peers = find_spec("pymunk") is not None
-    return (way for way in candidates(scene, rungs=_RUNGS) if peers or not way.peer)
+    plot(study_from_json(data), picture, tolerance=data["tolerance"])
 
 
 class FrontDirective(WovenDirective):
@@ -125,48 +66,58 @@ class FrontDirective(WovenDirective):
 
     def run(self) -> list[nodes.Node]:
         name = self.arguments[0]
-        file = f"{_stem(name)}.png"
-        docs = Path(str(self.env.srcdir))
-        if not (_folder(docs) / file).is_file():
+        picture = _picture(Path(str(self.env.srcdir)), name)
+        if not picture.is_file():
             return []
         box = nodes.container(classes=["srs-wide"])
         alt = f"error against cost of all methods on the scene {name}"
-        image = fence("image", f"/../build/fronts/{file}", "", alt=alt, class_="front plot")
+        image = fence("image", f"/../build/fronts/{picture.name}", "", alt=alt, class_="front plot")
         self.parse(image.replace(":class-:", ":class:"), box)
         return [box]
 
 
-class CheapestDirective(WovenDirective):
-    """For each scene and tolerance, the way within it that computes forces least often."""
+class FastestDirective(WovenDirective):
+    """The fastest way of each engine within each tolerance, for each of the scenes named."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
 
     def run(self) -> list[nodes.Node]:
-        folder = _folder(Path(str(self.env.srcdir)))
+        stored = _stored(Path(str(self.env.srcdir)))
         box = nodes.container(classes=["srs-wide"])
         rows = []
-        for name in SCENES:
-            found = json.loads((folder / f"{_stem(name)}.json").read_text("utf-8"))
-            label = f"`{name}`, {found['duration']:g} s, {found['impacts']} impacts"
-            rows.append([label, *(_cheapest(found["points"], most) for most in TOLERANCES)])
+        for name in self.arguments[0].split():
+            study = json.loads((stored / f"{name}.json").read_text("utf-8"))
+            label = f"`{name}`, {study['duration']:g} s"
+            rows.append([label, *("<br>".join(_fastest(study, most)) for most in TOLERANCES)])
         head = ["scene", *(f"within {tolerance:g}" for tolerance in TOLERANCES)]
         self.parse(table(head, rows), box)
         return [box]
 
 
-def _cheapest(points: Sequence[dict[str, Any]], tolerance: float) -> str:
-    own = [point for point in points if not point["peer"] and _error(point) <= tolerance]
-    if not own:
-        return "none that was tried"
-    best = min(own, key=_cost)
-    forces = best["cost"]["force_evaluations"]
-    way = f"{best['method']} {best['setting']}".strip()
-    milliseconds = float(f"{best['seconds']['minimum'] * 1e3:.2g}")
-    return f"{way}: {forces}, {milliseconds:g} ms"
+def _fastest(study: dict[str, Any], tolerance: float) -> Iterator[str]:
+    for engine in _ENGINES:
+        own = [
+            point
+            for point in study["points"]
+            if (point["method"] if point["peer"] else _ENGINES[0]) == engine
+            and point["seconds"]
+            and _error(point) <= tolerance
+        ]
+        if not own:
+            yield f"{engine}: -"
+            continue
+        best = min(own, key=_seconds)
+        way = best["setting"] if best["peer"] else f"{best['method']} {best['setting']}".strip()
+        yield f"{engine}: **{_seconds(best) * 1e3:.2g} ms**, {way}"
 
 
 def _error(point: dict[str, Any]) -> float:
-    size = point["error"] and point["error"]["size"]
-    return math.inf if size is None else size
+    """Return that of places, and of impacts where these are located."""
+    error = point["error"] or {}
+    size = error.get("size", error.get("position"))
+    return math.inf if size is None else float(size)
 
 
-def _cost(point: dict[str, Any]) -> tuple[float, float]:
-    return point["cost"]["force_evaluations"], point["seconds"]["minimum"]
+def _seconds(point: dict[str, Any]) -> float:
+    return float(point["seconds"]["median"])

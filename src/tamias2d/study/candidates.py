@@ -21,6 +21,8 @@ from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms
 from tamias2d.solve import solve
+from tamias2d.study.box2d_run import simulate as simulate_by_box2d
+from tamias2d.study.engines.refusal import PeerError, refuse_untranslated
 from tamias2d.study.peers import simulate as simulate_by_pymunk
 
 Runner: TypeAlias = Callable[[Scene, float, Iterable[float]], Run]
@@ -65,6 +67,8 @@ def candidates(scene: Scene, *, rungs: Iterable[int]) -> Iterator[Candidate]:
             yield Candidate(type(method).__name__, f"rtol {rtol:g}", _own(method, None))
     for count in counts:
         yield Candidate("Pymunk", f"{count} steps", _peer(count), count, peer=True)
+    for count in counts if _is_told_to_box2d(scene) else counts[:1]:
+        yield Candidate("pyb2d3", f"{count} steps", _box2d(count), count, peer=True)
 
 
 def _own(method: Method, steps: int | None) -> Runner:
@@ -80,3 +84,18 @@ def _peer(steps: int) -> Runner:
         return simulate_by_pymunk(scene, duration=duration, steps=steps, times=times)
 
     return run
+
+
+def _box2d(steps: int) -> Runner:
+    def run(scene: Scene, duration: float, times: Iterable[float]) -> Run:
+        return simulate_by_box2d(scene, duration=duration, steps=steps, times=times)
+
+    return run
+
+
+def _is_told_to_box2d(scene: Scene) -> bool:
+    try:
+        refuse_untranslated(scene, "pyb2d3")
+    except PeerError:
+        return False
+    return True

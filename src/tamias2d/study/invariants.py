@@ -16,11 +16,12 @@ _ROUNDINGS = 4.0  # of the largest terms of the energy, in their sum
 
 def energy_drift(run: Run) -> float | None:
     """Return how far the energy strays from what impacts leave of it, relative to the largest
-    kinetic energy; None if something else in the scene gives or takes energy.
+    kinetic energy; None if something else in the scene gives or takes energy, or nobody knows what
+    impacts did.
     """
-    if not _conserves_energy(run.scene):
-        return None
     impacts = run.impacts
+    if not _conserves_energy(run.scene) or np.isnan(impacts.impulse).any():
+        return None
     restitution = np.array([run.scene.restitution(a, b) for a, b in impacts.bodies.tolist()])
     lost = definitions.energy_loss(restitution, impacts.impulse, impacts.normal_velocity)
     before = np.searchsorted(impacts.time, run.times, side="right")

@@ -55,7 +55,7 @@ def simulate(
         if needed[0] <= k + 1 <= needed[-1]:
             states[k + 1] = world.state()
     first, second = (np.array([states[k] for k in (before + n).tolist()]) for n in (0, 1))
-    history = _between(first, second, (wanted - grid[before]) / dt, struck[before])
+    history = between_steps(first, second, (wanted - grid[before]) / dt, struck[before])
     energy, momentum, angular_momentum = balance(scene, history)
     return Run(
         scene=scene,
@@ -73,9 +73,9 @@ def simulate(
     )
 
 
-def _between(first: Array, second: Array, share: Array, struck: NDArray[np.bool_]) -> History:
+def between_steps(first: Array, second: Array, share: Array, struck: NDArray[np.bool_]) -> History:
     """Return states between the ends of steps (k, n, 6): straight lines, but for velocities in
-    steps in which something was struck, which jump at the end.
+    steps in which something was struck (k,), which jump at the end.
     """
     along = np.clip(share, 0.0, 1.0)[:, None, None] * np.ones(6)
     jumps = np.broadcast_to(np.arange(6) >= 3, along.shape) & struck[:, None, None]

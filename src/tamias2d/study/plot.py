@@ -14,6 +14,7 @@ import numpy as np
 
 from tamias2d.errors import InputError, RecordingError
 from tamias2d.storage import write_aside
+from tamias2d.study.contact_errors import ContactErrors
 from tamias2d.study.contact_study import ContactStudy
 from tamias2d.study.work_precision import Point, Seconds, Study
 
@@ -28,9 +29,10 @@ _COLOURS = {
     "DormandPrince5": "#966ed2",
     "Dop853": "#c85082",
     "Reference": "#28a5af",
+    "pyb2d3": "#555555",
 }
 _GREY = "#999999"
-_MARKS = {"ClosedForm": "D", "Pymunk": "s"}
+_MARKS = {"ClosedForm": "D", "Pymunk": "s", "pyb2d3": "^"}
 _PEERS = {"Pymunk": "s", "pyb2d3": "^"}
 _PASSES = {
     ("Stepped", 1): "#e67828",
@@ -40,6 +42,7 @@ _PASSES = {
     ("pyb2d3", 4): "#bbbbbb",
     ("pyb2d3", 16): "#777777",
 }
+_FEW_POWERS = 30.0  # times its low end is the high end of an axis with few powers of ten
 CostOf = Callable[[Point], float | None]
 
 
@@ -78,26 +81,31 @@ def _draw_study(figure: Any, study: Study, tolerance: float | None) -> None:
     for axes in (left, right):
         _limits(axes, study, tolerance)
     _rim(left, study, _seconds)
+    _mark(left, right)
     _texts(figure, left, study)
 
 
 def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) -> None:
     """Draw seconds against the error of places, and against overlap and energy."""
     left, right = figure.subplots(1, 2)
-    places = {k: max(p.error.size, study.floor) for k, p in enumerate(study.points) if p.error}
-    quality = {k: p.error.quality for k, p in enumerate(study.points) if p.error}
-    for axes, errors, chosen in (
-        (left, places, study.fastest),
-        (right, quality, study.soundest),
+    for axes, size, floor, chosen in (
+        (left, _place, study.floor, study.fastest),
+        (right, _quality, 0.0, study.soundest),
     ):
+        errors = {k: max(size(p.error), floor) for k, p in enumerate(study.points) if p.error}
         _lines(axes, study, errors)
+        _worst(axes, study, errors, size)
         front = [k for k in chosen if k in errors]
         _front(axes, [errors[k] for k in front], [study.points[k].seconds for k in front])
         axes.set(xscale="log", yscale="log", ylabel="cost: seconds, median of runs in turns")
         axes.grid(visible=True, which="major", alpha=0.25)
+    left.set_xlim(left=study.floor / 2)
+    left.axvspan(study.floor / 2, study.floor, color=_GREY, alpha=0.15, linewidth=0)
+    _mark(left, right)
     left.set_xlabel(
         f"places up to the horizon of {study.horizon:.3g} s, against {study.truth},\n"
-        f"relative to the way of the farthest body; below {study.floor:.0e} nothing is known"
+        "relative to the way of the farthest body;\n"
+        f"median of {study.phases} starts, bars to the worst; grey: nothing is known"
     )
     right.set_xlabel("overlap, relative to the smaller body's radius,\nor energy from nothing")
     if tolerance is not None:
@@ -105,6 +113,14 @@ def _draw_contacts(figure: Any, study: ContactStudy, tolerance: float | None) ->
     figure.suptitle(f"{study.scene}, {study.duration:g} s: what accuracy costs", fontsize="x-large")
     handles, labels = left.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside right upper", frameon=False, fontsize="small")
+
+
+def _place(error: ContactErrors) -> float:
+    return error.size
+
+
+def _quality(error: ContactErrors) -> float:
+    return error.quality
 
 
 def _lines(axes: Any, study: ContactStudy, errors: dict[int, float]) -> None:
@@ -124,6 +140,22 @@ def _lines(axes: Any, study: ContactStudy, errors: dict[int, float]) -> None:
             zorder=1 if method in _PEERS else 2,
             label=f"{method} x {passes}",
         )
+
+
+def _worst(
+    axes: Any,
+    study: ContactStudy,
+    errors: dict[int, float],
+    size: Callable[[ContactErrors], float],
+) -> None:
+    """Draw from the median to the worst of the starts."""
+    for k, error in errors.items():
+        point = study.points[k]
+        worst = size(point.worst) if point.worst else math.inf
+        if point.seconds and 0 < error < worst < math.inf:
+            colour = _PASSES.get((point.method, point.passes), _GREY)
+            height = [point.seconds.median] * 2
+            axes.plot([error, worst], height, color=colour, linewidth=2.5, alpha=0.25, zorder=1)
 
 
 def _front(axes: Any, errors: list[float], seconds: list[Seconds | None]) -> None:
@@ -232,6 +264,19 @@ def _limits(axes: Any, study: Study, tolerance: float | None) -> None:
             rotation=90,
             fontsize="small",
         )
+
+
+def _mark(*every: Any) -> None:
+    """Label powers of ten; and twos and fives between, where an axis has hardly a power of ten."""
+    from matplotlib.ticker import LogFormatterSciNotation, LogLocator, NullFormatter
+
+    for axes in every:
+        for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
+            narrow = high < _FEW_POWERS * low
+            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if narrow else (1.0,)))
+            shown = (math.inf, math.inf) if narrow else None
+            axis.set_major_formatter(LogFormatterSciNotation(minor_thresholds=shown))
+            axis.set_minor_formatter(NullFormatter())
 
 
 def _rim(axes: Any, study: Study, cost: CostOf) -> None:

@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from statistics import median
-from time import perf_counter
+from time import thread_time
 
 import numpy as np
 
@@ -33,7 +33,7 @@ _LOST = 1.0  # relative: an error beyond it says only that the run is wrong
 
 @dataclass(frozen=True)
 class Seconds:
-    """What the clock says of one run, after one that is not counted. It differs each time."""
+    """Of the processor for one run, after one that is not counted. They differ each time."""
 
     median: float
     minimum: float
@@ -199,9 +199,9 @@ def _timed(candidate: Candidate, scene: Scene, duration: float) -> Seconds:
     """Time runs that are sampled at their end only; the errors have warmed them up."""
     times: list[float] = []
     while len(times) < _REPEATS and sum(times) < _LONG:
-        began = perf_counter()
+        began = thread_time()
         candidate.run(scene, duration, [duration])
-        times.append(perf_counter() - began)
+        times.append(thread_time() - began)
     return Seconds(median(times), min(times), len(times))
 
 

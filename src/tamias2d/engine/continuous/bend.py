@@ -1,5 +1,6 @@
 """The parabolas of two bodies through a step, on which their first impact is found (DD61)."""
 
+from tamias2d.engine.continuous.conservative_advancement import MISSED
 from tamias2d.engine.continuous.events import manifold_at
 from tamias2d.engine.continuous.impact import normal_line
 from tamias2d.engine.continuous.impulse import speed_along
@@ -36,7 +37,8 @@ def bend_paths(
 ) -> float:
     """Put two bodies that meet on their chords on their parabolas; return when they meet there.
 
-    From then on their paths are the chords of the rest of the step.
+    From then on their paths are the chords of the rest of the step. Where they still approach at
+    its end, it is `MISSED`, and nothing is changed: they meet in the next step.
     """
     i, j = shapes.slot[s], shapes.slot[t]
     near = manifold_at(s, t, chord, (0.0, 0.0), bodies, shapes, events)
@@ -54,10 +56,11 @@ def bend_paths(
         if abs(later - now) <= SETTLED:
             break
         now = later
-    if not abs(gap) <= near:  # they graze each other: no iteration ends at the gap
+    late = now == 1.0 and target < gap <= near and closing > 0.0
+    if late or not abs(gap) <= near:  # grazing, no iteration ends at the gap
         for n in range(3):
             bodies.pose[i, n], bodies.pose[j, n] = start_i[n], start_j[n]
-        return chord
+        return MISSED if late else chord
     take_rest(i, now, time_step, bodies)
     take_rest(j, now, time_step, bodies)
     return now

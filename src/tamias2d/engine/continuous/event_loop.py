@@ -278,8 +278,7 @@ def handle_meeting(
         changed = resolve_impact(p, now, control, bodies, shapes, contacts, events)
         if not changed:
             s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-            held = held_normal(contacts.manifolds[p], contacts.flags[p])
-            later = next_event(s, t, now, control.progress[PART_TIME], held, bodies, shapes, events)
+            later = next_event(p, s, t, now, control, bodies, shapes, contacts, events)
     if not changed:  # a pair that meets where it is does not approach
         events.times[len(bodies.kind) + p] = later if later > now else MISSED
     return changed
@@ -328,6 +327,8 @@ def resolve_impact(
     i, j = shapes.slot[s], shapes.slot[t]
     if contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies):
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
+        if now > 1.0:
+            return False
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
     manifold_at(s, t, now, held, bodies, shapes, events)
     manifold = events.scratch[0]

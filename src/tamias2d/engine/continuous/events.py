@@ -107,8 +107,7 @@ def find_events(
             sought += 1
             if share < 1.0 and sought > most:
                 return MANY
-            held = held_normal(contacts.manifolds[p], contacts.flags[p])
-            time = next_event(s, t, now, control.progress[PART_TIME], held, bodies, shapes, events)
+            time = next_event(p, s, t, now, control, bodies, shapes, contacts, events)
             events.times[body_count + p] = time
             found += time <= 1.0
     return found
@@ -226,8 +225,7 @@ def update_events_of(
         looked = not goes_little(a, b, now, share, reach, bodies)
         looked = unless_joined(looked, a, b, bodies)
         if looked:
-            held = held_normal(contacts.manifolds[p], contacts.flags[p])
-            time = next_event(s, t, now, control.progress[PART_TIME], held, bodies, shapes, events)
+            time = next_event(p, s, t, now, control, bodies, shapes, contacts, events)
         events.times[body_count + p] = time
         update_event(body_count + p, event_count, events.times, events.queue)
 
@@ -246,20 +244,23 @@ def relative_motion(i: int, j: int, bodies: Bodies) -> float:
 
 
 def next_event(
+    p: int,
     s: int,
     t: int,
     now: float,
-    time_step: float,
-    held: Vector,
+    control: Control,
     bodies: Bodies,
     shapes: Shapes,
+    contacts: Contacts,
     events: Events,
 ) -> float:
     """Return the fraction of the step, from `now` on, at which two shapes meet, or `MISSED`.
 
-    A pair that is close now meets now if it approaches by more than counts as close. The normal is
-    that of their contact as the step began, (0, 0) if there was none.
+    A pair that is close now meets now if it approaches by more than counts as close; or by more
+    than its gap, if its impact is located: nothing else holds it.
     """
+    time_step = control.progress[PART_TIME]
+    held = held_normal(contacts.manifolds[p], contacts.flags[p])
     if shapes.kind[t] == HALF_PLANE:
         s, t = t, s
     i, j = shapes.slot[s], shapes.slot[t]
@@ -272,7 +273,8 @@ def next_event(
     if gap <= near:
         line = normal_line(i, j, now, events.scratch[0], bodies)
         closing = time_step * path_speed_along(line, time_step, bodies.motion)
-        if closing * rest < -near:
+        enough = max(gap, 0.0) if 0 < contacts.flags[p, LOCATED] < SPENT else near
+        if closing * rest < -enough:
             return now
     path = relative_path(i, j, now, bodies)
     ahead = time_of_impact(s, t, path, held, shapes, events)

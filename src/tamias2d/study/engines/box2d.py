@@ -16,6 +16,7 @@ from tamias2d.study.engines.refusal import imported, refuse_untranslated
 from tamias2d.study.engines.surfaces import friction, restitution
 
 SUBSTEPS = 4
+_SLOWEST_HIT = 1e-3  # m/s
 
 
 class Box2D:
@@ -24,22 +25,37 @@ class Box2D:
     name = "pyb2d3"
 
     def __init__(
-        self, scene: Scene, time_step: float, substeps: int = SUBSTEPS, *, listens: bool = False
+        self,
+        scene: Scene,
+        time_step: float,
+        substeps: int = SUBSTEPS,
+        *,
+        listens: bool = False,
+        slowest_bounce: float = 1.0,
     ) -> None:
+        """Take a scene; what meets more slowly than the slowest bounce, m/s, stays together."""
         pyb2d3 = imported(self.name, "pyb2d3")
         refuse_untranslated(scene, self.name)
         self._time_step, self._substeps, self._listens = time_step, substeps, listens
         self._steps = 0
         self.met: dict[Pair, float] = {}
+        self.hits: list[tuple[float, Pair]] = []
+        """Ends of steps, s, in which pairs hit each other; only what listens fills it."""
         self._world = pyb2d3.World(gravity=scene.gravity)
         self._world.sleeping_enabled = False
+        self._world.restitution_threshold = slowest_bounce
+        self._world.hit_event_threshold = _SLOWEST_HIT
         size = size_of(scene)
         rubs, parts = friction(scene), restitution(scene)
         self.bodies = [_body(pyb2d3, self._world, body) for body in scene.bodies]
         self._moving = pyb2d3.Bodies()
         for k, (body, own) in enumerate(zip(scene.bodies, self.bodies, strict=True)):
             surface = pyb2d3.surface_material(friction=rubs[k], restitution=parts[k])
-            shape = pyb2d3.shape_def(material=surface, enable_contact_events=listens)
+            shape = pyb2d3.shape_def(
+                material=surface,
+                enable_contact_events=listens,
+                enable_hit_events=listens,
+            )
             for piece in pieces(body, size):
                 own.create_shape(shape, _shape(pyb2d3, piece))
             if body.dynamic:
@@ -67,11 +83,18 @@ class Box2D:
         return np.array([(p.x, p.y, atan2(q.s, q.c), v.x, v.y, spin) for p, q, v, spin in rows])
 
     def _hear(self) -> None:
-        """Note the pairs that began to touch in the last step."""
-        for begun in self._world.get_contact_events().begin_events():
-            both = (begun.shape_a.body.id, begun.shape_b.body.id)
-            a, b = sorted(self._index[one] for one in both)
-            self.met.setdefault((a, b), self._steps * self._time_step)
+        """Note the pairs that began to touch in the last step, and those that hit each other.
+
+        What begins to touch may still be 2 cm apart.
+        """
+        time, told = self._steps * self._time_step, self._world.get_contact_events()
+        for begun in told.begin_events():
+            self.met.setdefault(self._pair(begun), time)
+        self.hits += [(time, self._pair(hit)) for hit in told.hit_events()]
+
+    def _pair(self, event: Any) -> Pair:
+        a, b = sorted(self._index[shape.body.id] for shape in (event.shape_a, event.shape_b))
+        return a, b
 
     def masses(self) -> Array:
         """Return (n, 2): mass, kg, and inertia, kg m^2; what does not move has zeros."""
