@@ -747,6 +747,7 @@ M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by itera
 M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
+M_HINGED = _mechanisms()  # 1 if it is a tree of hinges; its nodes come after those above them
 ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
 
 _joint = Columns()  # whole numbers of a joint
@@ -789,6 +790,8 @@ J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about
 _joined = Columns()  # members: the plane, then the nodes, then bodies that do not move
 JOINED_BODY = _joined()  # row of the body
 JOINED_SLOT = _joined()  # its slot in this step
+JOINED_ABOVE = _joined()  # member on which it hangs in a tree of hinges; 0 for the plane
+JOINED_HINGE = _joined()  # the joint by which it hangs, or -1
 
 _places = Columns()  # of a member, as generated code takes it
 PLACE_X = _places()  # m
@@ -798,6 +801,27 @@ PLACE_COSINE = _places()
 PLACE_SINE = _places()
 LEANING = _places()  # N m, of joints that pull at the arms of the body
 HELD_INVERSE_INERTIA = _places()  # 1/(kg m^2), with which it counts in joints
+
+_hinges = Columns()  # of a member that hangs on a hinge, or is the root of a tree
+H_ANCHOR = _hinges(2)  # m, in its own axes
+H_FAR_ANCHOR = _hinges(2)  # m, in the axes of the body above
+H_SIDE = _hinges()  # 1 if it is body B of the joint, -1 if it is A
+H_ARM = _hinges(2)  # m, to the hinge
+H_FAR_ARM = _hinges(2)  # m, to the hinge from the body above
+H_GAP = _hinges(2)  # m, by which the hinge is apart as a substep begins
+H_AIM = _hinges(2)  # m, to which the substep brings it
+H_ERROR = _hinges(2)  # m/s, rate that it has too much
+H_NODE_MASS = _hinges(3)  # kg, of the node: by x along x, by y along x, by y along y
+H_NODE_MOMENT = _hinges(2)  # kg m
+H_NODE_INERTIA = _hinges()  # kg m^2
+H_MOMENT = _hinges(2)  # kg m, of the node about its hinge
+H_INERTIA = _hinges()  # kg m^2, likewise
+H_MASS = _hinges(3)  # kg, of what hangs on the hinge
+H_LEVER = _hinges(2)  # 1/m
+H_YIELD = _hinges()  # 1/(kg m^2), of turning
+H_OWED = _hinges(3)  # N s, N s, N m s
+H_CHANGE = _hinges(3)  # m/s, m/s, rad/s
+H_GIVEN = _hinges(2)  # N s, through the hinge since rows were written
 
 
 class Joints(NamedTuple):
@@ -811,6 +835,7 @@ class Joints(NamedTuple):
     numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
     members: Annotated[RankRows, Sized("joined", _joined.width)]
     places: Annotated[FloatRows, Sized("joined", _places.width)]
+    hinges: Annotated[FloatRows, Sized("joined", _hinges.width)]
     bends: Annotated[Floats, Sized(9)]  # m, second derivatives of the rows of a joint
     # as those of the direct solver, a node for each body that moves
     sparse: Annotated[RankRows, Sized("joint_sparse", _sparse.width)]

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.joints.rows import JointRow
+from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.saved_checks import require
 from tamias2d.engine.tables import (
     ABSENT,

@@ -82,12 +82,17 @@ def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
     first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
     place_members(first + 1, last + 1, 0.0, bodies, joints)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        ends, numbers = joints.joints[j], joints.numbers[j]
-        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
-        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
-        joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
-        note_apart(ends, numbers)
+        write_rows(j, joints)
     factor_mechanism(n, 0.0, bodies, joints)
+
+
+def write_rows(j: int, joints: Joints) -> None:
+    """Write the rows of a joint where its members are, and note by how much they are apart."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+    place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+    joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+    note_apart(ends, numbers)
 
 
 def note_apart(ends: Integers, numbers: Array) -> None:

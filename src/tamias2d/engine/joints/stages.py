@@ -7,6 +7,8 @@ ends of each substep; one that is touched is solved before and after the contact
 
 from tamias2d.engine.joints.energy import bound_mechanism
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
+from tamias2d.engine.joints.hinge_solve import aim_tree, bring_tree_to_aims, fit_tree
+from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impulses
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.solver.energy import UNLIMITED
@@ -32,6 +34,7 @@ from tamias2d.engine.tables import (
     JOINED_SLOT,
     JOINTS,
     M_GOVERNED,
+    M_HINGED,
     M_JOINT,
     M_STATUS,
     MECHANISMS,
@@ -139,9 +142,17 @@ def begin_joints(substep: float, world: World) -> None:
             note_node_masses(n, substep, bodies, joints)
             begin_rows(n, joints)
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
-            linearise(n, bodies, joints)
+            write_mechanism(n, bodies, joints)
             if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
                 kick_half(n, False, bodies, joints)
+
+
+def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Write the rows of a mechanism where its bodies are, and its matrix."""
+    if joints.mechanisms[n, M_HINGED] == 1:
+        linearise_tree(n, bodies, joints)
+    else:
+        linearise(n, bodies, joints)
 
 
 def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
@@ -179,6 +190,11 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         status = joints.mechanisms[n, M_STATUS]
         if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
+            if joints.mechanisms[n, M_HINGED] == 1:
+                if not again:
+                    aim_tree(n, length, joints)
+                bring_tree_to_aims(n, substep, bodies, joints)
+                continue
             if not again:
                 aim_joints(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
@@ -192,7 +208,7 @@ def relax_joints(world: World) -> None:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            linearise(n, bodies, joints)
+            write_mechanism(n, bodies, joints)
     fit_velocities(bodies, joints)
 
 
@@ -211,7 +227,15 @@ def fit_velocities(bodies: Bodies, joints: Joints) -> None:
     """Take the rates of their rows from the velocities of touched mechanisms."""
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] == IN_CONTACT:
-            keep_velocities(n, 0.0, bodies, joints)
+            fit(n, 0.0, bodies, joints)
+
+
+def fit(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of its rows from the velocities of a mechanism; `warm` is for meshes."""
+    if joints.mechanisms[n, M_HINGED] == 1:
+        fit_tree(n, bodies, joints)
+    else:
+        keep_velocities(n, warm, bodies, joints)
 
 
 def end_joints(world: World) -> None:
@@ -222,8 +246,10 @@ def end_joints(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
-            keep_velocities(n, 0.5, bodies, joints)
+            fit(n, 0.5, bodies, joints)
             bound_mechanism(n, world.control, bodies, joints, world.islands)
+        if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_HINGED] == 1:
+            store_hinge_impulses(n, joints)
 
 
 def look_at_touched(world: World) -> None:
