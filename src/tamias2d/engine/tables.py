@@ -747,7 +747,8 @@ M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by itera
 M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
-M_HINGED = _mechanisms()  # 1 if it is a tree of hinges; its nodes come after those above them
+M_HINGED = _mechanisms()  # 1 if it is a tree of hinges: nodes come after those above them, joints
+# that are no hinges of nodes last
 ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
 
 _joint = Columns()  # whole numbers of a joint
@@ -818,8 +819,12 @@ H_MOMENT = _hinges(2)  # kg m, of the node about its hinge
 H_INERTIA = _hinges()  # kg m^2, likewise
 H_MASS = _hinges(3)  # kg, of what hangs on the hinge
 H_LEVER = _hinges(2)  # 1/m
-H_YIELD = _hinges()  # 1/(kg m^2), of turning
+H_YIELD = _hinges()  # 1/(kg m^2), of turning; 0 if the body does not turn
+H_FIRM = _hinges()  # kg m^2, of laws that govern its angle
+H_SHARE = _hinges()  # of the turning of the body above that these pass on
+H_LAW = _hinges()  # N m s, that these ask for
 H_OWED = _hinges(3)  # N s, N s, N m s
+H_NOTED = _hinges(2)  # m/s, rate at which the hinge parted before laws changed their state
 H_CHANGE = _hinges(3)  # m/s, m/s, rad/s
 H_GIVEN = _hinges(2)  # N s, through the hinge since rows were written
 

@@ -496,25 +496,6 @@ def hinge_impulse(
     )
 
 
-def hinge_torque_impulse(
-    turning_firmness: Scalar, spin_change: Scalar, spin_change_above: Scalar, law_impulse: Scalar
-) -> Scalar:
-    """Angular impulse of the laws of a hinge on the body that hangs on it (N*m*s).
-
-    hinge_torque_impulse = turning_firmness*(spin_change_above - spin_change) - law_impulse
-
-    Args:
-        turning_firmness: Firmness with which laws of a hinge answer the turning of its bodies,
-            kg*m^2
-        spin_change: Change of the rate of turning of a body by its hinges, rad/s
-        spin_change_above: Change of the rate of turning of the body above, rad/s
-        law_impulse: Angular impulse that laws of a hinge ask for, kg*m^2/s
-
-    Source: DD71, srs/models/hinge_tree.md:88.
-    """
-    return turning_firmness * (spin_change_above - spin_change) - law_impulse
-
-
 def velocity_hinged(velocity: Vector, hinge_impulse: Vector, inverse_mass: Scalar) -> Vector:
     """Velocity after the impulse of a hinge (m/s).
 
@@ -525,7 +506,7 @@ def velocity_hinged(velocity: Vector, hinge_impulse: Vector, inverse_mass: Scala
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD71, srs/models/hinge_tree.md:90.
+    Source: DD71, srs/models/hinge_tree.md:88.
     """
     velocity_x, velocity_y = velocity
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -536,31 +517,25 @@ def velocity_hinged(velocity: Vector, hinge_impulse: Vector, inverse_mass: Scala
 
 
 def angular_velocity_hinged(
-    angular_velocity: Scalar,
-    hinge_arm: Vector,
-    hinge_impulse: Vector,
-    hinge_torque_impulse: Scalar,
-    inverse_inertia: Scalar,
+    angular_velocity: Scalar, hinge_arm: Vector, hinge_impulse: Vector, inverse_inertia: Scalar
 ) -> Scalar:
     """Rate of turning after the impulse of a hinge (rad/s).
 
-    angular_velocity_hinged = angular_velocity + inverse_inertia*(cross(hinge_arm,
-    hinge_impulse) + hinge_torque_impulse)
+    angular_velocity_hinged = angular_velocity + inverse_inertia*cross(hinge_arm,
+    hinge_impulse)
 
     Args:
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
-        hinge_torque_impulse: Angular impulse of the laws of a hinge on the body that hangs on
-            it, N*m*s
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD71, srs/models/hinge_tree.md:91.
+    Source: DD71, srs/models/hinge_tree.md:89.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
     return angular_velocity + inverse_inertia * (
-        hinge_arm_x * hinge_impulse_y - hinge_arm_y * hinge_impulse_x + hinge_torque_impulse
+        hinge_arm_x * hinge_impulse_y - hinge_arm_y * hinge_impulse_x
     )
 
 
@@ -573,7 +548,7 @@ def momentum_hinged(momentum: Vector, hinge_impulse: Vector) -> Vector:
         momentum: Mass times velocity, kg*m/s
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
 
-    Source: DD71, srs/models/hinge_tree.md:94.
+    Source: DD71, srs/models/hinge_tree.md:91.
     """
     momentum_x, momentum_y = momentum
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -581,27 +556,19 @@ def momentum_hinged(momentum: Vector, hinge_impulse: Vector) -> Vector:
 
 
 def angular_momentum_hinged(
-    angular_momentum: Scalar, hinge_arm: Vector, hinge_impulse: Vector, hinge_torque_impulse: Scalar
+    angular_momentum: Scalar, hinge_arm: Vector, hinge_impulse: Vector
 ) -> Scalar:
     """Angular momentum after the impulse of a hinge (kg*m^2/s).
 
-    angular_momentum_hinged = angular_momentum + cross(hinge_arm, hinge_impulse) +
-    hinge_torque_impulse
+    angular_momentum_hinged = angular_momentum + cross(hinge_arm, hinge_impulse)
 
     Args:
         angular_momentum: Moment of momentum about the origin, kg*m^2/s
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
-        hinge_torque_impulse: Angular impulse of the laws of a hinge on the body that hangs on
-            it, N*m*s
 
-    Source: DD71, srs/models/hinge_tree.md:95.
+    Source: DD71, srs/models/hinge_tree.md:92.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
-    return (
-        angular_momentum
-        + hinge_arm_x * hinge_impulse_y
-        - hinge_arm_y * hinge_impulse_x
-        + hinge_torque_impulse
-    )
+    return angular_momentum + hinge_arm_x * hinge_impulse_y - hinge_arm_y * hinge_impulse_x

@@ -2513,14 +2513,6 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1524,
     ),
-    "hinge_torque_impulse": Symbol(
-        "hinge_torque_impulse",
-        "N*m*s",
-        "angular impulse of the laws of a hinge on the body that hangs on it",
-        tex="T_h",
-        file="srs/symbols.md",
-        line=1529,
-    ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
         "m/s",
@@ -2528,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1533,
+        line=1529,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2536,7 +2528,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1538,
+        line=1534,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2545,7 +2537,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1542,
+        line=1538,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2553,7 +2545,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1547,
+        line=1543,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2561,7 +2553,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1551,
+        line=1547,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2569,7 +2561,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1555,
+        line=1551,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2578,7 +2570,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1559,
+        line=1555,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2586,7 +2578,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1564,
+        line=1560,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2595,6 +2587,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1568,
+        line=1564,
     ),
 }

@@ -4,7 +4,9 @@ Cost: two visits to each body for a solution, and cosine and sine where position
 Source: Featherstone (2008), articulated bodies.
 """
 
-from tamias2d.engine.joints.hinge_tree import arms_of_hinge, first_tie
+from math import inf
+
+from tamias2d.engine.joints.hinge_tree import arms_of_hinge, first_besides, hung_by_law
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, place_members
 from tamias2d.engine.joints.solve import (
@@ -22,24 +24,28 @@ from tamias2d.engine.tables import (
     H_FAR_ARM,
     H_GAP,
     H_GIVEN,
+    H_LAW,
     H_LEVER,
     H_MASS,
     H_MOMENT,
     H_OWED,
+    H_SHARE,
     H_YIELD,
     HELD_INVERSE_INERTIA,
     I_NODE,
     INVERSE_MASS,
     J_ERROR,
     J_FIRMNESS,
+    J_LAW,
     J_NODE,
     J_ROW,
     J_ROWS,
     JOINED_ABOVE,
     JOINED_HINGE,
     JOINED_SLOT,
+    LAW_RATE,
     M_JOINT,
-    M_TIED,
+    MOTOR,
     SPIN,
     SUBSTEP_START,
     VX,
@@ -54,6 +60,7 @@ from tamias2d.generated.hinge_tree import (
     change,
     hinge_change,
     hinge_impulse,
+    law_impulse,
     momentum_hung,
     momentum_passed,
     root_change,
@@ -64,6 +71,7 @@ from tamias2d.generated.hinge_tree import (
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
     angular_momentum_later,
+    drive_error,
     momentum_later,
     row_aim,
     row_error,
@@ -73,7 +81,7 @@ from tamias2d.generated.joint_step import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-SLIGHT_TURN = 1e-6  # rad^2, of a substep times that of impulses in it: of arms, what it leaves
+SLIGHT_TURN = 1e-5  # rad^2, of a substep times that of impulses in it: of arms, what it leaves
 
 
 def aim_tree(n: int, length: float, joints: Joints) -> None:
@@ -85,74 +93,97 @@ def aim_tree(n: int, length: float, joints: Joints) -> None:
         row = joints.hinges[m]
         row[H_AIM] = row_aim(row[H_GAP], REMOVED_BY_JOINTS * length)
         row[H_AIM + 1] = row_aim(row[H_GAP + 1], REMOVED_BY_JOINTS * length)
-    for j in range(first_tie(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         aim_joint(j, length, joints)
 
 
 def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Change the velocities of a tree so that a substep, s, brings its hinges where they are to be.
 
-    Arms turn meanwhile; where that matters, it is done again.
+    Arms turn meanwhile; where that matters, it is done again, as long as errors become less.
     """
+    before = inf
     for _ in range(MOST_ITERATIONS_OF_JOINTS):
-        turn = substep * find_gap_errors(n, substep, bodies, joints)
+        fastest, size = find_gap_errors(n, substep, bodies, joints)
+        if not size < before:
+            return
+        before, turn = size, substep * fastest
         change_of_turn = substep * solve_hinges(n, bodies, joints)
         if not change_of_turn * (turn + change_of_turn) > SLIGHT_TURN:
             return
 
 
 def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Take the rates at which its hinges part from the velocities of a tree."""
+    """Take the rates of its rows from the velocities of a tree."""
     for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
-        row, now = joints.hinges[m], bodies.motion[joints.members[m, JOINED_SLOT]]
-        above = bodies.motion[joints.members[joints.members[m, JOINED_ABOVE], JOINED_SLOT]]
-        arm, far = (row[H_ARM], row[H_ARM + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
-        here = point_velocity((now[VX], now[VY]), now[SPIN], arm)
-        there = point_velocity((above[VX], above[VY]), above[SPIN], far)
-        begin_errors(row, here[0] - there[0], here[1] - there[1])
-    for j in range(first_tie(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        rate_x, rate_y = rates_of_hinge(m, bodies, joints)
+        begin_errors(joints.hinges[m], rate_x, rate_y)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_ERROR + r] = rate_of_row(j, r, bodies, joints)
+            rate = rate_of_row(j, r, bodies, joints)
+            if joints.joints[j, J_LAW] == MOTOR:
+                rate = drive_error(rate, joints.laws[j, LAW_RATE])
+            joints.numbers[j, J_ERROR + r] = rate
     solve_hinges(n, bodies, joints)
 
 
-def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
-    """Write the rates that hinges have too much to get to their aims; return the fastest spin."""
+@inlined
+def rates_of_hinge(m: int, bodies: Bodies, joints: Joints) -> Vector:
+    """Return the rates at which a hinge parts, m/s."""
+    row, now = joints.hinges[m], bodies.motion[joints.members[m, JOINED_SLOT]]
+    above = bodies.motion[joints.members[joints.members[m, JOINED_ABOVE], JOINED_SLOT]]
+    arm, far = (row[H_ARM], row[H_ARM + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
+    here = point_velocity((now[VX], now[VY]), now[SPIN], arm)
+    there = point_velocity((above[VX], above[VY]), above[SPIN], far)
+    return here[0] - there[0], here[1] - there[1]
+
+
+def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> tuple[float, float]:
+    """Write the rates that hinges have too much to get to their aims.
+
+    Returns the fastest spin, and the sum of the squares of these rates.
+    """
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
     place_members(first, last, substep, bodies, joints)
-    fastest = 0.0
+    fastest = size = 0.0
     for m in range(first, last):
         row = joints.hinges[m]
         _, _, gap = arms_of_hinge(m, joints)
         error_x = row_error(gap[0], row[H_AIM], substep)
         error_y = row_error(gap[1], row[H_AIM + 1], substep)
         begin_errors(row, error_x, error_y)
+        size += error_x * error_x + error_y * error_y
         fastest = max(fastest, abs(bodies.motion[joints.members[m, JOINED_SLOT], SPIN]))
-    for j in range(first_tie(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         errors_of_joint(j, substep, bodies, joints)
-    return fastest
+        for r in range(joints.joints[j, J_ROWS]):
+            size += joints.numbers[j, J_ERROR + r] * joints.numbers[j, J_ERROR + r]
+    return fastest, size
 
 
 @inlined
 def begin_errors(row: Array, error_x: float, error_y: float) -> None:
     """Write the error of a hinge; its node owes nothing yet."""
     row[H_ERROR], row[H_ERROR + 1] = error_x, error_y
-    row[H_OWED] = row[H_OWED + 1] = row[H_OWED + 2] = 0.0
+    row[H_OWED] = row[H_OWED + 1] = row[H_OWED + 2] = row[H_LAW] = 0.0
 
 
 def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
     """Give a tree the impulses that take its errors away; return the largest change of a spin."""
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    tie, end = first_tie(n, joints), joints.mechanisms[n + 1, M_JOINT]
-    for j in range(tie, end):
+    besides, end = first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]
+    for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
-            owe_tie(j, r, joints)
+            if joints.joints[j, J_NODE] >= 0 and joints.joints[j, J_NODE + 1] >= 0:
+                owe_law(j, joints)
+            else:
+                owe_tie(j, r, joints)
     hinges, members = joints.hinges, joints.members
     for m in range(last - 1, first, -1):
         owe_at_hinge(hinges[m])
         pass_up(hinges[m], hinges[members[m, JOINED_ABOVE]])
     owe_at_hinge(hinges[first])
-    if joints.mechanisms[n, M_TIED] == 0:
+    if members[first, JOINED_HINGE] < 0:
         let_go(hinges[first])
     largest = 0.0
     for m in range(first, last):
@@ -166,9 +197,9 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
         if m > first:
             away, far = (-impulse[0], -impulse[1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
             push_hinged(members[m, JOINED_ABOVE], far, away, bodies, joints)
-    for j in range(tie, end):
+    for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
-            apply_joint_impulse(j, r, impulse_of_tie(j, r, joints), bodies, joints)
+            apply_joint_impulse(j, r, impulse_besides(j, r, joints), bodies, joints)
     return largest
 
 
@@ -176,7 +207,7 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
 def owe_at_hinge(row: Array) -> None:
     """Find what a node owes at its hinge."""
     owed, arm = (row[H_OWED], row[H_OWED + 1]), (row[H_ARM], row[H_ARM + 1])
-    turning = turn_owed(row[H_OWED + 2], owed, arm, 0.0)
+    turning = turn_owed(row[H_OWED + 2], owed, arm, row[H_LAW])
     hung = momentum_hung(owed, turning, (row[H_LEVER], row[H_LEVER + 1]))
     row[H_OWED], row[H_OWED + 1], row[H_OWED + 2] = hung[0], hung[1], turning
 
@@ -188,7 +219,9 @@ def pass_up(row: Array, above: Array) -> None:
     far, turned = (row[H_FAR_ARM], row[H_FAR_ARM + 1]), (row[H_MOMENT], row[H_MOMENT + 1])
     mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
     passed = momentum_passed(hung, error, mass_x, mass_y)
-    turning = angular_momentum_passed(passed, row[H_OWED + 2], error, turned, 0.0, far, 0.0)
+    turning = angular_momentum_passed(
+        passed, row[H_OWED + 2], error, turned, row[H_SHARE], far, row[H_LAW]
+    )
     above[H_OWED] += passed[0]
     above[H_OWED + 1] += passed[1]
     above[H_OWED + 2] += turning
@@ -210,12 +243,13 @@ def pass_down(m: int, above: Array, joints: Joints) -> Vector:
     far, error = (row[H_FAR_ARM], row[H_FAR_ARM + 1]), (row[H_ERROR], row[H_ERROR + 1])
     at_hinge = hinge_change(by, spin_above, far, error)
     lever, arm = (row[H_LEVER], row[H_LEVER + 1]), (row[H_ARM], row[H_ARM + 1])
-    turn = spin_change(spin_above, 0.0, at_hinge, lever, row[H_OWED + 2], row[H_YIELD])
+    share = row[H_SHARE]
+    turn = spin_change(spin_above, share, at_hinge, lever, row[H_OWED + 2], row[H_YIELD])
     own = change(at_hinge, turn, arm)
     row[H_CHANGE], row[H_CHANGE + 1], row[H_CHANGE + 2] = own[0], own[1], turn
     mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
     hung, turned = (row[H_OWED], row[H_OWED + 1]), (row[H_MOMENT], row[H_MOMENT + 1])
-    return hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, 0.0, hung)
+    return hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, share, hung)
 
 
 @inlined
@@ -225,11 +259,18 @@ def push_hinged(m: int, arm: Vector, impulse: Vector, bodies: Bodies, joints: Jo
     now, state = bodies.motion[i], bodies.substep_state[i]
     held = joints.places[m, HELD_INVERSE_INERTIA]
     by_x, by_y = velocity_hinged((0.0, 0.0), impulse, bodies.properties[i, INVERSE_MASS])
-    turn = angular_velocity_hinged(0.0, arm, impulse, 0.0, held)
+    turn = angular_velocity_hinged(0.0, arm, impulse, held)
     now[VX], now[VY], now[SPIN] = now[VX] + by_x, now[VY] + by_y, now[SPIN] + turn
     state[SUBSTEP_START] += by_x
     state[SUBSTEP_START + 1] += by_y
     state[SUBSTEP_START + 2] += turn
+
+
+def owe_law(j: int, joints: Joints) -> None:
+    """Note what the error of a law asks for about the hinge whose angle it governs."""
+    m, turning = hung_by_law(j, joints)
+    numbers = joints.numbers[j]
+    joints.hinges[m, H_LAW] += law_impulse(numbers[J_FIRMNESS], turning * numbers[J_ERROR])
 
 
 def owe_tie(j: int, r: int, joints: Joints) -> None:
@@ -244,7 +285,7 @@ def owe_tie(j: int, r: int, joints: Joints) -> None:
             row[H_OWED + 2] = angular_momentum_later(row[H_OWED + 2], asked, numbers[at + 2])
 
 
-def impulse_of_tie(j: int, r: int, joints: Joints) -> float:
+def impulse_besides(j: int, r: int, joints: Joints) -> float:
     """Return the impulse of a firm row, N s."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     rate = numbers[J_ERROR + r]

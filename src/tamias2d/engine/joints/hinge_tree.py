@@ -8,6 +8,7 @@ bodies.
 
 from tamias2d.engine.joints.linearise import (
     ENDS_OF_JOINT,
+    firmness_by_law,
     firmness_of,
     place_members,
     write_rows,
@@ -17,6 +18,7 @@ from tamias2d.engine.tables import (
     H_ARM,
     H_FAR_ANCHOR,
     H_FAR_ARM,
+    H_FIRM,
     H_GAP,
     H_GIVEN,
     H_INERTIA,
@@ -26,6 +28,7 @@ from tamias2d.engine.tables import (
     H_NODE_INERTIA,
     H_NODE_MASS,
     H_NODE_MOMENT,
+    H_SHARE,
     H_SIDE,
     H_YIELD,
     I_NODE,
@@ -39,7 +42,6 @@ from tamias2d.engine.tables import (
     JOINED_ABOVE,
     JOINED_HINGE,
     M_JOINT,
-    M_TIED,
     NODE_INERTIA,
     NODE_MASS,
     PLACE_COSINE,
@@ -60,6 +62,7 @@ from tamias2d.generated.hinge_tree import (
     hung_mass,
     hung_moment,
     momentum_hinged,
+    turned_share,
     turning_yield,
 )
 from tamias2d.generated.joint_rows import ROW
@@ -69,28 +72,47 @@ from tamias2d.state import Array, Vector
 
 
 def linearise_tree(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Write the hinges of a tree where its bodies are, and what hangs on each of them."""
+    """Write the rows of a tree where its bodies are, and what hangs on its hinges."""
     store_hinge_impulses(n, joints)
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
     place_members(first, last, 0.0, bodies, joints)
     for m in range(first, last):
-        begin_node(m, joints)
-    for j in range(first_tie(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        write_hinge(m, joints)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         write_rows(j, joints)
-        for r in range(joints.joints[j, J_ROWS]):
-            ends, numbers = joints.joints[j], joints.numbers[j]
-            numbers[J_FIRMNESS + r] = firmness_of(r, ends, numbers, bodies, joints)
-            add_tie(j, r, joints)
+    hang_tree(n, 0.0, bodies, joints)
+
+
+def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Find what hangs on the hinges of a tree, with the rows besides them that hold.
+
+    Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
+    """
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    for m in range(first, last):
+        begin_node(m, joints)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        for r in range(ends[J_ROWS]):
+            firm = firmness_of(r, ends, numbers, bodies, joints)
+            numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
+            if ends[J_NODE] >= 0 and ends[J_NODE + 1] >= 0:
+                add_law(j, joints)
+            else:
+                add_tie(j, r, joints)
     for m in range(last - 1, first, -1):
         hang(joints.hinges[m])
         add_to_node_above(joints.hinges[m], joints.hinges[joints.members[m, JOINED_ABOVE]])
     hang(joints.hinges[first])
 
 
-def first_tie(n: int, joints: Joints) -> int:
+def first_besides(n: int, joints: Joints) -> int:
     """Return the first joint of a tree that is not the hinge of a node."""
-    nodes = joints.sparse[n + 1, I_NODE] - joints.sparse[n, I_NODE]
-    return int(joints.mechanisms[n, M_JOINT] + nodes - 1 + joints.mechanisms[n, M_TIED])
+    root = joints.sparse[n, I_NODE] + 1
+    hinges = joints.sparse[n + 1, I_NODE] + 1 - root
+    if joints.members[root, JOINED_HINGE] < 0:
+        hinges -= 1
+    return int(joints.mechanisms[n, M_JOINT] + hinges)
 
 
 @inlined
@@ -109,22 +131,44 @@ def arms_of_hinge(m: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
 
 
 @inlined
-def begin_node(m: int, joints: Joints) -> None:
-    """Write the hinge of a member where bodies are; its node is the body alone, as yet."""
+def write_hinge(m: int, joints: Joints) -> None:
+    """Write the hinge of a member where bodies are placed."""
     row = joints.hinges[m]
     arm, far, gap = arms_of_hinge(m, joints)
     row[H_ARM], row[H_ARM + 1] = arm[0], arm[1]
     row[H_FAR_ARM], row[H_FAR_ARM + 1] = far[0], far[1]
     row[H_GAP], row[H_GAP + 1] = gap[0], gap[1]
+    if joints.members[m, JOINED_HINGE] >= 0:
+        numbers = joints.numbers[joints.members[m, JOINED_HINGE]]
+        numbers[J_APART] = max(numbers[J_APART], abs(gap[0]))
+        numbers[J_APART + 1] = max(numbers[J_APART + 1], abs(gap[1]))
+
+
+@inlined
+def begin_node(m: int, joints: Joints) -> None:
+    """Let the node of a member be its body alone, as yet; no laws govern its hinge."""
+    row = joints.hinges[m]
     mass, inertia = joints.factors[m - 1, NODE_MASS], joints.factors[m - 1, NODE_INERTIA]
     row[H_NODE_MASS], row[H_NODE_MASS + 1], row[H_NODE_MASS + 2] = mass, 0.0, mass
     row[H_NODE_MOMENT] = row[H_NODE_MOMENT + 1] = 0.0
     row[H_NODE_INERTIA] = inertia
     row[H_YIELD] = 1.0 if inertia > 0.0 else 0.0
-    if joints.members[m, JOINED_HINGE] >= 0:
-        numbers = joints.numbers[joints.members[m, JOINED_HINGE]]
-        numbers[J_APART] = max(numbers[J_APART], abs(gap[0]))
-        numbers[J_APART + 1] = max(numbers[J_APART + 1], abs(gap[1]))
+    row[H_FIRM] = 0.0
+
+
+def hung_by_law(j: int, joints: Joints) -> tuple[int, float]:
+    """Return which body hangs on the hinge whose angle a law governs, and its turning slope."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    one, other = ends[J_NODE] + 1, ends[J_NODE + 1] + 1
+    if joints.members[other, JOINED_ABOVE] == one:
+        return other, numbers[J_ROW + 6]
+    return one, numbers[J_ROW + 3]
+
+
+def add_law(j: int, joints: Joints) -> None:
+    """Add the firmness of a law to those of the hinge whose angle it governs."""
+    m, turning = hung_by_law(j, joints)
+    joints.hinges[m, H_FIRM] += coupled_inertia(turning, turning, joints.numbers[j, J_FIRMNESS])
 
 
 def add_tie(j: int, r: int, joints: Joints) -> None:
@@ -155,10 +199,12 @@ def hang(row: Array) -> None:
     moment, arm = (row[H_NODE_MOMENT], row[H_NODE_MOMENT + 1]), (row[H_ARM], row[H_ARM + 1])
     turned = hinge_moment(mass_x, mass_y, moment, arm)
     inertia = hinge_inertia(moment, row[H_NODE_INERTIA], turned, arm)
-    yielding = turning_yield(inertia, 0.0) if row[H_YIELD] > 0.0 else 0.0
+    firm = row[H_FIRM]
+    yielding = turning_yield(inertia, firm) if row[H_YIELD] > 0.0 else 0.0
     lever = hinge_lever(turned, yielding)
     hung_x, hung_y = hung_mass(mass_x, lever[0], turned), hung_mass(mass_y, lever[1], turned)
     row[H_YIELD], row[H_LEVER], row[H_LEVER + 1] = yielding, lever[0], lever[1]
+    row[H_SHARE] = turned_share(firm, yielding)
     row[H_MOMENT], row[H_MOMENT + 1], row[H_INERTIA] = turned[0], turned[1], inertia
     row[H_MASS], row[H_MASS + 1], row[H_MASS + 2] = hung_x[0], hung_x[1], hung_y[1]
 
@@ -168,13 +214,14 @@ def add_to_node_above(row: Array, above: Array) -> None:
     """Add what hangs on a hinge to the node above."""
     hung_x, hung_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
     turned, far = (row[H_MOMENT], row[H_MOMENT + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
-    passed = hung_moment(hung_x, hung_y, turned, 0.0, far)
+    share = row[H_SHARE]
+    passed = hung_moment(hung_x, hung_y, turned, share, far)
     above[H_NODE_MASS] += hung_x[0]
     above[H_NODE_MASS + 1] += hung_x[1]
     above[H_NODE_MASS + 2] += hung_y[1]
     above[H_NODE_MOMENT] += passed[0]
     above[H_NODE_MOMENT + 1] += passed[1]
-    above[H_NODE_INERTIA] += hung_inertia(passed, turned, row[H_INERTIA], 0.0, far)
+    above[H_NODE_INERTIA] += hung_inertia(passed, turned, row[H_INERTIA], share, far)
 
 
 def store_hinge_impulses(n: int, joints: Joints) -> None:
@@ -196,4 +243,4 @@ def store_hinge_impulses(n: int, joints: Joints) -> None:
 def add_impulse(at: int, impulse: Vector, arm: Vector, numbers: Array) -> None:
     """Add an impulse at an arm to three totals of a joint: along both axes, and of turning."""
     numbers[at], numbers[at + 1] = momentum_hinged((numbers[at], numbers[at + 1]), impulse)
-    numbers[at + 2] = angular_momentum_hinged(numbers[at + 2], arm, impulse, 0.0)
+    numbers[at + 2] = angular_momentum_hinged(numbers[at + 2], arm, impulse)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.tables import KEPT
 
-HINGE = "revolute"
+HINGE, ANGLE = "revolute", "angle"
 
 
 class HingeTree(NamedTuple):
@@ -20,27 +20,35 @@ class HingeTree(NamedTuple):
     hinges: list[int | None]
     """Of each body the joint by which it hangs; None for a root that nothing ties."""
     joints: list[int]
-    """These joints, and then the further ties to what does not move."""
+    """These joints, then further ties to what does not move, and laws of angles."""
 
 
 def hinge_tree(moving: Sequence[int], rows: Mapping[int, JointRow]) -> HingeTree | None:
     """Return the tree that hinges make of bodies that move; None if they make none, or others do.
 
-    Its root is the first body that is tied to what does not move, if there is one.
+    What ties a single body to what does not move may be of any kind, and laws may govern the
+    angles of hinges. The root is the first body that a hinge ties, if there is one.
     """
-    if any(row.kind != HINGE or row.law != KEPT for row in rows.values()):
-        return None
     around: dict[int, list[tuple[int, int]]] = {body: [] for body in moving}
     ties: list[tuple[int, int]] = []
+    more: list[int] = []
+    angles: set[frozenset[int]] = set()
     for k, row in rows.items():
         ends = [body for body in row.ends if body in around]
-        if len(ends) == 1:
+        hinge = row.kind == HINGE and row.law == KEPT
+        if len(ends) == 1 and hinge:
             ties.append((k, ends[0]))
-        else:
+        elif len(ends) == 2 and hinge:
             one, other = ends
             around[one].append((k, other))
             around[other].append((k, one))
-    if len(rows) - len(ties) != len(moving) - 1:
+        elif len(ends) == 1 or (len(ends) == 2 and row.kind == ANGLE):
+            more.append(k)
+            angles |= {frozenset(ends)} if len(ends) == 2 else set()
+        else:
+            return None
+    edges = [frozenset((one, other)) for one, found in around.items() for _, other in found]
+    if len(edges) != 2 * (len(moving) - 1) or not angles <= set(edges):
         return None
     bodies, hinges = [ties[0][1] if ties else moving[0]], [ties[0][0] if ties else None]
     found = set(bodies)
@@ -50,5 +58,7 @@ def hinge_tree(moving: Sequence[int], rows: Mapping[int, JointRow]) -> HingeTree
                 found.add(other)
                 bodies.append(other)
                 hinges.append(k)
+    if len(bodies) < len(moving):  # two hinges between two bodies, and none to another
+        return None
     held = [k for k in hinges if k is not None]
-    return HingeTree(bodies, hinges, held + [k for k, _ in ties[1:]])
+    return HingeTree(bodies, hinges, [*held, *(k for k, _ in ties[1:]), *more])

@@ -7,7 +7,8 @@ ends of each substep; one that is touched is solved before and after the contact
 
 from tamias2d.engine.joints.energy import bound_mechanism
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
-from tamias2d.engine.joints.hinge_solve import aim_tree, bring_tree_to_aims, fit_tree
+from tamias2d.engine.joints.hinge_laws import keep_tree_positions
+from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impulses
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
@@ -190,15 +191,17 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         status = joints.mechanisms[n, M_STATUS]
         if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
-            if joints.mechanisms[n, M_HINGED] == 1:
-                if not again:
-                    aim_tree(n, length, joints)
-                bring_tree_to_aims(n, substep, bodies, joints)
-                continue
+            hinged = joints.mechanisms[n, M_HINGED] == 1
             if not again:
-                aim_joints(n, length, joints)
+                if hinged:
+                    aim_tree(n, length, joints)
+                else:
+                    aim_joints(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
-            keep_positions(n, again, substep, bodies, joints)
+            if hinged:
+                keep_tree_positions(n, again, substep, bodies, joints)
+            else:
+                keep_positions(n, again, substep, bodies, joints)
 
 
 def relax_joints(world: World) -> None:
