@@ -743,12 +743,13 @@ MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts
 _mechanisms = Columns()
 M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
 M_STATUS = _mechanisms()  # one of those below
-M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration
+M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration; with the last
+# column it is a net of hinges
 M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
-M_HINGED = _mechanisms()  # 1 if it is a tree of hinges: nodes come after those above them, joints
-# that are no hinges of nodes last
+M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
+# above them, and joints that are no hinges of nodes last
 ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
 
 _joint = Columns()  # whole numbers of a joint
@@ -828,6 +829,27 @@ H_NOTED = _hinges(2)  # m/s, rate at which the hinge parted before laws changed 
 H_CHANGE = _hinges(3)  # m/s, m/s, rad/s
 H_GIVEN = _hinges(2)  # N s, through the hinge since rows were written
 
+_links = Columns(2)  # of a hinge in a net
+L_ARM_A = _links()  # m
+L_ARM_B = _links()  # m
+L_YIELD = _links(3)  # 1/kg, by x along x, by y along x, by y along y
+L_MASS = _links(3)  # kg, the inverse
+L_GAP = _links()  # m, by which it is apart as a substep begins
+L_AIM = _links()  # m, to which the substep brings it
+L_ERROR = _links()  # m/s, rate that it has too much
+L_IMPULSE = _links()  # N s
+L_LEFT = _links()  # N s, what a sweep makes of the error that is left
+L_SEARCH = _links()  # m/s, direction of conjugate gradients, before a sweep back
+L_TRIED = _links()  # N s, that direction
+L_RATE = _links()  # m/s, by which links that come later change it
+L_MADE = _links()  # N s, what a sweep makes of the direction
+L_GIVEN = _links()  # N s, since rows were written
+
+_net_nodes = Columns()  # of a member of a net; nothing moves what stands still
+N_CHANGE = _net_nodes(3)  # m/s, m/s, rad/s
+N_INVERSE_MASS = _net_nodes()  # 1/kg
+N_INVERSE_INERTIA = _net_nodes()  # 1/(kg m^2)
+
 
 class Joints(NamedTuple):
     """Joints and the bodies that they hold; read by the joints' own stages."""
@@ -840,7 +862,10 @@ class Joints(NamedTuple):
     numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
     members: Annotated[RankRows, Sized("joined", _joined.width)]
     places: Annotated[FloatRows, Sized("joined", _places.width)]
+    turns: Annotated[FloatRows, Sized(3, "joined")]  # angle, rad, its cosine and sine, for lanes
     hinges: Annotated[FloatRows, Sized("joined", _hinges.width)]
+    links: Annotated[FloatRows, Sized("joints", _links.width)]
+    net_nodes: Annotated[FloatRows, Sized("joined", 8)]
     bends: Annotated[Floats, Sized(9)]  # m, second derivatives of the rows of a joint
     # as those of the direct solver, a node for each body that moves
     sparse: Annotated[RankRows, Sized("joint_sparse", _sparse.width)]

@@ -4,7 +4,129 @@ Generated from srs/models/hinge_tree.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector
+from tamias2d.spec.functions import Scalar, Vector, power
+
+
+def point_yield_x(inverse_mass: Scalar, inverse_inertia: Scalar, hinge_arm: Vector) -> Vector:
+    """Change of the velocity of a body's point along x for impulses there (1/kg).
+
+    point_yield_x = vector(inverse_mass + inverse_inertia*y(hinge_arm)**2,
+    -inverse_inertia*x(hinge_arm)*y(hinge_arm))
+
+    Args:
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+        hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
+
+    Source: DD70, srs/models/hinge_tree.md:37.
+    """
+    hinge_arm_x, hinge_arm_y = hinge_arm
+    return (
+        inverse_mass + inverse_inertia * power(hinge_arm_y, 2),
+        (-inverse_inertia) * hinge_arm_x * hinge_arm_y,
+    )
+
+
+def point_yield_y(inverse_mass: Scalar, inverse_inertia: Scalar, hinge_arm: Vector) -> Vector:
+    """Change of the velocity of a body's point along y for impulses there (1/kg).
+
+    point_yield_y = vector(-inverse_inertia*x(hinge_arm)*y(hinge_arm), inverse_mass +
+    inverse_inertia*x(hinge_arm)**2)
+
+    Args:
+        inverse_mass: One over the mass, zero for a static body, 1/kg
+        inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
+        hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
+
+    Source: DD70, srs/models/hinge_tree.md:40.
+    """
+    hinge_arm_x, hinge_arm_y = hinge_arm
+    return (
+        (-inverse_inertia) * hinge_arm_x * hinge_arm_y,
+        inverse_mass + inverse_inertia * power(hinge_arm_x, 2),
+    )
+
+
+def link_mass_x(link_yield_x: Vector, link_yield_y: Vector) -> Vector:
+    """Impulse of a link along x for its rates (kg).
+
+    link_mass_x = vector(y(link_yield_y), -y(link_yield_x))/(x(link_yield_x)*y(link_yield_y) -
+    y(link_yield_x)*x(link_yield_y))
+
+    Args:
+        link_yield_x: Change of the rate of a link along x for its impulses, 1/kg
+        link_yield_y: Change of the rate of a link along y for its impulses, 1/kg
+
+    Source: DD70, srs/models/hinge_tree.md:43.
+    """
+    link_yield_x_x, link_yield_x_y = link_yield_x
+    link_yield_y_x, link_yield_y_y = link_yield_y
+    return (
+        link_yield_y_y / (link_yield_x_x * link_yield_y_y - link_yield_x_y * link_yield_y_x),
+        (-link_yield_x_y) / (link_yield_x_x * link_yield_y_y - link_yield_x_y * link_yield_y_x),
+    )
+
+
+def link_mass_y(link_yield_x: Vector, link_yield_y: Vector) -> Vector:
+    """Impulse of a link along y for its rates (kg).
+
+    link_mass_y = vector(-x(link_yield_y), x(link_yield_x))/(x(link_yield_x)*y(link_yield_y) -
+    y(link_yield_x)*x(link_yield_y))
+
+    Args:
+        link_yield_x: Change of the rate of a link along x for its impulses, 1/kg
+        link_yield_y: Change of the rate of a link along y for its impulses, 1/kg
+
+    Source: DD70, srs/models/hinge_tree.md:46.
+    """
+    link_yield_x_x, link_yield_x_y = link_yield_x
+    link_yield_y_x, link_yield_y_y = link_yield_y
+    return (
+        (-link_yield_y_x) / (link_yield_x_x * link_yield_y_y - link_yield_x_y * link_yield_y_x),
+        link_yield_x_x / (link_yield_x_x * link_yield_y_y - link_yield_x_y * link_yield_y_x),
+    )
+
+
+def link_impulse(link_rate: Vector, link_mass_x: Vector, link_mass_y: Vector) -> Vector:
+    """Impulse of a link by itself (N*s).
+
+    link_impulse = x(link_rate)*link_mass_x + y(link_rate)*link_mass_y
+
+    Args:
+        link_rate: Rate that a link is to get by an impulse, m/s
+        link_mass_x: Impulse of a link along x for its rates, kg
+        link_mass_y: Impulse of a link along y for its rates, kg
+
+    Source: DD70, srs/models/hinge_tree.md:49.
+    """
+    link_rate_x, link_rate_y = link_rate
+    link_mass_x_x, link_mass_x_y = link_mass_x
+    link_mass_y_x, link_mass_y_y = link_mass_y
+    return (
+        link_rate_x * link_mass_x_x + link_rate_y * link_mass_y_x,
+        link_rate_x * link_mass_x_y + link_rate_y * link_mass_y_y,
+    )
+
+
+def link_answer(link_impulse: Vector, link_yield_x: Vector, link_yield_y: Vector) -> Vector:
+    """Change of the rate of a link by its own impulse (m/s).
+
+    link_answer = x(link_impulse)*link_yield_x + y(link_impulse)*link_yield_y
+
+    Args:
+        link_impulse: Impulse of a link by itself, N*s
+        link_yield_x: Change of the rate of a link along x for its impulses, 1/kg
+        link_yield_y: Change of the rate of a link along y for its impulses, 1/kg
+
+    Source: DD70, srs/models/hinge_tree.md:51.
+    """
+    link_impulse_x, link_impulse_y = link_impulse
+    link_yield_x_x, link_yield_x_y = link_yield_x
+    link_yield_y_x, link_yield_y_y = link_yield_y
+    return (
+        link_impulse_x * link_yield_x_x + link_impulse_y * link_yield_y_x,
+        link_impulse_x * link_yield_x_y + link_impulse_y * link_yield_y_y,
+    )
 
 
 def hinge_arm(anchor: Vector, orientation_cosine: Scalar, orientation_sine: Scalar) -> Vector:
@@ -18,7 +140,7 @@ def hinge_arm(anchor: Vector, orientation_cosine: Scalar, orientation_sine: Scal
         orientation_cosine: Cosine of the orientation, 1
         orientation_sine: Sine of the orientation, 1
 
-    Source: DD70, srs/models/hinge_tree.md:18.
+    Source: DD70, srs/models/hinge_tree.md:20.
     """
     anchor_x, anchor_y = anchor
     return (
@@ -40,7 +162,7 @@ def hinge_gap(
         position_above: Position of the body above a hinge, m
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
 
-    Source: DD70, srs/models/hinge_tree.md:19.
+    Source: DD70, srs/models/hinge_tree.md:21.
     """
     position_x, position_y = position
     hinge_arm_x, hinge_arm_y = hinge_arm
@@ -65,7 +187,7 @@ def hinge_moment(
         node_moment: Momentum of a node for its turning about its centre of mass, kg*m
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD70, srs/models/hinge_tree.md:20.
+    Source: DD70, srs/models/hinge_tree.md:22.
     """
     node_mass_x_x, node_mass_x_y = node_mass_x
     node_mass_y_x, node_mass_y_y = node_mass_y
@@ -92,7 +214,7 @@ def hinge_inertia(
         hinge_moment: Momentum of a node for its turning about its hinge, kg*m
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD70, srs/models/hinge_tree.md:22.
+    Source: DD70, srs/models/hinge_tree.md:24.
     """
     node_moment_x, node_moment_y = node_moment
     hinge_moment_x, hinge_moment_y = hinge_moment
@@ -114,7 +236,7 @@ def turning_yield(hinge_inertia: Scalar, turning_firmness: Scalar) -> Scalar:
         turning_firmness: Firmness with which laws of a hinge answer the turning of its bodies,
             kg*m^2
 
-    Source: DD70, srs/models/hinge_tree.md:25.
+    Source: DD70, srs/models/hinge_tree.md:27.
     """
     return 1 / (hinge_inertia + turning_firmness)
 
@@ -130,7 +252,7 @@ def turned_share(turning_firmness: Scalar, turning_yield: Scalar) -> Scalar:
         turning_yield: Change of the rate of turning for one unit of angular momentum at a
             hinge, 1/(kg*m^2)
 
-    Source: DD70, srs/models/hinge_tree.md:26.
+    Source: DD70, srs/models/hinge_tree.md:28.
     """
     return turning_firmness * turning_yield
 
@@ -145,7 +267,7 @@ def hinge_lever(hinge_moment: Vector, turning_yield: Scalar) -> Vector:
         turning_yield: Change of the rate of turning for one unit of angular momentum at a
             hinge, 1/(kg*m^2)
 
-    Source: DD70, srs/models/hinge_tree.md:27.
+    Source: DD70, srs/models/hinge_tree.md:29.
     """
     hinge_moment_x, hinge_moment_y = hinge_moment
     return (turning_yield * hinge_moment_x, turning_yield * hinge_moment_y)
@@ -161,7 +283,7 @@ def hung_mass(node_mass: Vector, lever_along: Scalar, hinge_moment: Vector) -> V
         lever_along: Lever of a hinge along one axis, 1/m
         hinge_moment: Momentum of a node for its turning about its hinge, kg*m
 
-    Source: DD70, srs/models/hinge_tree.md:28.
+    Source: DD70, srs/models/hinge_tree.md:30.
     """
     node_mass_x, node_mass_y = node_mass
     hinge_moment_x, hinge_moment_y = hinge_moment
@@ -187,7 +309,7 @@ def hung_moment(
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
 
-    Source: DD70, srs/models/hinge_tree.md:29.
+    Source: DD70, srs/models/hinge_tree.md:31.
     """
     hung_mass_x_x, hung_mass_x_y = hung_mass_x
     hung_mass_y_x, hung_mass_y_y = hung_mass_y
@@ -218,7 +340,7 @@ def hung_inertia(
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
 
-    Source: DD70, srs/models/hinge_tree.md:32.
+    Source: DD70, srs/models/hinge_tree.md:34.
     """
     hung_moment_x, hung_moment_y = hung_moment
     hinge_moment_x, hinge_moment_y = hinge_moment
@@ -241,7 +363,7 @@ def law_impulse(turning_firmness: Scalar, turning_error: Scalar) -> Scalar:
             kg*m^2
         turning_error: Rate of turning that laws of a hinge have not answered yet, rad/s
 
-    Source: DD71, srs/models/hinge_tree.md:66.
+    Source: DD71, srs/models/hinge_tree.md:90.
     """
     return turning_firmness * turning_error
 
@@ -260,7 +382,7 @@ def turn_owed(
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
         law_impulse: Angular impulse that laws of a hinge ask for, kg*m^2/s
 
-    Source: DD71, srs/models/hinge_tree.md:67.
+    Source: DD71, srs/models/hinge_tree.md:91.
     """
     momentum_owed_x, momentum_owed_y = momentum_owed
     hinge_arm_x, hinge_arm_y = hinge_arm
@@ -281,7 +403,7 @@ def momentum_hung(momentum_owed: Vector, turn_owed: Scalar, hinge_lever: Vector)
         turn_owed: Angular momentum that a node owes about its hinge, with its laws, kg*m^2/s
         hinge_lever: Turning of a node for the velocity of its hinge, with the other sign, 1/m
 
-    Source: DD71, srs/models/hinge_tree.md:69.
+    Source: DD71, srs/models/hinge_tree.md:93.
     """
     momentum_owed_x, momentum_owed_y = momentum_owed
     hinge_lever_x, hinge_lever_y = hinge_lever
@@ -304,7 +426,7 @@ def momentum_passed(
         hung_mass_x: Impulse along x that a hinge takes for velocities of its point, kg
         hung_mass_y: Impulse along y that a hinge takes for velocities of its point, kg
 
-    Source: DD71, srs/models/hinge_tree.md:70.
+    Source: DD71, srs/models/hinge_tree.md:94.
     """
     momentum_hung_x, momentum_hung_y = momentum_hung
     hinge_error_x, hinge_error_y = hinge_error
@@ -339,7 +461,7 @@ def angular_momentum_passed(
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
         law_impulse: Angular impulse that laws of a hinge ask for, kg*m^2/s
 
-    Source: DD71, srs/models/hinge_tree.md:72.
+    Source: DD71, srs/models/hinge_tree.md:96.
     """
     momentum_passed_x, momentum_passed_y = momentum_passed
     hinge_error_x, hinge_error_y = hinge_error
@@ -367,7 +489,7 @@ def hinge_change(
         arm_above: From the centre of mass of the body above a hinge to the hinge, m
         hinge_error: Rate at which a hinge parts, beyond the one wanted, m/s
 
-    Source: DD71, srs/models/hinge_tree.md:75.
+    Source: DD71, srs/models/hinge_tree.md:99.
     """
     change_above_x, change_above_y = change_above
     arm_above_x, arm_above_y = arm_above
@@ -391,7 +513,7 @@ def root_change(momentum_hung: Vector, hung_mass_x: Vector, hung_mass_y: Vector)
         hung_mass_x: Impulse along x that a hinge takes for velocities of its point, kg
         hung_mass_y: Impulse along y that a hinge takes for velocities of its point, kg
 
-    Source: DD71, srs/models/hinge_tree.md:77.
+    Source: DD71, srs/models/hinge_tree.md:101.
     """
     momentum_hung_x, momentum_hung_y = momentum_hung
     hung_mass_x_x, hung_mass_x_y = hung_mass_x
@@ -426,7 +548,7 @@ def spin_change(
         turning_yield: Change of the rate of turning for one unit of angular momentum at a
             hinge, 1/(kg*m^2)
 
-    Source: DD71, srs/models/hinge_tree.md:81.
+    Source: DD71, srs/models/hinge_tree.md:105.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hinge_lever_x, hinge_lever_y = hinge_lever
@@ -447,7 +569,7 @@ def change(hinge_change: Vector, spin_change: Scalar, hinge_arm: Vector) -> Vect
         spin_change: Change of the rate of turning of a body by its hinges, rad/s
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
 
-    Source: DD71, srs/models/hinge_tree.md:84.
+    Source: DD71, srs/models/hinge_tree.md:108.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hinge_arm_x, hinge_arm_y = hinge_arm
@@ -477,7 +599,7 @@ def hinge_impulse(
         turned_share: Share of the turning of the body above that laws pass on to a node, 1
         momentum_hung: Impulse through a hinge whose point does not change its velocity, kg*m/s
 
-    Source: DD71, srs/models/hinge_tree.md:85.
+    Source: DD71, srs/models/hinge_tree.md:109.
     """
     hinge_change_x, hinge_change_y = hinge_change
     hung_mass_x_x, hung_mass_x_y = hung_mass_x
@@ -506,7 +628,7 @@ def velocity_hinged(velocity: Vector, hinge_impulse: Vector, inverse_mass: Scala
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD71, srs/models/hinge_tree.md:88.
+    Source: DD71, srs/models/hinge_tree.md:112.
     """
     velocity_x, velocity_y = velocity
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -530,7 +652,7 @@ def angular_velocity_hinged(
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD71, srs/models/hinge_tree.md:89.
+    Source: DD71, srs/models/hinge_tree.md:113.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -548,7 +670,7 @@ def momentum_hinged(momentum: Vector, hinge_impulse: Vector) -> Vector:
         momentum: Mass times velocity, kg*m/s
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
 
-    Source: DD71, srs/models/hinge_tree.md:91.
+    Source: DD71, srs/models/hinge_tree.md:115.
     """
     momentum_x, momentum_y = momentum
     hinge_impulse_x, hinge_impulse_y = hinge_impulse
@@ -567,7 +689,7 @@ def angular_momentum_hinged(
         hinge_arm: From the centre of mass of a body to the hinge on which it hangs, m
         hinge_impulse: Impulse through a hinge on the body that hangs on it, N*s
 
-    Source: DD71, srs/models/hinge_tree.md:92.
+    Source: DD71, srs/models/hinge_tree.md:116.
     """
     hinge_arm_x, hinge_arm_y = hinge_arm
     hinge_impulse_x, hinge_impulse_y = hinge_impulse

@@ -81,7 +81,7 @@ from tamias2d.generated.joint_step import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-SLIGHT_TURN = 1e-5  # rad^2, of a substep times that of impulses in it: of arms, what it leaves
+SLIGHT_TURN = 1e-4  # rad^2, of a substep times that of impulses in it: of arms, what it leaves
 
 
 def aim_tree(n: int, length: float, joints: Joints) -> None:

@@ -6,6 +6,7 @@ Cost: cosine and sine and one division for each body. Source: Featherstone (2008
 bodies.
 """
 
+from tamias2d.engine.joints.impulse import add_impulse
 from tamias2d.engine.joints.linearise import (
     ENDS_OF_JOINT,
     firmness_by_law,
@@ -52,7 +53,6 @@ from tamias2d.engine.tables import (
     Joints,
 )
 from tamias2d.generated.hinge_tree import (
-    angular_momentum_hinged,
     hinge_arm,
     hinge_gap,
     hinge_inertia,
@@ -61,7 +61,6 @@ from tamias2d.generated.hinge_tree import (
     hung_inertia,
     hung_mass,
     hung_moment,
-    momentum_hinged,
     turned_share,
     turning_yield,
 )
@@ -237,10 +236,3 @@ def store_hinge_impulses(n: int, joints: Joints) -> None:
             own, other = (J_TOTAL + 3, J_TOTAL) if is_b else (J_TOTAL, J_TOTAL + 3)
             add_impulse(own, given, (row[H_ARM], row[H_ARM + 1]), numbers)
             add_impulse(other, away, (row[H_FAR_ARM], row[H_FAR_ARM + 1]), numbers)
-
-
-@inlined
-def add_impulse(at: int, impulse: Vector, arm: Vector, numbers: Array) -> None:
-    """Add an impulse at an arm to three totals of a joint: along both axes, and of turning."""
-    numbers[at], numbers[at + 1] = momentum_hinged((numbers[at], numbers[at + 1]), impulse)
-    numbers[at + 2] = angular_momentum_hinged(numbers[at + 2], arm, impulse)

@@ -131,13 +131,24 @@ def firmness_by_law(firm: float, j: int, substep: float, joints: Joints) -> floa
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
     """Write where members are, or will be so many seconds ahead with the velocities they have."""
+    angles = joints.turns[0]
     for m in range(first, last):
         i, place = joints.members[m, JOINED_SLOT], joints.places[m]
         pose, now = bodies.pose[i], bodies.motion[i]
         by_x, by_y = shift_later((now[DX], now[DY]), (now[VX], now[VY]), ahead)
         place[PLACE_X], place[PLACE_Y] = pose[X] + by_x, pose[Y] + by_y
         place[PLACE_ANGLE] = pose[ANGLE] + turn_later(now[DANGLE], now[SPIN], ahead)
-        place[PLACE_COSINE], place[PLACE_SINE] = cosine_sine(place[PLACE_ANGLE])
+        angles[m] = place[PLACE_ANGLE]
+    turn_all(first, last, joints.turns[0], joints.turns[1], joints.turns[2])
+    for m in range(first, last):
+        place = joints.places[m]
+        place[PLACE_COSINE], place[PLACE_SINE] = joints.turns[1, m], joints.turns[2, m]
+
+
+def turn_all(first: int, last: int, angles: Array, cosines: Array, sines: Array) -> None:
+    """Write the cosines and sines of some angles, in lanes."""
+    for m in range(first, last):
+        cosines[m], sines[m] = cosine_sine(angles[m])
 
 
 def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> None:

@@ -6,7 +6,7 @@ from itertools import chain, combinations
 import numpy as np
 
 from tamias2d.engine.joints.elimination import Elimination, eliminated
-from tamias2d.engine.joints.hinges import HingeTree, hinge_tree
+from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
@@ -145,9 +145,11 @@ def _write_joints(
     places = [0] * len(rows)
     j = first_edge = 0
     for n, (mechanism, plan) in enumerate(zip(mechanisms, plans, strict=True)):
-        joints.mechanisms[n, M_HINGED] = trees[n] is not None
-        joints.mechanisms[n, M_MESHED] = not plan.edges and len(plan.order) > 1 and trees[n] is None
-        for k in mechanism:
+        meshed = not plan.edges and len(plan.order) > 1 and trees[n] is None
+        net = meshed and is_net(rows[k] for k in mechanism)
+        joints.mechanisms[n, M_HINGED] = trees[n] is not None or net
+        joints.mechanisms[n, M_MESHED] = meshed
+        for k in by_level(mechanism, rows) if net else mechanism:
             row = rows[k]
             number = KINDS.index(row.kind)
             joints.joints[j, [J_KIND, J_ROWS]] = number, ROWS_OF_KIND[number]
@@ -187,7 +189,7 @@ def _write_trees(
 ) -> None:
     """Write on what each node of a tree of hinges hangs, and where."""
     joints = store.world.joints
-    joints.hinges[:] = 0.0
+    joints.hinges[:] = joints.links[:] = joints.net_nodes[:] = 0.0
     joints.members[:, JOINED_ABOVE], joints.members[:, JOINED_HINGE] = 0, -1
     for tree in trees:
         for body, hinge in zip(tree.bodies, tree.hinges, strict=True) if tree else ():

@@ -8,6 +8,13 @@ ends of each substep; one that is touched is solved before and after the contact
 from tamias2d.engine.joints.energy import bound_mechanism
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
+from tamias2d.engine.joints.hinge_net import (
+    aim_net,
+    bring_net_to_aims,
+    fit_net,
+    linearise_net,
+    store_link_impulses,
+)
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impulses
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
@@ -37,6 +44,7 @@ from tamias2d.engine.tables import (
     M_GOVERNED,
     M_HINGED,
     M_JOINT,
+    M_MESHED,
     M_STATUS,
     MECHANISMS,
     MECHANISMS_AWAKE,
@@ -150,7 +158,10 @@ def begin_joints(substep: float, world: World) -> None:
 
 def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
     """Write the rows of a mechanism where its bodies are, and its matrix."""
-    if joints.mechanisms[n, M_HINGED] == 1:
+    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    if hinged and meshed:
+        linearise_net(n, bodies, joints)
+    elif hinged:
         linearise_tree(n, bodies, joints)
     else:
         linearise(n, bodies, joints)
@@ -191,17 +202,32 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         status = joints.mechanisms[n, M_STATUS]
         if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
-            hinged = joints.mechanisms[n, M_HINGED] == 1
             if not again:
-                if hinged:
-                    aim_tree(n, length, joints)
-                else:
-                    aim_joints(n, length, joints)
+                aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
-            if hinged:
-                keep_tree_positions(n, again, substep, bodies, joints)
-            else:
-                keep_positions(n, again, substep, bodies, joints)
+            bring_to_end(n, again, substep, bodies, joints)
+
+
+def aim_mechanism(n: int, length: float, joints: Joints) -> None:
+    """Note to which values a substep brings the rows of a mechanism, as `aim_joints` does."""
+    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    if hinged and meshed:
+        aim_net(n, length, joints)
+    elif hinged:
+        aim_tree(n, length, joints)
+    else:
+        aim_joints(n, length, joints)
+
+
+def bring_to_end(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a mechanism so that a substep leads to what its rows aim at."""
+    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    if hinged and meshed:
+        bring_net_to_aims(n, again, substep, bodies, joints)
+    elif hinged:
+        keep_tree_positions(n, again, substep, bodies, joints)
+    else:
+        keep_positions(n, again, substep, bodies, joints)
 
 
 def relax_joints(world: World) -> None:
@@ -235,7 +261,10 @@ def fit_velocities(bodies: Bodies, joints: Joints) -> None:
 
 def fit(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a mechanism; `warm` is for meshes."""
-    if joints.mechanisms[n, M_HINGED] == 1:
+    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    if hinged and meshed:
+        fit_net(n, warm, bodies, joints)
+    elif hinged:
         fit_tree(n, bodies, joints)
     else:
         keep_velocities(n, warm, bodies, joints)
@@ -252,7 +281,10 @@ def end_joints(world: World) -> None:
             fit(n, 0.5, bodies, joints)
             bound_mechanism(n, world.control, bodies, joints, world.islands)
         if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_HINGED] == 1:
-            store_hinge_impulses(n, joints)
+            if joints.mechanisms[n, M_MESHED] == 1:
+                store_link_impulses(n, joints)
+            else:
+                store_hinge_impulses(n, joints)
 
 
 def look_at_touched(world: World) -> None:
