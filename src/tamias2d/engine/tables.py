@@ -739,6 +739,7 @@ JOINTS = _joint_counts()
 MECHANISMS = _joint_counts()
 MECHANISMS_AWAKE = _joint_counts()  # in this step
 MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts
+JOINTS_APART = _joint_counts()  # 1 if a joint was more than slightly apart, until it is asked
 
 _mechanisms = Columns()
 M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
@@ -784,6 +785,7 @@ J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this
 J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
 J_GIVEN = _joint_numbers(3)  # N s, impulse of each row over this substep
 J_APART = _joint_numbers(3)  # m or rad, by how much each row was apart at most, until it is asked
+J_SLIGHT = _joint_numbers(3)  # m or rad, by how much each row may be apart without being looked at
 J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved
 J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients

@@ -2227,6 +2227,15 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1370,
     ),
+    "arm_met": Symbol(
+        "arm_met",
+        "m",
+        "from the body above to the point of a hinge where impulses meet",
+        shape="vector",
+        tex="\\boldsymbol{a}''",
+        file="srs/symbols.md",
+        line=1375,
+    ),
     "node_mass_x": Symbol(
         "node_mass_x",
         "kg",
@@ -2234,7 +2243,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1375,
+        line=1380,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2243,7 +2252,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1380,
+        line=1385,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2252,7 +2261,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1385,
+        line=1390,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2260,7 +2269,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1390,
+        line=1395,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2269,7 +2278,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1394,
+        line=1399,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2277,7 +2286,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1399,
+        line=1404,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2286,7 +2295,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1403,
+        line=1408,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2295,7 +2304,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1408,
+        line=1413,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2304,7 +2313,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1413,
+        line=1418,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2313,7 +2322,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1418,
+        line=1423,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2322,7 +2331,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1423,
+        line=1428,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2330,7 +2339,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1428,
+        line=1433,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2339,7 +2348,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1432,
+        line=1437,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2348,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1437,
+        line=1442,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2357,7 +2366,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1442,
+        line=1447,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2366,7 +2375,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1447,
+        line=1452,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2374,7 +2383,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1452,
+        line=1457,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2382,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1456,
+        line=1461,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2391,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1460,
+        line=1465,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2400,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1465,
+        line=1470,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2409,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1470,
+        line=1475,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2418,7 +2427,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1475,
+        line=1480,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2427,7 +2436,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1480,
+        line=1485,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2436,7 +2445,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1485,
+        line=1490,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2445,7 +2454,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1490,
+        line=1495,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2454,7 +2463,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1495,
+        line=1500,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2463,7 +2472,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1500,
+        line=1505,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2471,7 +2480,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1505,
+        line=1510,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2480,7 +2489,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1509,
+        line=1514,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2488,7 +2497,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1514,
+        line=1519,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2496,7 +2505,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1518,
+        line=1523,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2505,7 +2514,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1522,
+        line=1527,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2514,7 +2523,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1527,
+        line=1532,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2523,7 +2532,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1532,
+        line=1537,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2531,7 +2540,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1537,
+        line=1542,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2540,7 +2549,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1541,
+        line=1546,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2548,7 +2557,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1546,
+        line=1551,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2557,7 +2566,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1550,
+        line=1555,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2566,7 +2575,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1555,
+        line=1560,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2574,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1560,
+        line=1565,
     ),
     "change": Symbol(
         "change",
@@ -2583,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1564,
+        line=1569,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2592,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1569,
+        line=1574,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2601,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1574,
+        line=1579,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2609,7 +2618,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1579,
+        line=1584,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2618,7 +2627,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1583,
+        line=1588,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2626,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1588,
+        line=1593,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2634,7 +2643,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1592,
+        line=1597,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2642,7 +2651,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1596,
+        line=1601,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2651,7 +2660,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1600,
+        line=1605,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2659,7 +2668,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1605,
+        line=1610,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2668,6 +2677,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1609,
+        line=1614,
     ),
 }

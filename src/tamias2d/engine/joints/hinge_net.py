@@ -8,7 +8,7 @@ Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (198
 """
 
 from tamias2d.engine.joints.impulse import add_impulse
-from tamias2d.engine.joints.iterate import MESH_ACCURACY, MOST_ITERATIONS_OF_MESH
+from tamias2d.engine.joints.iterate import MESH_ACCURACY
 from tamias2d.engine.joints.linearise import place_members
 from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
 from tamias2d.engine.tables import (
@@ -53,6 +53,7 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
     angular_velocity_hinged,
+    arm_met,
     hinge_arm,
     hinge_gap,
     link_answer,
@@ -66,6 +67,8 @@ from tamias2d.generated.hinge_tree import (
 from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
+
+MOST_ITERATIONS_OF_NET = 3  # in each substep; what is left is made up for in the next ones
 
 
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -97,6 +100,7 @@ def write_link(j: int, joints: Joints) -> None:
     """Write a link where its bodies are placed, and note by how much it is apart."""
     link, ends, numbers = joints.links[j], joints.joints[j], joints.numbers[j]
     arm_a, arm_b, gap = arms_of_link(j, joints)
+    arm_a = arm_met(arm_a, gap)
     link[L_ARM_A], link[L_ARM_A + 1] = arm_a
     link[L_ARM_B], link[L_ARM_B + 1] = arm_b
     link[L_GAP], link[L_GAP + 1] = gap
@@ -172,7 +176,7 @@ def solve_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
         whole += note_what_is_left(j, joints)
     clear_net(n, joints)
     size, before = sweep_from_left(first, last, joints), 0.0
-    for _ in range(MOST_ITERATIONS_OF_MESH):
+    for _ in range(MOST_ITERATIONS_OF_NET):
         if not size > MESH_ACCURACY * MESH_ACCURACY * whole:
             break
         clear_net(n, joints)

@@ -53,6 +53,7 @@ from tamias2d.engine.tables import (
     Joints,
 )
 from tamias2d.generated.hinge_tree import (
+    arm_met,
     hinge_arm,
     hinge_gap,
     hinge_inertia,
@@ -135,7 +136,7 @@ def write_hinge(m: int, joints: Joints) -> None:
     row = joints.hinges[m]
     arm, far, gap = arms_of_hinge(m, joints)
     row[H_ARM], row[H_ARM + 1] = arm[0], arm[1]
-    row[H_FAR_ARM], row[H_FAR_ARM + 1] = far[0], far[1]
+    row[H_FAR_ARM], row[H_FAR_ARM + 1] = arm_met(far, gap)
     row[H_GAP], row[H_GAP + 1] = gap[0], gap[1]
     if joints.members[m, JOINED_HINGE] >= 0:
         numbers = joints.numbers[joints.members[m, JOINED_HINGE]]

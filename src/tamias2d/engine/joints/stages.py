@@ -32,15 +32,18 @@ from tamias2d.engine.tables import (
     IMPULSE_RATIO,
     IN_CONTACT,
     INCREMENT,
+    J_APART,
     J_FORCE,
     J_GIVEN,
     J_PULL,
+    J_SLIGHT,
     J_STEP_TOTAL,
     J_TOTAL,
     J_WARM,
     JOINED_BODY,
     JOINED_SLOT,
     JOINTS,
+    JOINTS_APART,
     M_GOVERNED,
     M_HINGED,
     M_JOINT,
@@ -71,7 +74,7 @@ from tamias2d.generated.joint_step import (
     kick_velocity_start,
 )
 
-RELAXING_ROUNDS = 2  # of joints and contacts, when their velocities are relaxed, besides the first
+RELAXING_ROUNDS = 1  # of joints and contacts, when their velocities are relaxed, besides the first
 
 
 def clear_of_joints(clear: bool, world: World) -> bool:
@@ -190,6 +193,8 @@ def keep_joint_impulses(world: World) -> None:
                     numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
                 for k in range(3):
                     numbers[J_FORCE + k] = numbers[J_PULL + k] / time
+                    if numbers[J_APART + k] > numbers[J_SLIGHT + k]:
+                        joints.counts[JOINTS_APART] = 1
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:
