@@ -8,7 +8,7 @@ Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (198
 """
 
 from tamias2d.engine.joints.impulse import add_impulse
-from tamias2d.engine.joints.iterate import MESH_ACCURACY
+from tamias2d.engine.joints.iterate import MESH_ACCURACY, MOST_ITERATIONS_OF_MESH
 from tamias2d.engine.joints.linearise import place_members
 from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
 from tamias2d.engine.tables import (
@@ -67,8 +67,6 @@ from tamias2d.generated.hinge_tree import (
 from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
-
-MOST_ITERATIONS_OF_NET = 3  # in each substep; what is left is made up for in the next ones
 
 
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -176,7 +174,7 @@ def solve_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
         whole += note_what_is_left(j, joints)
     clear_net(n, joints)
     size, before = sweep_from_left(first, last, joints), 0.0
-    for _ in range(MOST_ITERATIONS_OF_NET):
+    for _ in range(MOST_ITERATIONS_OF_MESH):
         if not size > MESH_ACCURACY * MESH_ACCURACY * whole:
             break
         clear_net(n, joints)
