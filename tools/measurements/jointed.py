@@ -236,10 +236,11 @@ def spinner(count: int) -> Scene:
     small = (Disc(radius=0.25), Box(width=0.5, height=0.5), Capsule(length=0.5, radius=0.125))
     side = 0.6
     n = 0
-    for row in range(-int(radius), int(radius)):
-        for column in range(-int(radius), int(radius)):
-            x, y = side * column, side * row + 0.3 * radius
-            if n < count and math.hypot(x, y) < radius - 1.2 and y > 0.3:
+    reach = int(radius / side)
+    for row in range(1, reach):
+        for column in range(-reach, reach + 1):
+            x, y = side * column, side * row
+            if n < count and math.hypot(x, y) < radius - 1.0:
                 shape = small[n % 3]
                 scene.add_body(shape, mass=0.05, position=(x, y), **_SURFACE)
                 n += 1
@@ -279,7 +280,7 @@ def _ragdoll(scene: Scene, x: float, y: float, group: int, *, sprung: bool = Fal
 
 def _add_spring(scene: Scene, k: int) -> None:
     """Give a hinge a spring of 5 Hz and half of critical damping."""
-    a, b = scene.joints[k].ends[:2]
+    a, b = (body for body in scene.joints[k].ends if body is not None)
     pace = 2 * math.pi * 5.0
     inertia = _inertia_between(scene, scene.joints[k])
     spring = JointSpring(stiffness=inertia * pace**2, damping=inertia * pace)
@@ -338,8 +339,9 @@ def _local(scene: Scene, k: int, at: tuple[float, float]) -> tuple[float, float]
 def _size(joint: Joint) -> float:
     """Return how far a joint reaches from the middles of its bodies, or how long it is, m."""
     held = zip(joint.anchors, joint.ends, strict=True)
-    length = joint.given.get("joint_length", 0.0)
-    return max(length, *(math.hypot(*anchor) for anchor, body in held if body is not None))
+    lengths = [math.hypot(*anchor) for anchor, body in held if body is not None]
+    length = joint.given.get("joint_length")
+    return max(*lengths, length if isinstance(length, float) else 0.0)
 
 
 def _mechanisms(count: int, seconds: int) -> dict[str, Any]:
@@ -431,13 +433,14 @@ def _freedoms(scene: Scene, hinge: Joint) -> list[Freedom]:
 def _laws(scene: Scene, joint: Joint) -> dict[str, Any]:
     """Return the motor and the spring of a hinge as Box2D takes them."""
     found: dict[str, Any] = {}
+    inertia = _inertia_between(scene, joint)
     for law in _freedoms(scene, joint):
         if law.motor:
             found |= {"enable_motor": True, "motor_speed": law.motor.speed}
             found |= {"max_motor_torque": law.motor.maximum}
         if law.spring:
-            pace = math.sqrt(law.spring.stiffness / _inertia_between(scene, joint))
-            ratio = law.spring.damping / (2 * pace * _inertia_between(scene, joint))
+            pace = math.sqrt(law.spring.stiffness / inertia)
+            ratio = law.spring.damping / (2 * pace * inertia)
             found |= {"enable_spring": True, "hertz": pace / (2 * math.pi), "damping_ratio": ratio}
     return found
 
@@ -462,7 +465,8 @@ class _Pymunk(Chipmunk):
             for law in _freedoms(scene, joint):
                 if law.motor:
                     motor = pymunk.SimpleMotor(a, b, -law.motor.speed)
-                    motor.max_force = law.motor.maximum
+                    most = law.motor.maximum
+                    motor.max_force = math.inf if most is None else most
                     self._space.add(motor)
                 if law.spring:
                     own = (0.0, law.spring.stiffness, law.spring.damping)
