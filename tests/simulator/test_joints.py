@@ -459,7 +459,7 @@ def test_heap_of_ragdolls_gains_no_energy_and_holds() -> None:
         size = max(size, before)
         sim.step()
         assert energy(sim, scene) <= before + 1e-13 * size  # rounding of the sums
-        assert sim.reactions.separation.max() < 1e-4
+        assert sim.reactions.separation.max() < 1e-3  # as R13 has it; small turns leave 2e-4
     assert np.abs(sim.velocity).max() < 2.0
 
 
