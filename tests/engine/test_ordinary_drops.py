@@ -9,5 +9,5 @@ from tools.measurements.drops import deepest, drop
 @pytest.mark.parametrize("first", range(0, 40, 10))
 def test_no_drop_is_deep(first: int) -> None:
     for seed in range(first, first + 10):
-        deep, _ = deepest(Own, drop(seed))
+        _, deep, _ = deepest(Own, drop(seed))
         assert deep <= 0.05, seed

@@ -33,7 +33,7 @@ from tamias2d.scene import (
 from tamias2d.simulate import simulate
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import ground, plain
-from tools.measurements.jointed import ragdoll_heap
+from tools.measurements.jointed import net, ragdoll_heap
 
 G = 10.0
 
@@ -122,8 +122,8 @@ def test_free_mechanisms_keep_momentum_and_angular_momentum() -> None:
     sim.step(60)
     after, turning_after = momenta(sim, scene)
     assert after == pytest.approx(before, abs=1e-12 * np.abs(before).max())  # rounding of sums
-    assert turning_after == pytest.approx(turning, rel=1e-9)  # arms of impulses end 1e-9 m apart
-    assert sim.reactions.separation.max() < 1e-7
+    assert turning_after == pytest.approx(turning, rel=1e-12)  # rounding of sums
+    assert sim.reactions.separation.max() < 1e-5  # the rest of a substep, by IM15, on arms of 1 m
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -254,6 +254,60 @@ def test_meshes_hold() -> None:
         sim = plain(scene)
         sim.step(20)
     assert sim.reactions.separation.max() < 1e-3
+
+
+def test_net_of_hinges_moves_as_any_mesh_does() -> None:
+    found = []
+    for own in (True, False):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(engine_rows, "LOOPED", 0)
+            patch.setattr(engine_rows, "FEW", 0)
+            if not own:
+                patch.setattr(engine_rows, "is_net", lambda _: False)
+            sim = plain(net(4))
+            sim.step(20)
+        found.append(sim.position.copy())
+    assert found[0] == pytest.approx(found[1], abs=1e-6)  # iterations leave a hundredth of 1e-5 m
+
+
+LAWS: dict[str, dict[str, Any]] = {
+    "none": {},
+    "spring": {"spring": JointSpring(stiffness=20.0, damping=1.0)},
+    "motor": {"motor": Motor(speed=2.0, maximum=30.0)},
+    "limits": {"limits": Limits(lower=-1.1, upper=1.2, restitution=0.0)},
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("tied", ["at one end", "at both ends", "nowhere"])
+def test_trees_of_hinges_move_as_any_mechanism_does(law: str, tied: str) -> None:
+    """The factors of a matrix are the oracle: they know nothing of trees."""
+    scene = Scene(gravity=(0.0, -G))
+    shape = t2.Capsule(length=0.8, radius=0.1)
+    for k in range(4):
+        turn = (0.5, -0.5)[k % 2]
+        at = ((0.5 + k) * math.cos(turn), 0.5 * math.sin(0.5))
+        scene.add_body(shape, mass=1.0 + k, position=at, orientation=turn, restitution=0.0)
+        if k:
+            ends = (k, k - 1) if k == 2 else (k - 1, k)
+            anchors = ((-0.5, 0.0), (0.5, 0.0)) if k == 2 else ((0.5, 0.0), (-0.5, 0.0))
+            joint = Revolute(**LAWS[law])
+            scene.add_joint(joint, *ends, anchor=anchors[0], other_anchor=anchors[1])
+    if tied != "nowhere":
+        scene.add_joint(Revolute(), (0.0, 0.0), 0, other_anchor=(-0.5, 0.0))
+    if tied == "at both ends":
+        scene.add_joint(Revolute(), (4 * math.cos(0.5), 0.0), 3, other_anchor=(0.5, 0.0))
+    found = []
+    for tree in (True, False):
+        with pytest.MonkeyPatch.context() as patch:
+            if not tree:
+                patch.setattr(engine_rows, "hinge_tree", lambda *_: None)
+            sim = plain(scene)
+            sim.step(20)
+        found.append((sim.position.copy(), sim.reactions.force.copy()))
+    assert found[0][0] == pytest.approx(found[1][0], abs=1e-4)  # what a substep leaves by IM15
+    loads = np.abs(found[1][1]).max()
+    assert found[0][1] == pytest.approx(found[1][1], abs=1e-2 * loads + 1e-6)
 
 
 # -- what governs a freedom
@@ -405,7 +459,7 @@ def test_heap_of_ragdolls_gains_no_energy_and_holds() -> None:
         size = max(size, before)
         sim.step()
         assert energy(sim, scene) <= before + 1e-13 * size  # rounding of the sums
-        assert sim.reactions.separation.max() < 1e-4
+        assert sim.reactions.separation.max() < 1e-3  # as R13 has it; small turns leave 2e-4
     assert np.abs(sim.velocity).max() < 2.0
 
 

@@ -36,7 +36,7 @@ def options(parser: ArgumentParser) -> None:
 def drop(seed: int) -> Scene:
     """Return a drop, as its seed has it."""
     chance = np.random.default_rng(seed)
-    surface = {"friction": chance.uniform(0.0, 0.8), "restitution": chance.uniform(0.0, 1.0)}
+    surface: Any = {"friction": chance.uniform(0.0, 0.8), "restitution": chance.uniform(0.0, 1.0)}
     scene = Scene(gravity=(0.0, -9.81), name=f"drop-{seed}")
     scene.add_static(HalfPlane(normal=(0.0, 1.0), offset=0.0), **surface)
     for k in range(chance.integers(2, 13)):
@@ -61,24 +61,25 @@ def drop(seed: int) -> Scene:
     return scene
 
 
-def deepest(make: Maker, scene: Scene, steps: int = _STEPS) -> tuple[float, float]:
-    """Return the deepest overlap and the largest rise of the energy in a step, as shares."""
+def deepest(make: Maker, scene: Scene, steps: int = _STEPS) -> tuple[str, float, float]:
+    """Return the engine's name, its deepest overlap and largest rise of energy, as shares."""
     followed = Followed(make, scene)
     deep = 0.0
     for _ in range(steps):
         followed.step()
         deep = max(deep, 0.5 * worst(scene, followed.engine.state()).share)
-    return deep, followed.gain
+    return followed.engine.name, deep, followed.gain
 
 
 def measure(count: int = 1000, first: int = 0) -> dict[str, Any]:
     """Return a row for each engine."""
-    seen: dict[str, list[tuple[float, float]]] = {}
+    seen: dict[str, list[list[float]]] = {}
     told = Console(stderr=True)
     for seed in track(range(first, first + count), "Drops", console=told, transient=True):
         scene = drop(seed)
         for make in _ENGINES:
-            seen.setdefault(make.name, []).append(deepest(make, scene))
+            name, *values = deepest(make, scene)
+            seen.setdefault(name, []).append(values)
     rows = []
     for name, found in seen.items():
         overlaps, gains = np.array(found).T

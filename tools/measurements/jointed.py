@@ -20,17 +20,22 @@ from rich.console import Console
 
 from tamias2d.errors import StepWarning
 from tamias2d.scene import (
+    Box,
     Capsule,
     Disc,
     Distance,
     Groove,
     HalfPlane,
     Joint,
+    JointSpring,
+    Motor,
     Prismatic,
     Revolute,
+    Rotary,
     Scene,
     Weld,
 )
+from tamias2d.scene.freedoms import Freedom
 from tamias2d.simulator import Simulator
 from tamias2d.state import Array
 from tamias2d.study.engines.box2d import Box2D
@@ -49,11 +54,17 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--side", type=int, default=30, help="discs on a side of the net")
     parser.add_argument("--ragdolls", type=int, default=20, help="that fall side by side")
     parser.add_argument("--heap", type=int, default=4, help="ragdolls that fall on each other")
+    parser.add_argument("--spun", type=int, default=600, help="bodies around a driven bar")
     parser.add_argument("--random", type=int, default=500, help="random mechanisms")
 
 
 def measure(
-    seconds: int = 10, side: int = 30, ragdolls: int = 20, heap: int = 4, random: int = 500
+    seconds: int = 10,
+    side: int = 30,
+    ragdolls: int = 20,
+    heap: int = 4,
+    spun: int = 600,
+    random: int = 500,
 ) -> dict[str, Any]:
     """Return a row for each scene and program, and what became of random mechanisms."""
     told = Console(stderr=True)
@@ -64,6 +75,8 @@ def measure(
         "20 chains of 20": lambda: chains(20, 20),
         f"{ragdolls} ragdolls": lambda: falling_ragdolls(ragdolls),
         f"heap of {heap} ragdolls": lambda: ragdoll_heap(heap),
+        f"rain of {ragdolls} sprung ragdolls": lambda: ragdoll_rain(ragdolls),
+        f"spinner among {spun}": lambda: spinner(spun),
     }
     rows: list[dict[str, Any]] = []
     for name, made in scenes.items():
@@ -191,11 +204,55 @@ def ragdoll_heap(count: int, seed: int = 0) -> Scene:
     return scene
 
 
-def _ragdoll(scene: Scene, x: float, y: float, group: int) -> None:
+def ragdoll_rain(count: int, seed: int = 0) -> Scene:
+    """Dolls with springs of 5 Hz and half of critical damping, that fall between two walls."""
+    scene, rng = Scene(gravity=(0.0, -_G)), random.Random(seed)
+    half = 0.4 * count
+    for normal, offset in (((0.0, 1.0), 0.0), ((1.0, 0.0), -half), ((-1.0, 0.0), -half)):
+        scene.add_static(HalfPlane(normal=normal, offset=offset), **_SURFACE)
+    for n in range(count):
+        x = rng.uniform(1.0 - half, half - 1.0)
+        _ragdoll(scene, x, 0.5 + 2.0 * (n % 4), -1 - n, sprung=True)
+    return scene
+
+
+def spinner(count: int) -> Scene:
+    """Box2D's spinner, smaller: a bar that a motor turns among small bodies in a ring."""
+    scene = Scene(gravity=(0.0, -_G))
+    radius = 0.55 * math.sqrt(count)
+    sides = 60
+    for k in range(sides):
+        turn = 2 * math.pi * k / sides
+        place = (radius * math.cos(turn), radius * math.sin(turn))
+        wall = Box(width=1.0, height=2 * radius * math.tan(math.pi / sides) + 0.5)
+        scene.add_static(wall, position=place, orientation=turn, **_SURFACE)
+    length = 0.9 * radius
+    bar = Box(width=0.4, height=length)
+    motor = Motor(speed=5.0, maximum=40000.0)
+    spun = scene.add_body(bar, mass=length, position=(0.0, -0.5 * length), **_SURFACE)
+    scene.add_joint(
+        Revolute(motor=motor), (0.0, -0.5 * length), spun, name="motor", other_anchor=(0.0, 0.0)
+    )
+    small = (Disc(radius=0.25), Box(width=0.5, height=0.5), Capsule(length=0.5, radius=0.125))
+    side = 0.6
+    n = 0
+    reach = int(radius / side)
+    for row in range(1, reach):
+        for column in range(-reach, reach + 1):
+            x, y = side * column, side * row
+            if n < count and math.hypot(x, y) < radius - 1.0:
+                shape = small[n % 3]
+                scene.add_body(shape, mass=0.05, position=(x, y), **_SURFACE)
+                n += 1
+    return scene
+
+
+def _ragdoll(scene: Scene, x: float, y: float, group: int, *, sprung: bool = False) -> None:
     """Add a doll that stands upright, in a group of limbs that do not touch each other.
 
     The axes of its capsules point upwards.
     """
+    first = len(scene.joints)
 
     def limb(at: tuple[float, float], length: float, radius: float, mass: float) -> int:
         place = (x + at[0], y + at[1])
@@ -216,6 +273,24 @@ def _ragdoll(scene: Scene, x: float, y: float, group: int) -> None:
         arm, hand = limb((0, 1.225), 0.2, 0.035, 2.0), limb((0, 0.97), 0.2, 0.03, 1.5)
         _hinge(scene, torso, arm, 0.125, 0.1)
         _hinge(scene, arm, hand, -0.125, 0.13)
+    if sprung:
+        for k in range(first, len(scene.joints)):
+            _add_spring(scene, k)
+
+
+def _add_spring(scene: Scene, k: int) -> None:
+    """Give a hinge a spring of 5 Hz and half of critical damping."""
+    a, b = (body for body in scene.joints[k].ends if body is not None)
+    pace = 2 * math.pi * 5.0
+    inertia = _inertia_between(scene, scene.joints[k])
+    spring = JointSpring(stiffness=inertia * pace**2, damping=inertia * pace)
+    scene.add_joint(Rotary(spring=spring), a, b)
+
+
+def _inertia_between(scene: Scene, joint: Joint) -> float:
+    """Return the inertia that turns when a hinge does, kg m^2."""
+    held = [scene.bodies[k].inertia for k in joint.ends[:2] if k is not None]
+    return 1 / sum(1 / inertia for inertia in held)
 
 
 def _hinge(scene: Scene, a: Any, b: int, at_a: float, at_b: float) -> None:
@@ -262,9 +337,11 @@ def _local(scene: Scene, k: int, at: tuple[float, float]) -> tuple[float, float]
 
 
 def _size(joint: Joint) -> float:
-    """Return how far a joint reaches from the middles of its bodies, m."""
+    """Return how far a joint reaches from the middles of its bodies, or how long it is, m."""
     held = zip(joint.anchors, joint.ends, strict=True)
-    return max(math.hypot(*anchor) for anchor, body in held if body is not None)
+    lengths = [math.hypot(*anchor) for anchor, body in held if body is not None]
+    length = joint.given.get("joint_length")
+    return max(*lengths, length if isinstance(length, float) else 0.0)
 
 
 def _mechanisms(count: int, seconds: int) -> dict[str, Any]:
@@ -338,10 +415,34 @@ class _Box2D(Box2D):
             for shape in own.shapes:
                 shape.filter = pyb2d3.make_filter(group_index=body.group)
         ground = self._world.create_body()
-        for joint in scene.joints:
+        for joint in _hinges(scene):
             a, b = (ground if k is None else self.bodies[k] for k in joint.ends[:2])
             ends = {"local_anchor_a": joint.anchors[0], "local_anchor_b": joint.anchors[1]}
-            self._world.create_revolute_joint(a, b, **ends)
+            self._world.create_revolute_joint(a, b, **ends, **_laws(scene, joint))
+
+
+def _hinges(scene: Scene) -> list[Joint]:
+    return [joint for joint in scene.joints if joint.rigid]
+
+
+def _freedoms(scene: Scene, hinge: Joint) -> list[Freedom]:
+    """Return what is said of the angle of a hinge, by itself or by another joint."""
+    return [law for joint in scene.joints if joint.ends == hinge.ends for law in joint.freedoms]
+
+
+def _laws(scene: Scene, joint: Joint) -> dict[str, Any]:
+    """Return the motor and the spring of a hinge as Box2D takes them."""
+    found: dict[str, Any] = {}
+    inertia = _inertia_between(scene, joint)
+    for law in _freedoms(scene, joint):
+        if law.motor:
+            found |= {"enable_motor": True, "motor_speed": law.motor.speed}
+            found |= {"max_motor_torque": law.motor.maximum}
+        if law.spring:
+            pace = math.sqrt(law.spring.stiffness / inertia)
+            ratio = law.spring.damping / (2 * pace * inertia)
+            found |= {"enable_spring": True, "hertz": pace / (2 * math.pi), "damping_ratio": ratio}
+    return found
 
 
 class _Pymunk(Chipmunk):
@@ -354,13 +455,22 @@ class _Pymunk(Chipmunk):
         for body, own in zip(scene.bodies, self.bodies, strict=True):
             for shape in own.shapes:
                 shape.filter = pymunk.ShapeFilter(group=-body.group)
-        for joint in scene.joints:
+        for joint in _hinges(scene):
             a, b = (
                 self._space.static_body if k is None else self.bodies[k] for k in joint.ends[:2]
             )
             hinge = pymunk.PivotJoint(a, b, joint.anchors[0], joint.anchors[1])
             hinge.collide_bodies = False
             self._space.add(hinge)
+            for law in _freedoms(scene, joint):
+                if law.motor:
+                    motor = pymunk.SimpleMotor(a, b, -law.motor.speed)
+                    most = law.motor.maximum
+                    motor.max_force = math.inf if most is None else most
+                    self._space.add(motor)
+                if law.spring:
+                    own = (0.0, law.spring.stiffness, law.spring.damping)
+                    self._space.add(pymunk.DampedRotarySpring(a, b, *own))
 
 
 class _Energy:
@@ -427,8 +537,9 @@ def _race(name: str, scene: Scene, seconds: int) -> list[dict[str, Any]]:
 def _apart(scene: Scene, state: Array) -> float:
     """Return by how much the worst hinge is apart, m."""
     poses = np.vstack((state[:, :3], np.zeros((1, 3))))
-    ends = np.array([[-1 if k is None else k for k in joint.ends[:2]] for joint in scene.joints])
-    anchors = np.array([joint.anchors[:2] for joint in scene.joints])
+    hinges = _hinges(scene)
+    ends = np.array([[-1 if k is None else k for k in joint.ends[:2]] for joint in hinges])
+    anchors = np.array([joint.anchors[:2] for joint in hinges])
     cosine, sine = np.cos(poses[ends][..., 2]), np.sin(poses[ends][..., 2])
     x = poses[ends][..., 0] + cosine * anchors[..., 0] - sine * anchors[..., 1]
     y = poses[ends][..., 1] + sine * anchors[..., 0] + cosine * anchors[..., 1]

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from tamias2d.engine.batch import Batch
 from tamias2d.engine.body_pool import BodyPool
 from tamias2d.engine.contact_report import Touching, contact_report
-from tamias2d.engine.joints.rows import JointRow, kept_apart, set_joints
+from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.rows import kept_apart, set_joints
 from tamias2d.engine.menu import CONTACT, JOINTED, functions
 from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.springs.rows import SpringRow, set_springs

@@ -1,16 +1,13 @@
 """Jointed bodies have no impacts in flight: these would tear their joints.
 
-Whatever a jointed body meets in a step is foreseen, and solved together with its joints; and worlds
-with joints take their steps whole.
+Whatever a jointed body meets in a step is foreseen, and solved together with its joints.
 """
 
 from tamias2d.engine.tables import (
-    GOES_FAR,
     I_NODE,
     JOINED,
     JOINED_SLOT,
     MECHANISMS,
-    START_NOTED,
     Bodies,
     World,
 )
@@ -25,13 +22,6 @@ def mark_joined(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
             bodies.properties[joints.members[m, JOINED_SLOT], JOINED] = 1.0
-
-
-def take_whole_steps(world: World) -> None:
-    """Forget that bodies go far, or may, for which steps would be taken in parts."""
-    control, joints = world.control, world.joints
-    if joints.counts[MECHANISMS] > 0:
-        control.counts[GOES_FAR] = control.counts[START_NOTED] = 0
 
 
 @inlined

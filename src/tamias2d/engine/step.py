@@ -20,7 +20,7 @@ from tamias2d.engine.broad_phase.vertices import turn_vertices
 from tamias2d.engine.continuous.bounds import mark_leaving_bounds
 from tamias2d.engine.continuous.event_loop import MOST_UPDATES, TOO_LONG, solve_continuous
 from tamias2d.engine.continuous.prediction import foresee
-from tamias2d.engine.joined import mark_joined, take_whole_steps
+from tamias2d.engine.joined import mark_joined
 from tamias2d.engine.joints.stages import (
     clear_of_joints,
     keep_joint_impulses,
@@ -172,7 +172,6 @@ def take_part(world: World) -> int:
         if status != DONE:
             return status
         note_start(world)
-        take_whole_steps(world)
         solve_contacts(world, contacts)
         if overshoots(world, contacts):
             release_springs(bodies, world.springs)
@@ -236,7 +235,6 @@ def find_moved(world: World) -> int:
     if islands.counts[SLEEP_STEPS] > 0:
         update_sleep(world.control, bodies, broad_phase, contacts, islands)
     left = mark_out_of_bounds(world.control, bodies, broad_phase)
-    take_whole_steps(world)
     all_needed = left > 0 or broad_phase.counts[LIST_HOLDS] == 0
     turn_vertices(bodies, world.shapes, STATIC if all_needed else KINEMATIC)
     return left

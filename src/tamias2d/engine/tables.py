@@ -754,14 +754,18 @@ JOINTS = _joint_counts()
 MECHANISMS = _joint_counts()
 MECHANISMS_AWAKE = _joint_counts()  # in this step
 MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts
+JOINTS_APART = _joint_counts()  # 1 if a joint was more than slightly apart, until it is asked
 
 _mechanisms = Columns()
 M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
 M_STATUS = _mechanisms()  # one of those below
-M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration
+M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by iteration; with the last
+# column it is a net of hinges
 M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
+M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
+# above them, and joints that are no hinges of nodes last
 ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
 
 _joint = Columns()  # whole numbers of a joint
@@ -796,6 +800,7 @@ J_TOTAL = _joint_numbers(9)  # N s, N s, N m s, impulses on A, B and C over this
 J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
 J_GIVEN = _joint_numbers(3)  # N s, impulse of each row over this substep
 J_APART = _joint_numbers(3)  # m or rad, by how much each row was apart at most, until it is asked
+J_SLIGHT = _joint_numbers(3)  # m or rad, by how much each row may be apart without being looked at
 J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved
 J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
@@ -804,6 +809,8 @@ J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about
 _joined = Columns()  # members: the plane, then the nodes, then bodies that do not move
 JOINED_BODY = _joined()  # row of the body
 JOINED_SLOT = _joined()  # its slot in this step
+JOINED_ABOVE = _joined()  # member on which it hangs in a tree of hinges; 0 for the plane
+JOINED_HINGE = _joined()  # the joint by which it hangs, or -1
 
 _places = Columns()  # of a member, as generated code takes it
 PLACE_X = _places()  # m
@@ -813,6 +820,52 @@ PLACE_COSINE = _places()
 PLACE_SINE = _places()
 LEANING = _places()  # N m, of joints that pull at the arms of the body
 HELD_INVERSE_INERTIA = _places()  # 1/(kg m^2), with which it counts in joints
+
+_hinges = Columns()  # of a member that hangs on a hinge, or is the root of a tree
+H_ANCHOR = _hinges(2)  # m, in its own axes
+H_FAR_ANCHOR = _hinges(2)  # m, in the axes of the body above
+H_SIDE = _hinges()  # 1 if it is body B of the joint, -1 if it is A
+H_ARM = _hinges(2)  # m, to the hinge
+H_FAR_ARM = _hinges(2)  # m, to the hinge from the body above
+H_GAP = _hinges(2)  # m, by which the hinge is apart as a substep begins
+H_AIM = _hinges(2)  # m, to which the substep brings it
+H_ERROR = _hinges(2)  # m/s, rate that it has too much
+H_NODE_MASS = _hinges(3)  # kg, of the node: by x along x, by y along x, by y along y
+H_NODE_MOMENT = _hinges(2)  # kg m
+H_NODE_INERTIA = _hinges()  # kg m^2
+H_MOMENT = _hinges(2)  # kg m, of the node about its hinge
+H_INERTIA = _hinges()  # kg m^2, likewise
+H_MASS = _hinges(3)  # kg, of what hangs on the hinge
+H_LEVER = _hinges(2)  # 1/m
+H_YIELD = _hinges()  # 1/(kg m^2), of turning; 0 if the body does not turn
+H_FIRM = _hinges()  # kg m^2, of laws that govern its angle
+H_SHARE = _hinges()  # of the turning of the body above that these pass on
+H_LAW = _hinges()  # N m s, that these ask for
+H_OWED = _hinges(3)  # N s, N s, N m s
+H_NOTED = _hinges(2)  # m/s, rate at which the hinge parted before laws changed their state
+H_CHANGE = _hinges(3)  # m/s, m/s, rad/s
+H_GIVEN = _hinges(2)  # N s, through the hinge since rows were written
+
+_links = Columns(2)  # of a hinge in a net
+L_ARM_A = _links()  # m
+L_ARM_B = _links()  # m
+L_YIELD = _links(3)  # 1/kg, by x along x, by y along x, by y along y
+L_MASS = _links(3)  # kg, the inverse
+L_GAP = _links()  # m, by which it is apart as a substep begins
+L_AIM = _links()  # m, to which the substep brings it
+L_ERROR = _links()  # m/s, rate that it has too much
+L_IMPULSE = _links()  # N s
+L_LEFT = _links()  # N s, what a sweep makes of the error that is left
+L_SEARCH = _links()  # m/s, direction of conjugate gradients, before a sweep back
+L_TRIED = _links()  # N s, that direction
+L_RATE = _links()  # m/s, by which links that come later change it
+L_MADE = _links()  # N s, what a sweep makes of the direction
+L_GIVEN = _links()  # N s, since rows were written
+
+_net_nodes = Columns()  # of a member of a net; nothing moves what stands still
+N_CHANGE = _net_nodes(3)  # m/s, m/s, rad/s
+N_INVERSE_MASS = _net_nodes()  # 1/kg
+N_INVERSE_INERTIA = _net_nodes()  # 1/(kg m^2)
 
 
 class Joints(NamedTuple):
@@ -826,6 +879,10 @@ class Joints(NamedTuple):
     numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
     members: Annotated[RankRows, Sized("joined", _joined.width)]
     places: Annotated[FloatRows, Sized("joined", _places.width)]
+    turns: Annotated[FloatRows, Sized(3, "joined")]  # angle, rad, its cosine and sine, for lanes
+    hinges: Annotated[FloatRows, Sized("joined", _hinges.width)]
+    links: Annotated[FloatRows, Sized("joints", _links.width)]
+    net_nodes: Annotated[FloatRows, Sized("joined", 8)]
     bends: Annotated[Floats, Sized(9)]  # m, second derivatives of the rows of a joint
     # as those of the direct solver, a node for each body that moves
     sparse: Annotated[RankRows, Sized("joint_sparse", _sparse.width)]

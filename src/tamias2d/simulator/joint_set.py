@@ -13,15 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.engine import Engine
-from tamias2d.engine.joints.rows import JointRow
+from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.saved_checks import require
 from tamias2d.engine.tables import (
     ABSENT,
     BOUNDING_RADIUS,
     DYNAMIC,
     J_APART,
+    J_SLIGHT,
     J_STEP_TOTAL,
     J_WARM,
+    JOINTS_APART,
     KEPT,
     KINEMATIC,
     LOWER_LIMIT,
@@ -82,7 +84,8 @@ class JointSet:
         refuse_unknown(self._joints.values())
         self._places = np.zeros(0, dtype=np.int64)  # of rows in the arrays, as joints were added
         self._owner = np.zeros(0, dtype=np.int64)  # of each row its joint
-        self._most_apart = np.zeros((0, MOST_ROWS))
+        self._are_lengths = np.zeros((0, MOST_ROWS), dtype=bool)
+        self._sizes = np.ones(0)
         self._saved: Array | None = None  # impulses of the last step, as long as it is from a file
         self._restored = False
         self.new = bool(self._joints)
@@ -148,20 +151,31 @@ class JointSet:
         self._places[order] = places
         sizes = np.array([_size(joint, engine) for joint in joints])
         units = np.array([_units(row) for _, row in rows]).reshape(-1, MOST_ROWS)
-        self._most_apart = APART * np.where(units == "m", sizes[self._owner, None], 1.0)
+        self._are_lengths, self._sizes = units == "m", sizes[self._owner]
+        size = np.where(self._are_lengths, self._sizes[:, None], 1.0)
+        slight = slice(J_SLIGHT, J_SLIGHT + MOST_ROWS)
+        engine.world.joints.numbers[self._places, slight] = APART / math.sqrt(MOST_ROWS) * size
         if self._saved is not None and self._restored:
             engine.world.joints.numbers[self._places, _KEPT] = self._saved
         self.new = self._restored = False
 
     def apart(self, engine: Engine) -> tuple[Joint, float] | None:
         """Return a joint that was far apart within the last steps, and by how much; or None."""
-        numbers = engine.world.joints.numbers
+        counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
+        if not counts[JOINTS_APART]:
+            return None
+        counts[JOINTS_APART] = 0
         found = numbers[self._places, J_APART : J_APART + MOST_ROWS]
         numbers[:, J_APART : J_APART + MOST_ROWS] = 0.0
-        if not (found > self._most_apart).any():
+        lengths = np.linalg.norm(np.where(self._are_lengths, found, 0.0), axis=1)
+        angles = np.linalg.norm(np.where(self._are_lengths, 0.0, found), axis=1)
+        shares = np.maximum(lengths / self._sizes, angles)
+        worst = int(np.argmax(shares))
+        if not shares[worst] > APART:
             return None
-        worst = np.unravel_index(np.argmax(found / self._most_apart), found.shape)
-        return list(self._joints.values())[self._owner[worst[0]]], float(found[worst])
+        is_length = lengths[worst] / self._sizes[worst] > angles[worst]
+        far = lengths[worst] if is_length else angles[worst]
+        return list(self._joints.values())[self._owner[worst]], float(far)
 
     def forget_report(self) -> None:
         """Note that a step is taken."""

@@ -2,7 +2,7 @@
 
 from tamias2d.engine.broad_phase.kept_apart import without_kept_apart
 from tamias2d.engine.islands import join_islands
-from tamias2d.engine.joined import mark_joined, take_whole_steps, unless_joined
+from tamias2d.engine.joined import mark_joined, unless_joined
 from tamias2d.engine.joints.stages import (
     activate_joined,
     begin_joints,
@@ -40,7 +40,6 @@ JOINT_STAGES = (
     solve_joints,
     charge_joined,
     support_joined,
-    take_whole_steps,
     unless_joined,
     without_kept_apart,
 )

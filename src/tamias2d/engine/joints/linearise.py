@@ -82,12 +82,17 @@ def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
     first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
     place_members(first + 1, last + 1, 0.0, bodies, joints)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        ends, numbers = joints.joints[j], joints.numbers[j]
-        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
-        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
-        joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
-        note_apart(ends, numbers)
+        write_rows(j, joints)
     factor_mechanism(n, 0.0, bodies, joints)
+
+
+def write_rows(j: int, joints: Joints) -> None:
+    """Write the rows of a joint where its members are, and note by how much they are apart."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+    place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+    joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+    note_apart(ends, numbers)
 
 
 def note_apart(ends: Integers, numbers: Array) -> None:
@@ -126,13 +131,24 @@ def firmness_by_law(firm: float, j: int, substep: float, joints: Joints) -> floa
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
     """Write where members are, or will be so many seconds ahead with the velocities they have."""
+    angles = joints.turns[0]
     for m in range(first, last):
         i, place = joints.members[m, JOINED_SLOT], joints.places[m]
         pose, now = bodies.pose[i], bodies.motion[i]
         by_x, by_y = shift_later((now[DX], now[DY]), (now[VX], now[VY]), ahead)
         place[PLACE_X], place[PLACE_Y] = pose[X] + by_x, pose[Y] + by_y
         place[PLACE_ANGLE] = pose[ANGLE] + turn_later(now[DANGLE], now[SPIN], ahead)
-        place[PLACE_COSINE], place[PLACE_SINE] = cosine_sine(place[PLACE_ANGLE])
+        angles[m] = place[PLACE_ANGLE]
+    turn_all(first, last, joints.turns[0], joints.turns[1], joints.turns[2])
+    for m in range(first, last):
+        place = joints.places[m]
+        place[PLACE_COSINE], place[PLACE_SINE] = joints.turns[1, m], joints.turns[2, m]
+
+
+def turn_all(first: int, last: int, angles: Array, cosines: Array, sines: Array) -> None:
+    """Write the cosines and sines of some angles, in lanes."""
+    for m in range(first, last):
+        cosines[m], sines[m] = cosine_sine(angles[m])
 
 
 def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> None:

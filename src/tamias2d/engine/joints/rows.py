@@ -1,13 +1,13 @@
 """Joints as rows of the engine's arrays: which bodies they hold, and how these form mechanisms."""
 
-import math
 from collections.abc import Iterable, Sequence
 from itertools import chain, combinations
-from typing import NamedTuple
 
 import numpy as np
 
 from tamias2d.engine.joints.elimination import Elimination, eliminated
+from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
+from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ARRANGED,
@@ -15,6 +15,9 @@ from tamias2d.engine.tables import (
     E_NODE_A,
     E_NODE_B,
     FILL,
+    H_ANCHOR,
+    H_FAR_ANCHOR,
+    H_SIDE,
     I_NODE,
     ISLANDS_KNOWN,
     J_EDGE,
@@ -23,20 +26,20 @@ from tamias2d.engine.tables import (
     J_MEMBER,
     J_NODE,
     J_ROWS,
+    JOINED_ABOVE,
     JOINED_BODY,
+    JOINED_HINGE,
     JOINTS,
-    KEPT,
     M_DRIVEN,
     M_GOVERNED,
+    M_HINGED,
     M_JOINT,
     M_MESHED,
     M_TIED,
     MECHANISMS,
-    MOTOR,
     PIVOT_COUNT,
     PIVOT_FIRST,
     PIVOT_NODE,
-    SPRING,
     STANDS_STILL,
     UNUSED,
 )
@@ -47,41 +50,24 @@ from tamias2d.spec.constraint import ENDS
 LOOPED, FEW = 24, 1000  # entries of the fill list, for each joint and besides: more is a mesh
 
 
-class JointRow(NamedTuple):
-    """A joint of up to three bodies, given by rows, or None for the plane."""
-
-    kind: str
-    """One of `generated.joint_rows`."""
-    ends: tuple[int | None, int | None, int | None]
-    given: tuple[float, ...]
-    """Its parameters, SI units."""
-    apart: bool
-    """Whether its bodies may not touch each other."""
-    law: int = KEPT
-    """What governs it, one of those in `tables`."""
-    numbers: tuple[float, float, float, float] = (0.0, math.inf, 0.0, 0.0)
-    """Of its law: rate, maximum, stiffness and damping."""
-
-    @property
-    def driven(self) -> bool:
-        """Whether it may give energy."""
-        return (self.law == MOTOR and self.numbers[0] != 0) or self.law == SPRING
-
-    @property
-    def governed(self) -> bool:
-        """Whether it is a limit, a motor or a spring."""
-        return self.law != KEPT
-
-
 def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     """Let joints hold, and no others; return of each its place in the arrays."""
     mechanisms = _mechanisms(store, rows)
     nodes = [_moving(store, [rows[k] for k in mechanism]) for mechanism in mechanisms]
+    trees = [
+        hinge_tree(own, {k: rows[k] for k in mechanism})
+        for own, mechanism in zip(nodes, mechanisms, strict=True)
+    ]
+    for n, tree in enumerate(trees):
+        if tree:
+            nodes[n], mechanisms[n] = tree.bodies, tree.joints
     still = _still(store, rows)
     member = {body: 1 + k for k, body in enumerate([*chain(*nodes), *still])}
     plans = [
-        _plan(store, [member[body] - 1 for body in own], [rows[k] for k in mechanism], member)
-        for own, mechanism in zip(nodes, mechanisms, strict=True)
+        _unconnected([member[body] - 1 for body in own])
+        if tree
+        else _plan(store, [member[body] - 1 for body in own], [rows[k] for k in mechanism], member)
+        for own, mechanism, tree in zip(nodes, mechanisms, trees, strict=True)
     ]
     edges = sum(len(plan.edges) for plan in plans)
     fill = sum(map(len, (own for plan in plans for own in plan.fill)))
@@ -103,7 +89,8 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     if rows:
         joints.members[1:, JOINED_BODY] = list(member)
     _write_plans(store, plans)
-    places = _write_joints(store, rows, mechanisms, plans, member)
+    places = _write_joints(store, rows, mechanisms, plans, trees, member)
+    _write_trees(store, rows, trees, member, places)
     joints.apart[:] = [high for _, high in apart]
     lows = [low for low, _ in apart]
     joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))
@@ -116,7 +103,12 @@ def _plan(
 ) -> Elimination:
     """Return how a mechanism is eliminated; a mesh is not, and its plan has no edges."""
     found = eliminated(nodes, _pairs(store, rows, member), LOOPED * len(rows) + FEW)
-    return found or Elimination(nodes, {}, [[] for _ in nodes], [0] * len(nodes))
+    return found or _unconnected(nodes)
+
+
+def _unconnected(nodes: list[int]) -> Elimination:
+    """Return nodes in their order, without edges."""
+    return Elimination(nodes, {}, [[] for _ in nodes], [0] * len(nodes))
 
 
 def kept_apart(store: Store) -> set[tuple[int, int]]:
@@ -144,6 +136,7 @@ def _write_joints(
     rows: Sequence[JointRow],
     mechanisms: Sequence[Sequence[int]],
     plans: Sequence[Elimination],
+    trees: Sequence[HingeTree | None],
     member: dict[int, int],
 ) -> list[int]:
     """Write joints mechanism by mechanism; return the place of each."""
@@ -152,8 +145,11 @@ def _write_joints(
     places = [0] * len(rows)
     j = first_edge = 0
     for n, (mechanism, plan) in enumerate(zip(mechanisms, plans, strict=True)):
-        joints.mechanisms[n, M_MESHED] = not plan.edges and len(plan.order) > 1
-        for k in mechanism:
+        meshed = not plan.edges and len(plan.order) > 1 and trees[n] is None
+        net = meshed and is_net(rows[k] for k in mechanism)
+        joints.mechanisms[n, M_HINGED] = trees[n] is not None or net
+        joints.mechanisms[n, M_MESHED] = meshed
+        for k in by_level(mechanism, rows) if net else mechanism:
             row = rows[k]
             number = KINDS.index(row.kind)
             joints.joints[j, [J_KIND, J_ROWS]] = number, ROWS_OF_KIND[number]
@@ -182,6 +178,29 @@ def _write_joints(
             j += 1
         first_edge += len(plan.edges)
     return places
+
+
+def _write_trees(
+    store: Store,
+    rows: Sequence[JointRow],
+    trees: Sequence[HingeTree | None],
+    member: dict[int, int],
+    places: Sequence[int],
+) -> None:
+    """Write on what each node of a tree of hinges hangs, and where."""
+    joints = store.world.joints
+    joints.hinges[:] = joints.links[:] = joints.net_nodes[:] = 0.0
+    joints.members[:, JOINED_ABOVE], joints.members[:, JOINED_HINGE] = 0, -1
+    for tree in trees:
+        for body, hinge in zip(tree.bodies, tree.hinges, strict=True) if tree else ():
+            if hinge is not None:
+                m, (a, b, _) = member[body], rows[hinge].ends
+                above, own, far = (a, 2, 0) if body == b else (b, 0, 2)
+                joints.members[m, JOINED_ABOVE] = 0 if above is None else member[above]
+                joints.members[m, JOINED_HINGE] = places[hinge]
+                joints.hinges[m, H_ANCHOR : H_ANCHOR + 2] = rows[hinge].given[own : own + 2]
+                joints.hinges[m, H_FAR_ANCHOR : H_FAR_ANCHOR + 2] = rows[hinge].given[far : far + 2]
+                joints.hinges[m, H_SIDE] = 1.0 if body == b else -1.0
 
 
 def _edge(plan: Elimination, one: int, other: int, first: int) -> int:

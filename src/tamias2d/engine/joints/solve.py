@@ -68,15 +68,20 @@ def aim_joints(n: int, length: float, joints: Joints) -> None:
     aims at nothing unless it is passed already.
     """
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        numbers, law = joints.numbers[j], joints.joints[j, J_LAW]
-        for r in range(joints.joints[j, J_ROWS]):
-            value = numbers[J_ROW + ROW * r]
-            if law == LOWER_LIMIT:
-                value = min(value, 0.0)
-            elif law == UPPER_LIMIT:
-                value = max(value, 0.0)
-            numbers[J_AIM + r] = row_aim(value, REMOVED_BY_JOINTS * length)
-            numbers[J_GIVEN + r] = 0.0
+        aim_joint(j, length, joints)
+
+
+def aim_joint(j: int, length: float, joints: Joints) -> None:
+    """Note to which values a substep brings the rows of a joint; its length is as above."""
+    numbers, law = joints.numbers[j], joints.joints[j, J_LAW]
+    for r in range(joints.joints[j, J_ROWS]):
+        value = numbers[J_ROW + ROW * r]
+        if law == LOWER_LIMIT:
+            value = min(value, 0.0)
+        elif law == UPPER_LIMIT:
+            value = max(value, 0.0)
+        numbers[J_AIM + r] = row_aim(value, REMOVED_BY_JOINTS * length)
+        numbers[J_GIVEN + r] = 0.0
 
 
 def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -181,14 +186,24 @@ def find_position_errors(n: int, substep: float, bodies: Bodies, joints: Joints)
     )
     size = 0.0
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        ends, numbers = joints.joints[j], joints.numbers[j]
-        a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
-        place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
-        joint_values(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
-        for r in range(ends[J_ROWS]):
-            error = error_of_row(j, r, substep, bodies, joints)
-            numbers[J_ERROR + r] = error
-            size += numbers[J_FIRMNESS + r] * error * error
+        size += errors_of_joint(j, substep, bodies, joints)
+    return size
+
+
+def errors_of_joint(j: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Write the rates that the rows of a joint have too much; return a measure of them, J.
+
+    Its values are those where its members are placed.
+    """
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
+    place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+    joint_values(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+    size = 0.0
+    for r in range(ends[J_ROWS]):
+        error = error_of_row(j, r, substep, bodies, joints)
+        numbers[J_ERROR + r] = error
+        size += numbers[J_FIRMNESS + r] * error * error
     return size
 
 

@@ -7,6 +7,16 @@ ends of each substep; one that is touched is solved before and after the contact
 
 from tamias2d.engine.joints.energy import bound_mechanism
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
+from tamias2d.engine.joints.hinge_laws import keep_tree_positions
+from tamias2d.engine.joints.hinge_net import (
+    aim_net,
+    bring_net_to_aims,
+    fit_net,
+    linearise_net,
+    store_link_impulses,
+)
+from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
+from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impulses
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.solver.energy import UNLIMITED
@@ -23,17 +33,22 @@ from tamias2d.engine.tables import (
     IN_CONTACT,
     INCREMENT,
     IS_HELD,
+    J_APART,
     J_FORCE,
     J_GIVEN,
     J_PULL,
+    J_SLIGHT,
     J_STEP_TOTAL,
     J_TOTAL,
     J_WARM,
     JOINED_BODY,
     JOINED_SLOT,
     JOINTS,
+    JOINTS_APART,
     M_GOVERNED,
+    M_HINGED,
     M_JOINT,
+    M_MESHED,
     M_STATUS,
     M_TIED,
     MECHANISMS,
@@ -62,7 +77,7 @@ from tamias2d.generated.joint_step import (
     kick_velocity_start,
 )
 
-RELAXING_ROUNDS = 2  # of joints and contacts, when their velocities are relaxed, besides the first
+RELAXING_ROUNDS = 1  # of joints and contacts, when their velocities are relaxed, besides the first
 
 
 def clear_of_joints(clear: bool, world: World) -> bool:
@@ -150,9 +165,20 @@ def begin_joints(substep: float, world: World) -> None:
             note_node_masses(n, substep, bodies, joints)
             begin_rows(n, joints)
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
-            linearise(n, bodies, joints)
+            write_mechanism(n, bodies, joints)
             if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
                 kick_half(n, False, bodies, joints)
+
+
+def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Write the rows of a mechanism where its bodies are, and its matrix."""
+    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    if hinged and meshed:
+        linearise_net(n, bodies, joints)
+    elif hinged:
+        linearise_tree(n, bodies, joints)
+    else:
+        linearise(n, bodies, joints)
 
 
 def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
@@ -178,6 +204,8 @@ def keep_joint_impulses(world: World) -> None:
                     numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
                 for k in range(3):
                     numbers[J_FORCE + k] = numbers[J_PULL + k] / time
+                    if numbers[J_APART + k] > numbers[J_SLIGHT + k]:
+                        joints.counts[JOINTS_APART] = 1
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:
@@ -191,9 +219,31 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
         status = joints.mechanisms[n, M_STATUS]
         if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
             if not again:
-                aim_joints(n, length, joints)
+                aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
-            keep_positions(n, again, substep, bodies, joints)
+            bring_to_end(n, again, substep, bodies, joints)
+
+
+def aim_mechanism(n: int, length: float, joints: Joints) -> None:
+    """Note to which values a substep brings the rows of a mechanism, as `aim_joints` does."""
+    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    if hinged and meshed:
+        aim_net(n, length, joints)
+    elif hinged:
+        aim_tree(n, length, joints)
+    else:
+        aim_joints(n, length, joints)
+
+
+def bring_to_end(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a mechanism so that a substep leads to what its rows aim at."""
+    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    if hinged and meshed:
+        bring_net_to_aims(n, again, substep, bodies, joints)
+    elif hinged:
+        keep_tree_positions(n, again, substep, bodies, joints)
+    else:
+        keep_positions(n, again, substep, bodies, joints)
 
 
 def relax_joints(world: World) -> None:
@@ -203,7 +253,7 @@ def relax_joints(world: World) -> None:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
-            linearise(n, bodies, joints)
+            write_mechanism(n, bodies, joints)
     fit_velocities(bodies, joints)
 
 
@@ -222,7 +272,18 @@ def fit_velocities(bodies: Bodies, joints: Joints) -> None:
     """Take the rates of their rows from the velocities of touched mechanisms."""
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] == IN_CONTACT:
-            keep_velocities(n, 0.0, bodies, joints)
+            fit(n, 0.0, bodies, joints)
+
+
+def fit(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of its rows from the velocities of a mechanism; `warm` is for meshes."""
+    hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    if hinged and meshed:
+        fit_net(n, warm, bodies, joints)
+    elif hinged:
+        fit_tree(n, bodies, joints)
+    else:
+        keep_velocities(n, warm, bodies, joints)
 
 
 def end_joints(world: World) -> None:
@@ -233,8 +294,13 @@ def end_joints(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
-            keep_velocities(n, 0.5, bodies, joints)
+            fit(n, 0.5, bodies, joints)
             bound_mechanism(n, world.control, bodies, joints, world.islands)
+        if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_HINGED] == 1:
+            if joints.mechanisms[n, M_MESHED] == 1:
+                store_link_impulses(n, joints)
+            else:
+                store_hinge_impulses(n, joints)
 
 
 def look_at_touched(world: World) -> None:

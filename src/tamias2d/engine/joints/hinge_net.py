@@ -1,0 +1,337 @@
+"""A net of hinges with many loops: its links, and the impulses that take their errors away.
+
+Conjugate gradients, preconditioned by a sweep through all links and one back, whose work is also
+the product with the matrix. They start from the impulses of the last time.
+
+Cost: two visits to each link in an iteration.
+Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (1981), the product.
+"""
+
+from tamias2d.engine.joints.impulse import add_impulse
+from tamias2d.engine.joints.iterate import MESH_ACCURACY, MOST_ITERATIONS_OF_MESH
+from tamias2d.engine.joints.linearise import place_members
+from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
+from tamias2d.engine.tables import (
+    HELD_INVERSE_INERTIA,
+    I_NODE,
+    INVERSE_MASS,
+    J_APART,
+    J_MEMBER,
+    J_PULL,
+    J_TOTAL,
+    J_WARM,
+    JOINED_SLOT,
+    L_AIM,
+    L_ARM_A,
+    L_ARM_B,
+    L_ERROR,
+    L_GAP,
+    L_GIVEN,
+    L_IMPULSE,
+    L_LEFT,
+    L_MADE,
+    L_MASS,
+    L_RATE,
+    L_SEARCH,
+    L_TRIED,
+    L_YIELD,
+    M_JOINT,
+    N_CHANGE,
+    N_INVERSE_INERTIA,
+    N_INVERSE_MASS,
+    PLACE_COSINE,
+    PLACE_SINE,
+    PLACE_X,
+    PLACE_Y,
+    SPIN,
+    SUBSTEP_START,
+    VX,
+    VY,
+    Bodies,
+    Joints,
+)
+from tamias2d.generated.definitions import point_velocity
+from tamias2d.generated.hinge_tree import (
+    angular_velocity_hinged,
+    arm_met,
+    hinge_arm,
+    hinge_gap,
+    link_answer,
+    link_impulse,
+    link_mass_x,
+    link_mass_y,
+    point_yield_x,
+    point_yield_y,
+    velocity_hinged,
+)
+from tamias2d.generated.joint_step import row_aim, row_error
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array, Vector
+
+
+def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Write the links of a net where its bodies are."""
+    store_link_impulses(n, joints)
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    place_members(first, last, 0.0, bodies, joints)
+    for m in range(first, last):
+        node = joints.net_nodes[m]
+        node[N_INVERSE_MASS] = bodies.properties[joints.members[m, JOINED_SLOT], INVERSE_MASS]
+        node[N_INVERSE_INERTIA] = joints.places[m, HELD_INVERSE_INERTIA]
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        write_link(j, joints)
+
+
+@inlined
+def arms_of_link(j: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
+    """Return the arms of a link at A and B, where these are placed, and by how much it is apart."""
+    given, ends = joints.given[j], joints.joints[j]
+    a, b = joints.places[ends[J_MEMBER]], joints.places[ends[J_MEMBER + 1]]
+    arm_a = hinge_arm((given[0], given[1]), a[PLACE_COSINE], a[PLACE_SINE])
+    arm_b = hinge_arm((given[2], given[3]), b[PLACE_COSINE], b[PLACE_SINE])
+    at_a, at_b = (a[PLACE_X], a[PLACE_Y]), (b[PLACE_X], b[PLACE_Y])
+    return arm_a, arm_b, hinge_gap(at_b, arm_b, at_a, arm_a)
+
+
+@inlined
+def write_link(j: int, joints: Joints) -> None:
+    """Write a link where its bodies are placed, and note by how much it is apart."""
+    link, ends, numbers = joints.links[j], joints.joints[j], joints.numbers[j]
+    arm_a, arm_b, gap = arms_of_link(j, joints)
+    arm_a = arm_met(arm_a, gap)
+    link[L_ARM_A], link[L_ARM_A + 1] = arm_a
+    link[L_ARM_B], link[L_ARM_B + 1] = arm_b
+    link[L_GAP], link[L_GAP + 1] = gap
+    numbers[J_APART] = max(numbers[J_APART], abs(gap[0]))
+    numbers[J_APART + 1] = max(numbers[J_APART + 1], abs(gap[1]))
+    a, b = joints.net_nodes[ends[J_MEMBER]], joints.net_nodes[ends[J_MEMBER + 1]]
+    ax = point_yield_x(a[N_INVERSE_MASS], a[N_INVERSE_INERTIA], arm_a)
+    ay = point_yield_y(a[N_INVERSE_MASS], a[N_INVERSE_INERTIA], arm_a)
+    bx = point_yield_x(b[N_INVERSE_MASS], b[N_INVERSE_INERTIA], arm_b)
+    by = point_yield_y(b[N_INVERSE_MASS], b[N_INVERSE_INERTIA], arm_b)
+    yield_x, yield_y = (ax[0] + bx[0], ax[1] + bx[1]), (ay[0] + by[0], ay[1] + by[1])
+    link[L_YIELD], link[L_YIELD + 1], link[L_YIELD + 2] = yield_x[0], yield_x[1], yield_y[1]
+    mass_x, mass_y = link_mass_x(yield_x, yield_y), link_mass_y(yield_x, yield_y)
+    link[L_MASS], link[L_MASS + 1], link[L_MASS + 2] = mass_x[0], mass_x[1], mass_y[1]
+
+
+def aim_net(n: int, length: float, joints: Joints) -> None:
+    """Note to which gaps a substep brings the links of a net; its length is as `aim_joints` says.
+
+    They are the gaps as they were just written.
+    """
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        link = joints.links[j]
+        link[L_AIM] = row_aim(link[L_GAP], REMOVED_BY_JOINTS * length)
+        link[L_AIM + 1] = row_aim(link[L_GAP + 1], REMOVED_BY_JOINTS * length)
+
+
+def bring_net_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a net so that a substep, s, brings its links nearly to their aims.
+
+    What is left is made up for in the next substep.
+    """
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    place_members(first, last, substep, bodies, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        link = joints.links[j]
+        _, _, gap = arms_of_link(j, joints)
+        link[L_ERROR] = row_error(gap[0], link[L_AIM], substep)
+        link[L_ERROR + 1] = row_error(gap[1], link[L_AIM + 1], substep)
+    solve_net(n, 0.0 if again else 1.0, bodies, joints)
+    if not again:
+        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+            link, numbers = joints.links[j], joints.numbers[j]
+            numbers[J_WARM], numbers[J_WARM + 1] = link[L_IMPULSE], link[L_IMPULSE + 1]
+
+
+def fit_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates at which its links part from the velocities of a net, nearly.
+
+    The impulses are about so many times those of the last substep.
+    """
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        node, now = joints.net_nodes[m], bodies.motion[joints.members[m, JOINED_SLOT]]
+        node[N_CHANGE], node[N_CHANGE + 1] = now[VX], now[VY]
+        node[N_CHANGE + 2] = now[SPIN]
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        link = joints.links[j]
+        link[L_ERROR], link[L_ERROR + 1] = change_of_link(j, joints)
+    solve_net(n, warm, bodies, joints)
+
+
+def solve_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+    """Give a net the impulses that take its errors away, nearly."""
+    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
+    clear_net(n, joints)
+    for j in range(first, last):
+        link, numbers = joints.links[j], joints.numbers[j]
+        impulse = (warm * numbers[J_WARM], warm * numbers[J_WARM + 1])
+        link[L_IMPULSE], link[L_IMPULSE + 1] = impulse
+        push_link(j, impulse, joints)
+    whole = 0.0
+    for j in range(first, last):
+        whole += note_what_is_left(j, joints)
+    clear_net(n, joints)
+    size, before = sweep_from_left(first, last, joints), 0.0
+    for _ in range(MOST_ITERATIONS_OF_MESH):
+        if not size > MESH_ACCURACY * MESH_ACCURACY * whole:
+            break
+        clear_net(n, joints)
+        sweep_back(first, last, size / before if before > 0.0 else 0.0, joints)
+        clear_net(n, joints)
+        curvature = sweep_on(first, last, joints)
+        before, size = size, go_along(first, last, size, curvature, joints)
+    apply_to_net(n, bodies, joints)
+
+
+def clear_net(n: int, joints: Joints) -> None:
+    """Write zeros to the changes of the nodes of a net."""
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        node = joints.net_nodes[m]
+        node[N_CHANGE] = node[N_CHANGE + 1] = node[N_CHANGE + 2] = 0.0
+
+
+@inlined
+def change_of_link(j: int, joints: Joints) -> Vector:
+    """Return by how much the changes of its bodies' velocities change the rates of a link, m/s."""
+    link, ends = joints.links[j], joints.joints[j]
+    a, b = joints.net_nodes[ends[J_MEMBER]], joints.net_nodes[ends[J_MEMBER + 1]]
+    arm_a, arm_b = (link[L_ARM_A], link[L_ARM_A + 1]), (link[L_ARM_B], link[L_ARM_B + 1])
+    at_a = point_velocity((a[N_CHANGE], a[N_CHANGE + 1]), a[N_CHANGE + 2], arm_a)
+    at_b = point_velocity((b[N_CHANGE], b[N_CHANGE + 1]), b[N_CHANGE + 2], arm_b)
+    return at_b[0] - at_a[0], at_b[1] - at_a[1]
+
+
+@inlined
+def push_link(j: int, impulse: Vector, joints: Joints) -> None:
+    """Let the impulse of a link change the velocities of its bodies."""
+    link, ends = joints.links[j], joints.joints[j]
+    arm_a, arm_b = (link[L_ARM_A], link[L_ARM_A + 1]), (link[L_ARM_B], link[L_ARM_B + 1])
+    push_node(joints.net_nodes[ends[J_MEMBER]], arm_a, (-impulse[0], -impulse[1]))
+    push_node(joints.net_nodes[ends[J_MEMBER + 1]], arm_b, impulse)
+
+
+@inlined
+def push_node(node: Array, arm: Vector, impulse: Vector) -> None:
+    """Let an impulse at an arm change the velocities of a node."""
+    by = (node[N_CHANGE], node[N_CHANGE + 1])
+    node[N_CHANGE], node[N_CHANGE + 1] = velocity_hinged(by, impulse, node[N_INVERSE_MASS])
+    node[N_CHANGE + 2] = angular_velocity_hinged(
+        node[N_CHANGE + 2], arm, impulse, node[N_INVERSE_INERTIA]
+    )
+
+
+@inlined
+def impulse_for(link: Array, rate: Vector) -> Vector:
+    """Return the impulse that gives a link, by itself, a rate."""
+    mass_x, mass_y = (link[L_MASS], link[L_MASS + 1]), (link[L_MASS + 1], link[L_MASS + 2])
+    return link_impulse(rate, mass_x, mass_y)
+
+
+@inlined
+def note_what_is_left(j: int, joints: Joints) -> float:
+    """Write the rates that a link is yet to get; return the size of its error, J."""
+    link = joints.links[j]
+    by = change_of_link(j, joints)
+    error = (link[L_ERROR], link[L_ERROR + 1])
+    link[L_RATE], link[L_RATE + 1] = -error[0] - by[0], -error[1] - by[1]
+    impulse = impulse_for(link, error)
+    return error[0] * impulse[0] + error[1] * impulse[1]
+
+
+def sweep_from_left(first: int, last: int, joints: Joints) -> float:
+    """Sweep through the links with the rates that they are yet to get; return the size, J."""
+    size = 0.0
+    for j in range(first, last):
+        link = joints.links[j]
+        by = change_of_link(j, joints)
+        left = impulse_for(link, (link[L_RATE] - by[0], link[L_RATE + 1] - by[1]))
+        push_link(j, left, joints)
+        link[L_LEFT], link[L_LEFT + 1] = left
+        link[L_SEARCH] = link[L_SEARCH + 1] = 0.0
+        size += size_of_left(link, left)
+    return size
+
+
+@inlined
+def size_of_left(link: Array, left: Vector) -> float:
+    """Return the size of what a sweep made, J; write it as a rate where the direction looks."""
+    rows = (link[L_YIELD], link[L_YIELD + 1]), (link[L_YIELD + 1], link[L_YIELD + 2])
+    answer = link_answer(left, rows[0], rows[1])
+    link[L_MADE], link[L_MADE + 1] = answer
+    return left[0] * answer[0] + left[1] * answer[1]
+
+
+def sweep_back(first: int, last: int, kept: float, joints: Joints) -> None:
+    """Turn the direction to what is left, keep a share of the last one, and sweep back with it."""
+    for back in range(last - first):
+        j = last - 1 - back
+        link = joints.links[j]
+        search = (
+            link[L_MADE] + kept * link[L_SEARCH],
+            link[L_MADE + 1] + kept * link[L_SEARCH + 1],
+        )
+        link[L_SEARCH], link[L_SEARCH + 1] = search
+        by = change_of_link(j, joints)
+        tried = impulse_for(link, (search[0] - by[0], search[1] - by[1]))
+        push_link(j, tried, joints)
+        link[L_TRIED], link[L_TRIED + 1] = tried
+        link[L_RATE], link[L_RATE + 1] = by
+
+
+def sweep_on(first: int, last: int, joints: Joints) -> float:
+    """Sweep through the links with what those after them do; return the curvature, J."""
+    curvature = 0.0
+    for j in range(first, last):
+        link = joints.links[j]
+        by = change_of_link(j, joints)
+        more = impulse_for(link, (link[L_RATE] - by[0], link[L_RATE + 1] - by[1]))
+        push_link(j, more, joints)
+        made = (link[L_TRIED] + more[0], link[L_TRIED + 1] + more[1])
+        link[L_MADE], link[L_MADE + 1] = made
+        curvature += link[L_SEARCH] * made[0] + link[L_SEARCH + 1] * made[1]
+    return curvature
+
+
+def go_along(first: int, last: int, size: float, curvature: float, joints: Joints) -> float:
+    """Take a step of conjugate gradients; return the size of what is left, J."""
+    share = size / curvature if curvature > 0.0 else 0.0
+    new = 0.0
+    for j in range(first, last):
+        link = joints.links[j]
+        link[L_IMPULSE] += share * link[L_TRIED]
+        link[L_IMPULSE + 1] += share * link[L_TRIED + 1]
+        left = (link[L_LEFT] - share * link[L_MADE], link[L_LEFT + 1] - share * link[L_MADE + 1])
+        link[L_LEFT], link[L_LEFT + 1] = left
+        new += size_of_left(link, left)
+    return new
+
+
+def apply_to_net(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Let the impulses of its links change the velocities of a net."""
+    clear_net(n, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        link = joints.links[j]
+        impulse = (link[L_IMPULSE], link[L_IMPULSE + 1])
+        push_link(j, impulse, joints)
+        link[L_GIVEN] += impulse[0]
+        link[L_GIVEN + 1] += impulse[1]
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        i, node = joints.members[m, JOINED_SLOT], joints.net_nodes[m]
+        now, state = bodies.motion[i], bodies.substep_state[i]
+        for k in range(3):
+            now[VX + k] += node[N_CHANGE + k]
+            state[SUBSTEP_START + k] += node[N_CHANGE + k]
+
+
+def store_link_impulses(n: int, joints: Joints) -> None:
+    """Add what went through the links of a net since they were written to their joints."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        link, numbers = joints.links[j], joints.numbers[j]
+        given = (link[L_GIVEN], link[L_GIVEN + 1])
+        link[L_GIVEN] = link[L_GIVEN + 1] = 0.0
+        numbers[J_PULL] += given[0]
+        numbers[J_PULL + 1] += given[1]
+        add_impulse(J_TOTAL, (-given[0], -given[1]), (link[L_ARM_A], link[L_ARM_A + 1]), numbers)
+        add_impulse(J_TOTAL + 3, given, (link[L_ARM_B], link[L_ARM_B + 1]), numbers)

@@ -1,0 +1,297 @@
+"""The impulses of a tree of hinges: those that take the errors of its hinges away (DD71).
+
+Cost: two visits to each body for a solution, and cosine and sine where positions are looked at.
+Source: Featherstone (2008), articulated bodies.
+"""
+
+from math import inf
+
+from tamias2d.engine.joints.hinge_tree import arms_of_hinge, first_besides, hung_by_law
+from tamias2d.engine.joints.impulse import apply_joint_impulse
+from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, place_members
+from tamias2d.engine.joints.solve import (
+    MOST_ITERATIONS_OF_JOINTS,
+    REMOVED_BY_JOINTS,
+    aim_joint,
+    errors_of_joint,
+    rate_of_row,
+)
+from tamias2d.engine.tables import (
+    H_AIM,
+    H_ARM,
+    H_CHANGE,
+    H_ERROR,
+    H_FAR_ARM,
+    H_GAP,
+    H_GIVEN,
+    H_LAW,
+    H_LEVER,
+    H_MASS,
+    H_MOMENT,
+    H_OWED,
+    H_SHARE,
+    H_YIELD,
+    HELD_INVERSE_INERTIA,
+    I_NODE,
+    INVERSE_MASS,
+    J_ERROR,
+    J_FIRMNESS,
+    J_LAW,
+    J_NODE,
+    J_ROW,
+    J_ROWS,
+    JOINED_ABOVE,
+    JOINED_HINGE,
+    JOINED_SLOT,
+    LAW_RATE,
+    M_JOINT,
+    MOTOR,
+    SPIN,
+    SUBSTEP_START,
+    VX,
+    VY,
+    Bodies,
+    Joints,
+)
+from tamias2d.generated.definitions import point_velocity
+from tamias2d.generated.hinge_tree import (
+    angular_momentum_passed,
+    angular_velocity_hinged,
+    change,
+    hinge_change,
+    hinge_impulse,
+    law_impulse,
+    momentum_hung,
+    momentum_passed,
+    root_change,
+    spin_change,
+    turn_owed,
+    velocity_hinged,
+)
+from tamias2d.generated.joint_rows import ROW
+from tamias2d.generated.joint_step import (
+    angular_momentum_later,
+    drive_error,
+    momentum_later,
+    row_aim,
+    row_error,
+    row_impulse,
+    row_rate,
+)
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array, Vector
+
+SLIGHT_TURN = 1e-4  # rad^2, of a substep times that of impulses in it: of arms, what it leaves
+
+
+def aim_tree(n: int, length: float, joints: Joints) -> None:
+    """Note to which gaps a substep brings the hinges of a tree; its length is as `aim_joints` says.
+
+    They are the gaps as they were just written.
+    """
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        row = joints.hinges[m]
+        row[H_AIM] = row_aim(row[H_GAP], REMOVED_BY_JOINTS * length)
+        row[H_AIM + 1] = row_aim(row[H_GAP + 1], REMOVED_BY_JOINTS * length)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        aim_joint(j, length, joints)
+
+
+def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Change the velocities of a tree so that a substep, s, brings its hinges where they are to be.
+
+    Arms turn meanwhile; where that matters, it is done again, as long as errors become less.
+    """
+    before = inf
+    for _ in range(MOST_ITERATIONS_OF_JOINTS):
+        fastest, size = find_gap_errors(n, substep, bodies, joints)
+        if not size < before:
+            return
+        before, turn = size, substep * fastest
+        change_of_turn = substep * solve_hinges(n, bodies, joints)
+        if not change_of_turn * (turn + change_of_turn) > SLIGHT_TURN:
+            return
+
+
+def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of its rows from the velocities of a tree."""
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        rate_x, rate_y = rates_of_hinge(m, bodies, joints)
+        begin_errors(joints.hinges[m], rate_x, rate_y)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            rate = rate_of_row(j, r, bodies, joints)
+            if joints.joints[j, J_LAW] == MOTOR:
+                rate = drive_error(rate, joints.laws[j, LAW_RATE])
+            joints.numbers[j, J_ERROR + r] = rate
+    solve_hinges(n, bodies, joints)
+
+
+@inlined
+def rates_of_hinge(m: int, bodies: Bodies, joints: Joints) -> Vector:
+    """Return the rates at which a hinge parts, m/s."""
+    row, now = joints.hinges[m], bodies.motion[joints.members[m, JOINED_SLOT]]
+    above = bodies.motion[joints.members[joints.members[m, JOINED_ABOVE], JOINED_SLOT]]
+    arm, far = (row[H_ARM], row[H_ARM + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
+    here = point_velocity((now[VX], now[VY]), now[SPIN], arm)
+    there = point_velocity((above[VX], above[VY]), above[SPIN], far)
+    return here[0] - there[0], here[1] - there[1]
+
+
+def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> tuple[float, float]:
+    """Write the rates that hinges have too much to get to their aims.
+
+    Returns the fastest spin, and the sum of the squares of these rates.
+    """
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    place_members(first, last, substep, bodies, joints)
+    fastest = size = 0.0
+    for m in range(first, last):
+        row = joints.hinges[m]
+        _, _, gap = arms_of_hinge(m, joints)
+        error_x = row_error(gap[0], row[H_AIM], substep)
+        error_y = row_error(gap[1], row[H_AIM + 1], substep)
+        begin_errors(row, error_x, error_y)
+        size += error_x * error_x + error_y * error_y
+        fastest = max(fastest, abs(bodies.motion[joints.members[m, JOINED_SLOT], SPIN]))
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        errors_of_joint(j, substep, bodies, joints)
+        for r in range(joints.joints[j, J_ROWS]):
+            size += joints.numbers[j, J_ERROR + r] * joints.numbers[j, J_ERROR + r]
+    return fastest, size
+
+
+@inlined
+def begin_errors(row: Array, error_x: float, error_y: float) -> None:
+    """Write the error of a hinge; its node owes nothing yet."""
+    row[H_ERROR], row[H_ERROR + 1] = error_x, error_y
+    row[H_OWED] = row[H_OWED + 1] = row[H_OWED + 2] = row[H_LAW] = 0.0
+
+
+def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
+    """Give a tree the impulses that take its errors away; return the largest change of a spin."""
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    besides, end = first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]
+    for j in range(besides, end):
+        for r in range(joints.joints[j, J_ROWS]):
+            if joints.joints[j, J_NODE] >= 0 and joints.joints[j, J_NODE + 1] >= 0:
+                owe_law(j, joints)
+            else:
+                owe_tie(j, r, joints)
+    hinges, members = joints.hinges, joints.members
+    for m in range(last - 1, first, -1):
+        owe_at_hinge(hinges[m])
+        pass_up(hinges[m], hinges[members[m, JOINED_ABOVE]])
+    owe_at_hinge(hinges[first])
+    if members[first, JOINED_HINGE] < 0:
+        let_go(hinges[first])
+    largest = 0.0
+    for m in range(first, last):
+        impulse = pass_down(m, hinges[members[m, JOINED_ABOVE]], joints)
+        row = hinges[m]
+        largest = max(largest, abs(row[H_CHANGE + 2]))
+        if members[m, JOINED_HINGE] >= 0:
+            row[H_GIVEN] += impulse[0]
+            row[H_GIVEN + 1] += impulse[1]
+            push_hinged(m, (row[H_ARM], row[H_ARM + 1]), impulse, bodies, joints)
+        if m > first:
+            away, far = (-impulse[0], -impulse[1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
+            push_hinged(members[m, JOINED_ABOVE], far, away, bodies, joints)
+    for j in range(besides, end):
+        for r in range(joints.joints[j, J_ROWS]):
+            apply_joint_impulse(j, r, impulse_besides(j, r, joints), bodies, joints)
+    return largest
+
+
+@inlined
+def owe_at_hinge(row: Array) -> None:
+    """Find what a node owes at its hinge."""
+    owed, arm = (row[H_OWED], row[H_OWED + 1]), (row[H_ARM], row[H_ARM + 1])
+    turning = turn_owed(row[H_OWED + 2], owed, arm, row[H_LAW])
+    hung = momentum_hung(owed, turning, (row[H_LEVER], row[H_LEVER + 1]))
+    row[H_OWED], row[H_OWED + 1], row[H_OWED + 2] = hung[0], hung[1], turning
+
+
+@inlined
+def pass_up(row: Array, above: Array) -> None:
+    """Let the node above owe what a node does, and what the error of its hinge asks for."""
+    hung, error = (row[H_OWED], row[H_OWED + 1]), (row[H_ERROR], row[H_ERROR + 1])
+    far, turned = (row[H_FAR_ARM], row[H_FAR_ARM + 1]), (row[H_MOMENT], row[H_MOMENT + 1])
+    mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
+    passed = momentum_passed(hung, error, mass_x, mass_y)
+    turning = angular_momentum_passed(
+        passed, row[H_OWED + 2], error, turned, row[H_SHARE], far, row[H_LAW]
+    )
+    above[H_OWED] += passed[0]
+    above[H_OWED + 1] += passed[1]
+    above[H_OWED + 2] += turning
+
+
+@inlined
+def let_go(row: Array) -> None:
+    """Let the root of a tree that nothing ties move so that no impulse goes through its hinge."""
+    mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
+    by_x, by_y = root_change((row[H_OWED], row[H_OWED + 1]), mass_x, mass_y)
+    row[H_ERROR], row[H_ERROR + 1] = -by_x, -by_y
+
+
+@inlined
+def pass_down(m: int, above: Array, joints: Joints) -> Vector:
+    """Find how the velocities of a body change; return the impulse through its hinge."""
+    row = joints.hinges[m]
+    by, spin_above = (above[H_CHANGE], above[H_CHANGE + 1]), above[H_CHANGE + 2]
+    far, error = (row[H_FAR_ARM], row[H_FAR_ARM + 1]), (row[H_ERROR], row[H_ERROR + 1])
+    at_hinge = hinge_change(by, spin_above, far, error)
+    lever, arm = (row[H_LEVER], row[H_LEVER + 1]), (row[H_ARM], row[H_ARM + 1])
+    share = row[H_SHARE]
+    turn = spin_change(spin_above, share, at_hinge, lever, row[H_OWED + 2], row[H_YIELD])
+    own = change(at_hinge, turn, arm)
+    row[H_CHANGE], row[H_CHANGE + 1], row[H_CHANGE + 2] = own[0], own[1], turn
+    mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
+    hung, turned = (row[H_OWED], row[H_OWED + 1]), (row[H_MOMENT], row[H_MOMENT + 1])
+    return hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, share, hung)
+
+
+@inlined
+def push_hinged(m: int, arm: Vector, impulse: Vector, bodies: Bodies, joints: Joints) -> None:
+    """Give a member an impulse at its hinge, which is not what contacts have done."""
+    i = joints.members[m, JOINED_SLOT]
+    now, state = bodies.motion[i], bodies.substep_state[i]
+    held = joints.places[m, HELD_INVERSE_INERTIA]
+    by_x, by_y = velocity_hinged((0.0, 0.0), impulse, bodies.properties[i, INVERSE_MASS])
+    turn = angular_velocity_hinged(0.0, arm, impulse, held)
+    now[VX], now[VY], now[SPIN] = now[VX] + by_x, now[VY] + by_y, now[SPIN] + turn
+    state[SUBSTEP_START] += by_x
+    state[SUBSTEP_START + 1] += by_y
+    state[SUBSTEP_START + 2] += turn
+
+
+def owe_law(j: int, joints: Joints) -> None:
+    """Note what the error of a law asks for about the hinge whose angle it governs."""
+    m, turning = hung_by_law(j, joints)
+    numbers = joints.numbers[j]
+    joints.hinges[m, H_LAW] += law_impulse(numbers[J_FIRMNESS], turning * numbers[J_ERROR])
+
+
+def owe_tie(j: int, r: int, joints: Joints) -> None:
+    """Let the node of a tied body owe what the error of a firm row asks for."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    asked = -row_impulse(numbers[J_ERROR + r], numbers[J_FIRMNESS + r])
+    for end in range(ENDS_OF_JOINT):
+        if ends[J_NODE + end] >= 0:
+            row, at = joints.hinges[ends[J_NODE + end] + 1], J_ROW + ROW * r + 1 + 3 * end
+            slope, owed = (numbers[at], numbers[at + 1]), (row[H_OWED], row[H_OWED + 1])
+            row[H_OWED], row[H_OWED + 1] = momentum_later(owed, asked, slope)
+            row[H_OWED + 2] = angular_momentum_later(row[H_OWED + 2], asked, numbers[at + 2])
+
+
+def impulse_besides(j: int, r: int, joints: Joints) -> float:
+    """Return the impulse of a firm row, N s."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    rate = numbers[J_ERROR + r]
+    for end in range(ENDS_OF_JOINT):
+        if ends[J_NODE + end] >= 0:
+            row, at = joints.hinges[ends[J_NODE + end] + 1], J_ROW + ROW * r + 1 + 3 * end
+            slope, by = (numbers[at], numbers[at + 1]), (row[H_CHANGE], row[H_CHANGE + 1])
+            rate += row_rate(slope, numbers[at + 2], by, row[H_CHANGE + 2])
+    return row_impulse(rate, numbers[J_FIRMNESS + r])

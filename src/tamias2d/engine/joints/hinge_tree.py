@@ -1,0 +1,239 @@
+"""The matrix of a tree of hinges: what hangs on each hinge, from the ends of the tree to its root.
+
+Hinges do not yield. A second tie to what does not move is a firm row of the body that it ties.
+
+Cost: cosine and sine and one division for each body. Source: Featherstone (2008), articulated
+bodies.
+"""
+
+from tamias2d.engine.joints.impulse import add_impulse
+from tamias2d.engine.joints.linearise import (
+    ENDS_OF_JOINT,
+    firmness_by_law,
+    firmness_of,
+    place_members,
+    write_rows,
+)
+from tamias2d.engine.tables import (
+    H_ANCHOR,
+    H_ARM,
+    H_FAR_ANCHOR,
+    H_FAR_ARM,
+    H_FIRM,
+    H_GAP,
+    H_GIVEN,
+    H_INERTIA,
+    H_LEVER,
+    H_MASS,
+    H_MOMENT,
+    H_NODE_INERTIA,
+    H_NODE_MASS,
+    H_NODE_MOMENT,
+    H_SHARE,
+    H_SIDE,
+    H_YIELD,
+    I_NODE,
+    J_APART,
+    J_FIRMNESS,
+    J_NODE,
+    J_PULL,
+    J_ROW,
+    J_ROWS,
+    J_TOTAL,
+    JOINED_ABOVE,
+    JOINED_HINGE,
+    M_JOINT,
+    NODE_INERTIA,
+    NODE_MASS,
+    PLACE_COSINE,
+    PLACE_SINE,
+    PLACE_X,
+    PLACE_Y,
+    Bodies,
+    Joints,
+)
+from tamias2d.generated.hinge_tree import (
+    arm_met,
+    hinge_arm,
+    hinge_gap,
+    hinge_inertia,
+    hinge_lever,
+    hinge_moment,
+    hung_inertia,
+    hung_mass,
+    hung_moment,
+    turned_share,
+    turning_yield,
+)
+from tamias2d.generated.joint_rows import ROW
+from tamias2d.generated.joint_step import coupled_inertia, coupled_mass, coupled_moment
+from tamias2d.kernels.assembled import inlined
+from tamias2d.state import Array, Vector
+
+
+def linearise_tree(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Write the rows of a tree where its bodies are, and what hangs on its hinges."""
+    store_hinge_impulses(n, joints)
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    place_members(first, last, 0.0, bodies, joints)
+    for m in range(first, last):
+        write_hinge(m, joints)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        write_rows(j, joints)
+    hang_tree(n, 0.0, bodies, joints)
+
+
+def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Find what hangs on the hinges of a tree, with the rows besides them that hold.
+
+    Springs count through a substep, s; not where that is 0 and velocities alone are looked at.
+    """
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    for m in range(first, last):
+        begin_node(m, joints)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        ends, numbers = joints.joints[j], joints.numbers[j]
+        for r in range(ends[J_ROWS]):
+            firm = firmness_of(r, ends, numbers, bodies, joints)
+            numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
+            if ends[J_NODE] >= 0 and ends[J_NODE + 1] >= 0:
+                add_law(j, joints)
+            else:
+                add_tie(j, r, joints)
+    for m in range(last - 1, first, -1):
+        hang(joints.hinges[m])
+        add_to_node_above(joints.hinges[m], joints.hinges[joints.members[m, JOINED_ABOVE]])
+    hang(joints.hinges[first])
+
+
+def first_besides(n: int, joints: Joints) -> int:
+    """Return the first joint of a tree that is not the hinge of a node."""
+    root = joints.sparse[n, I_NODE] + 1
+    hinges = joints.sparse[n + 1, I_NODE] + 1 - root
+    if joints.members[root, JOINED_HINGE] < 0:
+        hinges -= 1
+    return int(joints.mechanisms[n, M_JOINT] + hinges)
+
+
+@inlined
+def arms_of_hinge(m: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
+    """Return the arms of a hinge, where bodies are placed, and by how much it is apart, m."""
+    row, place = joints.hinges[m], joints.places[m]
+    above = joints.places[joints.members[m, JOINED_ABOVE]]
+    anchor, far_anchor = (
+        (row[H_ANCHOR], row[H_ANCHOR + 1]),
+        (row[H_FAR_ANCHOR], row[H_FAR_ANCHOR + 1]),
+    )
+    arm = hinge_arm(anchor, place[PLACE_COSINE], place[PLACE_SINE])
+    far = hinge_arm(far_anchor, above[PLACE_COSINE], above[PLACE_SINE])
+    here, there = (place[PLACE_X], place[PLACE_Y]), (above[PLACE_X], above[PLACE_Y])
+    return arm, far, hinge_gap(here, arm, there, far)
+
+
+@inlined
+def write_hinge(m: int, joints: Joints) -> None:
+    """Write the hinge of a member where bodies are placed."""
+    row = joints.hinges[m]
+    arm, far, gap = arms_of_hinge(m, joints)
+    row[H_ARM], row[H_ARM + 1] = arm[0], arm[1]
+    row[H_FAR_ARM], row[H_FAR_ARM + 1] = arm_met(far, gap)
+    row[H_GAP], row[H_GAP + 1] = gap[0], gap[1]
+    if joints.members[m, JOINED_HINGE] >= 0:
+        numbers = joints.numbers[joints.members[m, JOINED_HINGE]]
+        numbers[J_APART] = max(numbers[J_APART], abs(gap[0]))
+        numbers[J_APART + 1] = max(numbers[J_APART + 1], abs(gap[1]))
+
+
+@inlined
+def begin_node(m: int, joints: Joints) -> None:
+    """Let the node of a member be its body alone, as yet; no laws govern its hinge."""
+    row = joints.hinges[m]
+    mass, inertia = joints.factors[m - 1, NODE_MASS], joints.factors[m - 1, NODE_INERTIA]
+    row[H_NODE_MASS], row[H_NODE_MASS + 1], row[H_NODE_MASS + 2] = mass, 0.0, mass
+    row[H_NODE_MOMENT] = row[H_NODE_MOMENT + 1] = 0.0
+    row[H_NODE_INERTIA] = inertia
+    row[H_YIELD] = 1.0 if inertia > 0.0 else 0.0
+    row[H_FIRM] = 0.0
+
+
+def hung_by_law(j: int, joints: Joints) -> tuple[int, float]:
+    """Return which body hangs on the hinge whose angle a law governs, and its turning slope."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    one, other = ends[J_NODE] + 1, ends[J_NODE + 1] + 1
+    if joints.members[other, JOINED_ABOVE] == one:
+        return other, numbers[J_ROW + 6]
+    return one, numbers[J_ROW + 3]
+
+
+def add_law(j: int, joints: Joints) -> None:
+    """Add the firmness of a law to those of the hinge whose angle it governs."""
+    m, turning = hung_by_law(j, joints)
+    joints.hinges[m, H_FIRM] += coupled_inertia(turning, turning, joints.numbers[j, J_FIRMNESS])
+
+
+def add_tie(j: int, r: int, joints: Joints) -> None:
+    """Add a firm row to the node of the one body that it ties and that moves."""
+    ends, numbers = joints.joints[j], joints.numbers[j]
+    firm = numbers[J_FIRMNESS + r]
+    for end in range(ENDS_OF_JOINT):
+        if ends[J_NODE + end] >= 0:
+            row, at = joints.hinges[ends[J_NODE + end] + 1], J_ROW + ROW * r + 1 + 3 * end
+            slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]
+            by_x, by_y = coupled_mass(slope, slope[0], firm), coupled_mass(slope, slope[1], firm)
+            moment = coupled_moment(turning, slope, firm)
+            row[H_NODE_MASS] += by_x[0]
+            row[H_NODE_MASS + 1] += by_x[1]
+            row[H_NODE_MASS + 2] += by_y[1]
+            row[H_NODE_MOMENT] += moment[0]
+            row[H_NODE_MOMENT + 1] += moment[1]
+            row[H_NODE_INERTIA] += coupled_inertia(turning, turning, firm)
+
+
+@inlined
+def hang(row: Array) -> None:
+    """Find what a node is for its hinge; a body turns, or does not."""
+    mass_x, mass_y = (
+        (row[H_NODE_MASS], row[H_NODE_MASS + 1]),
+        (row[H_NODE_MASS + 1], row[H_NODE_MASS + 2]),
+    )
+    moment, arm = (row[H_NODE_MOMENT], row[H_NODE_MOMENT + 1]), (row[H_ARM], row[H_ARM + 1])
+    turned = hinge_moment(mass_x, mass_y, moment, arm)
+    inertia = hinge_inertia(moment, row[H_NODE_INERTIA], turned, arm)
+    firm = row[H_FIRM]
+    yielding = turning_yield(inertia, firm) if row[H_YIELD] > 0.0 else 0.0
+    lever = hinge_lever(turned, yielding)
+    hung_x, hung_y = hung_mass(mass_x, lever[0], turned), hung_mass(mass_y, lever[1], turned)
+    row[H_YIELD], row[H_LEVER], row[H_LEVER + 1] = yielding, lever[0], lever[1]
+    row[H_SHARE] = turned_share(firm, yielding)
+    row[H_MOMENT], row[H_MOMENT + 1], row[H_INERTIA] = turned[0], turned[1], inertia
+    row[H_MASS], row[H_MASS + 1], row[H_MASS + 2] = hung_x[0], hung_x[1], hung_y[1]
+
+
+@inlined
+def add_to_node_above(row: Array, above: Array) -> None:
+    """Add what hangs on a hinge to the node above."""
+    hung_x, hung_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
+    turned, far = (row[H_MOMENT], row[H_MOMENT + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
+    share = row[H_SHARE]
+    passed = hung_moment(hung_x, hung_y, turned, share, far)
+    above[H_NODE_MASS] += hung_x[0]
+    above[H_NODE_MASS + 1] += hung_x[1]
+    above[H_NODE_MASS + 2] += hung_y[1]
+    above[H_NODE_MOMENT] += passed[0]
+    above[H_NODE_MOMENT + 1] += passed[1]
+    above[H_NODE_INERTIA] += hung_inertia(passed, turned, row[H_INERTIA], share, far)
+
+
+def store_hinge_impulses(n: int, joints: Joints) -> None:
+    """Add what went through the hinges of a tree since their rows were written to their joints."""
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        row, j = joints.hinges[m], joints.members[m, JOINED_HINGE]
+        given, away = (row[H_GIVEN], row[H_GIVEN + 1]), (-row[H_GIVEN], -row[H_GIVEN + 1])
+        row[H_GIVEN] = row[H_GIVEN + 1] = 0.0
+        if j >= 0:
+            numbers, is_b = joints.numbers[j], row[H_SIDE] > 0.0
+            numbers[J_PULL] += row[H_SIDE] * given[0]
+            numbers[J_PULL + 1] += row[H_SIDE] * given[1]
+            own, other = (J_TOTAL + 3, J_TOTAL) if is_b else (J_TOTAL, J_TOTAL + 3)
+            add_impulse(own, given, (row[H_ARM], row[H_ARM + 1]), numbers)
+            add_impulse(other, away, (row[H_FAR_ARM], row[H_FAR_ARM + 1]), numbers)
