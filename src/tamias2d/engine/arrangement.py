@@ -5,8 +5,13 @@ It stays from step to step while the same contacts touch.
 
 from tamias2d.engine.direct.contact_tree import number_trees
 from tamias2d.engine.direct.elimination import plan_elimination
-from tamias2d.engine.joints.stages import activate_joined, join_slabs, note_mechanisms
-from tamias2d.engine.solver.angular_momentum import find_free_islands
+from tamias2d.engine.joints.stages import (
+    activate_joined,
+    hold_tied,
+    join_slabs,
+    note_mechanisms,
+)
+from tamias2d.engine.solver.angular_momentum import count_free_islands, mark_held_islands
 from tamias2d.engine.solver.blocks import assign_lanes, count_lanes
 from tamias2d.engine.solver.colouring import colour_contacts
 from tamias2d.engine.solver.slabs import divide_into_slabs
@@ -62,7 +67,9 @@ def arrange(world: World, contacts: Contacts) -> int:
         return MORE_SPARSE
     direct.counts[TREES] = tree_count
     count_lanes(touching, constraints)
-    find_free_islands(bodies, touching, constraints, world.islands, world.joints)
+    mark_held_islands(bodies, touching, constraints, world.islands, world.joints)
+    hold_tied(world.islands, world.joints)
+    count_free_islands(bodies, touching, constraints, world.islands)
     touching.counts[ARRANGED] = 1
     constraints.counts[LANES_FILLED] = constraints.counts[BOUNCING] = 0
     return DONE

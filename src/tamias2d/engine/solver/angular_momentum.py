@@ -11,7 +11,6 @@ those that touch change.
 from typing import NamedTuple
 
 from tamias2d.engine.islands import update_islands
-from tamias2d.engine.joints.stages import hold_tied
 from tamias2d.engine.solver.energy import mass_and_inertia
 from tamias2d.engine.solver.island_damping import place_from
 from tamias2d.engine.solver.support import is_root
@@ -81,10 +80,10 @@ LEAST_INERTIA = 2.0**-30  # of the inertia about the root: a body alone that not
 MOST_GROWTH = 1.0 + 2.0**-6  # of what is left of the motion, so that energy stays
 
 
-def find_free_islands(
+def mark_held_islands(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands, joints: Joints
 ) -> None:
-    """Mark the islands that something holds, and count the others that have contacts."""
+    """Mark the islands that contacts hold, or that have a body which does not turn."""
     links, marks = islands.links, islands.energy
     update_islands(bodies, touching, islands, joints)
     for k in range(constraints.counts[ACTIVE]):
@@ -99,7 +98,13 @@ def find_free_islands(
             marks[links[j, ROOT], IS_HELD] = 1.0
         if bodies.kind[j] != DYNAMIC:
             marks[links[i, ROOT], IS_HELD] = 1.0
-    hold_tied(islands, joints)
+
+
+def count_free_islands(
+    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
+) -> None:
+    """Count the islands that have contacts, and that nothing holds."""
+    marks = islands.energy
     free = 0
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
