@@ -103,20 +103,23 @@ def mark_held_islands(
 def count_free_islands(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
-    """Count the islands that have contacts, and that nothing holds."""
+    """Count the islands that have contacts, and that nothing holds; mark the bodies of others."""
     marks = islands.energy
     free = 0
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
+        marks[i, IS_HELD] = marks[islands.links[i, ROOT], IS_HELD]
         free += is_root(i, bodies, islands) and marks[i, IS_HELD] == 0.0
     constraints.counts[FREE_ISLANDS] = free
 
 
 def begin_moments(first: int, last: int, touching: Touching, islands: Islands) -> None:
-    """Begin to add up what contacts give some bodies."""
+    """Begin to add up what contacts give some bodies, of those that nothing holds."""
     for k in range(first, last):
-        for n in range(VELOCITY_GIVEN, MOMENT_AHEAD + 1):
-            islands.energy[touching.active_by_slab[k], n] = 0.0
+        given = islands.energy[touching.active_by_slab[k]]
+        if given[IS_HELD] == 0.0:
+            for n in range(VELOCITY_GIVEN, MOMENT_AHEAD + 1):
+                given[n] = 0.0
 
 
 def add_moments_before(
@@ -126,9 +129,10 @@ def add_moments_before(
     for k in range(first, last):
         i = touching.active_by_slab[k]
         given, now = islands.energy[i], bodies.motion[i]
-        given[MOMENT_AHEAD] = moment_ahead_moved(
-            given[MOMENT_AHEAD], (now[VX], now[VY]), velocity_change(i, bodies), substep
-        )
+        if given[IS_HELD] == 0.0:
+            given[MOMENT_AHEAD] = moment_ahead_moved(
+                given[MOMENT_AHEAD], (now[VX], now[VY]), velocity_change(i, bodies), substep
+            )
 
 
 def add_moments(
@@ -137,7 +141,8 @@ def add_moments(
     """Add all that contacts have given some bodies in a substep, after these have moved on."""
     for k in range(first, last):
         i = touching.active_by_slab[k]
-        add_moment_of(i, bodies, islands.energy[i])
+        if islands.energy[i, IS_HELD] == 0.0:
+            add_moment_of(i, bodies, islands.energy[i])
 
 
 def add_moment_of(i: int, bodies: Bodies, given: Array) -> None:
@@ -186,7 +191,7 @@ def keep_angular_momentum(
 
 def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     """Return whether contacts have pushed a body, of an island that nothing holds."""
-    free = islands.energy[islands.links[i, ROOT], IS_HELD] == 0.0
+    free = islands.energy[i, IS_HELD] == 0.0
     return bool((bodies.kind[i] == DYNAMIC) & (bodies.moved[i] == MOVED) & free)
 
 
