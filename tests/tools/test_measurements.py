@@ -152,7 +152,7 @@ def test_specialisation(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_jointed() -> None:
     found = jointed.measure(seconds=1, side=3, ragdolls=1, heap=1, random=2)
-    assert len(found["rows"]) == 3 * 6
+    assert len(found["rows"]) == 3 * 8
     heads, rows = jointed.table(found)
     assert {len(row) for row in rows} == {len(heads)}
     assert jointed.notes(found)
