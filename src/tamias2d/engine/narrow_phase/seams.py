@@ -58,6 +58,8 @@ def leave_seams_out(
     bodies: Bodies, shapes: Shapes, contacts: Contacts, touching: Touching, events: Events
 ) -> bool:
     """Note the ground of each body, and take seams off the list; return whether there were some."""
+    if not some_end(bodies, shapes, contacts, touching):
+        return False
     for loaded in (True, False):
         for k in range(touching.counts[TOUCHING]):
             if is_with_static(k, bodies, touching):
@@ -69,6 +71,16 @@ def leave_seams_out(
     while take_seams_off(bodies, shapes, contacts, touching, events):
         pass  # beyond the next shape may be another one
     return touching.counts[TOUCHING] < before
+
+
+def some_end(bodies: Bodies, shapes: Shapes, contacts: Contacts, touching: Touching) -> bool:
+    """Return whether some body touches a static shape that is no half-plane."""
+    for k in range(touching.counts[TOUCHING]):
+        if is_with_static(k, bodies, touching):
+            s, t = contacts.pairs[touching.contact[k], 0], contacts.pairs[touching.contact[k], 1]
+            if shapes.kind[s] != HALF_PLANE and shapes.kind[t] != HALF_PLANE:
+                return True
+    return False
 
 
 def take_seams_off(
