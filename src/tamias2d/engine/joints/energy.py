@@ -7,10 +7,13 @@ Cost: a visit to each body, and two more where there is too much.
 """
 
 from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.solver.island_damping import find_rigid_motion, place_from
+from tamias2d.engine.solver.island_damping import (
+    add_to_island,
+    find_rigid_motion,
+    place_from,
+)
 from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_ONE
 from tamias2d.engine.tables import (
-    ANGULAR_MOMENTUM,
     DAMPED_SHARE,
     DANGLE,
     DX,
@@ -23,10 +26,6 @@ from tamias2d.engine.tables import (
     ISLAND_MASS,
     M_TIED,
     MOMENT_OF_INERTIA,
-    MOMENT_X,
-    MOMENT_Y,
-    MOMENTUM_X,
-    MOMENTUM_Y,
     N_BODY,
     REFERENCE,
     SPIN,
@@ -40,15 +39,11 @@ from tamias2d.engine.tables import (
     Joints,
 )
 from tamias2d.generated.definitions import (
-    angular_momentum,
     kinetic_energy,
-    momentum,
     point_velocity,
 )
 from tamias2d.generated.island_energy import (
     angular_velocity_damped,
-    inertia_origin,
-    mass_moment,
     velocity_damped,
     work,
 )
@@ -105,11 +100,4 @@ def add_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, place = bodies.motion[i], place_from(root, i, bodies)
     velocity = (now[VX], now[VY])
-    along, moment = momentum(mass, velocity), mass_moment(mass, place)
-    row[ISLAND_MASS] += mass
-    row[MOMENTUM_X] += along[0]
-    row[MOMENTUM_Y] += along[1]
-    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, now[SPIN])
-    row[MOMENT_X] += moment[0]
-    row[MOMENT_Y] += moment[1]
-    row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
+    add_to_island(mass, inertia, place, velocity, now[SPIN], row)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from tamias2d.engine.islands import update_islands
 from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.solver.island_damping import place_from
+from tamias2d.engine.solver.island_damping import add_to_island, place_from
 from tamias2d.engine.solver.support import is_root
 from tamias2d.engine.tables import (
     ACTIVE,
@@ -53,9 +53,7 @@ from tamias2d.engine.tables import (
     Y,
 )
 from tamias2d.generated.definitions import (
-    angular_momentum,
     kinetic_energy,
-    momentum,
     point_velocity,
 )
 from tamias2d.generated.island_energy import (
@@ -64,8 +62,6 @@ from tamias2d.generated.island_energy import (
     angular_velocity_island_returned,
     angular_velocity_returned,
     inertia_island,
-    inertia_origin,
-    mass_moment,
     moment_ahead_later,
     moment_ahead_moved,
     position_island,
@@ -210,14 +206,7 @@ def sum_pushed(i: int, root: int, bodies: Bodies, given: Array, row: Array) -> N
     )
     inertia = inertia if given[ANGULAR_VELOCITY_GIVEN] != 0.0 else 0.0
     velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
-    along, moment = momentum(mass, velocity), mass_moment(mass, place)
-    row[ISLAND_MASS] += mass
-    row[MOMENTUM_X] += along[0]
-    row[MOMENTUM_Y] += along[1]
-    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, now[SPIN])
-    row[MOMENT_X] += moment[0]
-    row[MOMENT_Y] += moment[1]
-    row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
+    add_to_island(mass, inertia, place, velocity, now[SPIN], row)
     row[ENERGY_PUSHED] += kinetic_energy(mass, velocity, inertia, now[SPIN])
 
 

@@ -96,11 +96,22 @@ def sum_body_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
     mass, inertia = mass_and_inertia(i, bodies.properties)
     now, place = bodies.motion[i], place_from(root, i, bodies)
     velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
+    add_to_island(mass, inertia, place, velocity, now[SPIN], row)
+
+
+def add_to_island(
+    mass: float, inertia: float, place: Vector, velocity: Vector, spin: float, row: Array
+) -> None:
+    """Add mass, momentum and moments of a body to those of its island.
+
+    Its place, m, and velocity, m/s, are as seen from the root; its mass in kg, its inertia in
+    kg m^2.
+    """
     along, moment = momentum(mass, velocity), mass_moment(mass, place)
     row[ISLAND_MASS] += mass
     row[MOMENTUM_X] += along[0]
     row[MOMENTUM_Y] += along[1]
-    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, now[SPIN])
+    row[ANGULAR_MOMENTUM] += angular_momentum(mass, place, velocity, inertia, spin)
     row[MOMENT_X] += moment[0]
     row[MOMENT_Y] += moment[1]
     row[MOMENT_OF_INERTIA] += inertia_origin(mass, place, inertia)
