@@ -54,7 +54,7 @@ def test_a_pile_that_sinks_together_is_told(settings: dict[str, float]) -> None:
 
 
 def test_masses_that_cannot_be_solved_are_told() -> None:
-    sim = stack([1.0, 1e7])
+    sim = stack([1.0, 1e8])
     sim.step(120)
     assert np.abs(sim.position[1:, 0]).max() > 1.0  # the light box was shot away
     assert ["masses so different" in text for text in sim.warnings] == [True]
@@ -63,7 +63,7 @@ def test_masses_that_cannot_be_solved_are_told() -> None:
 @pytest.mark.parametrize(
     "sim",
     [
-        lambda: stack([1.0, 1e6]),
+        lambda: stack([1.0, 1e7]),
         lambda: stack([1.0, 1.0, 1e4]),
         lambda: stack([1.0] * 5, size=1e-3),
         lambda: stack([1.0] * 5, time_step=0.5),
@@ -84,7 +84,7 @@ def test_what_holds_is_not_told_of(sim: object) -> None:
 def test_a_run_notes_it() -> None:
     scene = t2.Scene(gravity=(0.0, -9.81))
     scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), **SURFACE)
-    for name, mass, height in (("light", 1.0, 0.5), ("heavy", 1e7, 1.5)):
+    for name, mass, height in (("light", 1.0, 0.5), ("heavy", 1e8, 1.5)):
         box = t2.Box(width=1.0, height=1.0)
         scene.add_body(box, mass=mass, position=(0.0, height), name=name, **SURFACE)
     run = t2.simulate(scene, duration=2.0, time_step=1 / 60, method=t2.Stepped())

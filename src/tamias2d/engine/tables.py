@@ -370,6 +370,9 @@ WORLD_POINT = _manifolds(2)  # m, where it was
 AXIS_CACHE = _manifolds(4)  # cached separating axis
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
 POINT = 16  # columns from a point to the next
+# of a contact with two points: where B was from A when gaps were found, m, angles of both, rad, and
+# how far their surfaces have moved against each other since the manifold was found, m
+KNOWN_X, KNOWN_Y, KNOWN_ANGLE_A, KNOWN_ANGLE_B, KNOWN_WAY = 16, 17, 27, 28, 29
 IMPACT_NORMAL = 30  # of an impact in flight, two columns
 MANIFOLD = 32
 

@@ -15,10 +15,12 @@ from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.disc import collide_disc, collide_discs
 from tamias2d.engine.narrow_phase.half_plane import collide_half_plane
 from tamias2d.engine.narrow_phase.polygon import collide_cached, collide_polygons, held_normal
+from tamias2d.engine.narrow_phase.reuse import NEVER
 from tamias2d.engine.tables import (
     FEATURE,
     HALF_PLANE,
     KNOWN_SIDE,
+    KNOWN_WAY,
     NORMAL_IMPULSE,
     NX,
     NY,
@@ -154,4 +156,6 @@ def match_impulses(manifold: Array, flags: Integers, first: int, second: int) ->
         flags[FEATURE], flags[FEATURE + 1] = first, second
     count = (first > 0) + (second > 0)
     flags[POINT_COUNT] = count
+    if count == 2:
+        manifold[KNOWN_WAY] = NEVER  # unless the pose is noted
     return count

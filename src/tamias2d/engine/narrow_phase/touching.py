@@ -4,7 +4,9 @@ from tamias2d.engine.joined import unless_joined
 from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.chain_sides import note_sides
 from tamias2d.engine.narrow_phase.collide import collide
+from tamias2d.engine.narrow_phase.reuse import move_gaps, note_pose
 from tamias2d.engine.tables import (
+    ANGLE,
     ARRANGED,
     AWAKE,
     BOUNDING_RADIUS,
@@ -41,6 +43,7 @@ from tamias2d.engine.tables import (
     STATIC,
     SUNK_A,
     SUNK_B,
+    THIN_CAPSULE,
     THINNEST,
     TICK,
     TOUCHES,
@@ -67,6 +70,7 @@ CLOSE = 0.02  # the gap below which there is a contact already
 AHEAD = 0.1  # the most by which the motion of a step raises that
 GRAZE = 2.0**-12  # the overlap of bodies that have just met
 DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it grows no more
+STILL = 2.0**-14  # a way for which a manifold is kept: its gaps are wrong by its square, 4e-9
 SUNK = 0.5  # of the smaller half of a least width: an overlap that should not grow any more
 BULLET = 2.0  # the motion of a step beyond which contacts are left to continuous collision
 OF_THIS_STEP = IS_TOUCHING + MET_IN_FLIGHT  # of TOUCHES; twice these bits are of the last one
@@ -97,18 +101,11 @@ def find_touching(
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         if islands.counts[SLEEPING] > 0 and islands.links[i, AWAKE] + islands.links[j, AWAKE] == 0:
             continue
-        x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
-        radius_s, radius_t = shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
-        smaller = min(radius_s, radius_t)
+        smaller = min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
         touched = contacts.flags[p, TOUCHES] != 0
         margin = speculative_margin(i, j, s, t, smaller, touched, control, bodies, shapes)
-        radii = radius_s + radius_t + margin
-        if x * x + y * y > radii * radii and contacts.flags[p, POINT_COUNT] == 0:
-            continue
         before = known_gap(contacts.manifolds[p], contacts.flags[p])
-        count = collide(p, s, t, x, y, margin, shapes, contacts)
-        if contacts.manifolds[p, FORESEEN] != 0.0:
-            contacts.manifolds[p, FORESEEN] = 0.0
+        count = find_manifold(p, margin, bodies, shapes, contacts)
         if count == 0:
             continue
         if contacts.flags[p, SENSES] == 0:
@@ -137,6 +134,34 @@ def find_touching(
     touching.counts[TOUCHING] = total
     touching.counts[MEETING], touching.counts[NEW_STATIC] = marked, new_static
     touching.counts[PRESSED_DEEP] = 1 if deep else 0
+
+
+@inlined
+def find_manifold(p: int, margin: float, bodies: Bodies, shapes: Shapes, contacts: Contacts) -> int:
+    """Find the points of a contact with a gap below the margin, m; return how many there are."""
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
+    x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
+    angle_a, angle_b = bodies.pose[i, ANGLE], bodies.pose[j, ANGLE]
+    radius_s, radius_t = shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
+    points = contacts.flags[p, POINT_COUNT]
+    if points == 2 and contacts.flags[p, TOUCHES] != 0:
+        most = STILL * min(radius_s, radius_t)
+        slow = margin <= (CLOSE + STILL) * min(radius_s, radius_t)
+        if slow and move_gaps(
+            x, y, angle_a, angle_b, radius_s + radius_t, most, contacts.manifolds[p]
+        ):
+            return 2
+    radii = radius_s + radius_t + margin
+    if x * x + y * y > radii * radii and points == 0:
+        return 0
+    count = collide(p, s, t, x, y, margin, shapes, contacts)
+    if contacts.manifolds[p, FORESEEN] != 0.0:
+        contacts.manifolds[p, FORESEEN] = 0.0
+    plain = (shapes.kind[s] < THIN_CAPSULE) & (shapes.kind[t] < THIN_CAPSULE)
+    if count == 2 and plain:  # which side of a thin shape the other one is on, is asked anew
+        note_pose(x, y, angle_a, angle_b, 0.0, contacts.manifolds[p])
+    return count
 
 
 def known_gap(manifold: Array, flags: Integers) -> float:
