@@ -22,6 +22,7 @@ from tamias2d.study.engines.engine import Maker
 from tamias2d.study.engines.own import Own
 from tools.measurements.arena import box2d_scenes, crowd_scenes
 from tools.measurements.arena.followed import Followed
+from tools.measurements.arena.race import TIME_STEP
 
 _ENGINES: tuple[Maker, ...] = (Own, Chipmunk, Box2D)
 _BODIES = 500  # in each crowd that is not Box2D's
@@ -54,7 +55,7 @@ def measure(
     try:
         for name in track(crowds or list(CROWDS), "Crowds", console=told, transient=True):
             make, full = CROWDS[name]
-            rows += _crowd(name, make(bodies or full), steps)
+            rows += _crowd(name, make(bodies or full), steps, crowd_scenes.DRIVES.get(name))
     except KeyboardInterrupt:
         told.print("Stopped; this is what was found until then.")
     return {"bodies": bodies, "steps": steps, "rows": rows}
@@ -90,10 +91,14 @@ def notes(_: dict[str, Any]) -> list[str]:
     ]
 
 
-def _crowd(name: str, scene: Scene, steps: int) -> list[dict[str, Any]]:
+def _crowd(
+    name: str, scene: Scene, steps: int, drive: Callable[[float], tuple[float, float]] | None
+) -> list[dict[str, Any]]:
     followed = [Followed(make, scene) for make in _ENGINES]
-    for _ in range(steps):
+    for k in range(steps):
         for one in followed:
+            if drive is not None:
+                one.engine.drive(0, drive((k + 0.5) * TIME_STEP))
             one.step()
     moving = sum(body.dynamic for body in scene.bodies)
     return [{"crowd": name, "bodies": moving} | one.row() for one in followed]

@@ -1,4 +1,4 @@
-"""Crowds: rains, needles, a gas, an implosion, and a box that a paddle stirs.
+"""Crowds: rains, needles, a gas, an implosion, a box that a paddle stirs, and a shaken one.
 
 Serves: the measurement of crowds. Each is made with a number of bodies.
 """
@@ -12,6 +12,7 @@ import numpy as np
 from tamias2d.scene import Box, Capsule, Compound, Disc, Part, Scene, Shape
 
 _GRAVITY = (0.0, -9.81)
+_ROUGH: Any = {"friction": 0.5, "restitution": 0.2}
 
 
 def _rain(bodies: int, size: float, speed: float, shapes: Callable[[float], list[Shape]]) -> Scene:
@@ -73,12 +74,8 @@ def _flying(bodies: int, radius: float, speed: float, restitution: float, inward
     return scene
 
 
-def _paddle(bodies: int) -> Scene:
-    """Return discs and boxes in a closed box, stirred by a bar whose ends go at 7 m/s."""
-    chance, scene = np.random.default_rng(5), Scene(gravity=_GRAVITY)
-    surface: Any = {"friction": 0.5, "restitution": 0.2}
-    columns = max(4, math.ceil((2 * bodies) ** 0.5))
-    half = 0.05 * columns
+def _closed(half: float) -> Compound:
+    """Return the walls around a square, of which half a side is given, m."""
     sides = [
         Part(shape=Box(width=w, height=h), position=(x, y))
         for w, h, x, y in (
@@ -86,19 +83,48 @@ def _paddle(bodies: int) -> Scene:
             (0.1, 2 * half, half + 0.05, 0.0), (0.1, 2 * half, -half - 0.05, 0.0),
         )
     ]  # fmt: skip
-    scene.add_static(Compound(parts=sides), **surface)
+    return Compound(parts=sides)
+
+
+def _paddle(bodies: int) -> Scene:
+    """Return discs and boxes in a closed box, stirred by a bar whose ends go at 7 m/s."""
+    scene, half = Scene(gravity=_GRAVITY), _half(bodies)
+    scene.add_static(_closed(half), **_ROUGH)
     scene.add_kinematic(
         Box(width=1.6 * half, height=0.02 * half),
         position=(0.0, 0.0),
         angular_velocity=7.0 / (0.8 * half),
-        **surface,
+        **_ROUGH,
     )
+    return _filled(scene, bodies, half, free=0.01 * half)
+
+
+def _shaken(bodies: int) -> Scene:
+    """Return discs and boxes in a closed box, which `DRIVES` shakes."""
+    scene, half = Scene(gravity=_GRAVITY), _half(bodies)
+    scene.add_kinematic(_closed(half), position=(0.0, 0.0), velocity=_shaking(0.0), **_ROUGH)
+    return _filled(scene, bodies, half, free=-1.0)
+
+
+def _shaking(time: float) -> tuple[float, float]:
+    """Return the velocity of a box that is shaken by 5 cm, 4 times a second aslant, m/s."""
+    speed = 0.05 * 8.0 * math.pi * math.cos(8.0 * math.pi * time)
+    return 0.6 * speed, 0.8 * speed
+
+
+def _half(bodies: int) -> float:
+    return float(0.05 * max(4, math.ceil((2 * bodies) ** 0.5)))
+
+
+def _filled(scene: Scene, bodies: int, half: float, *, free: float) -> Scene:
+    """Put bodies into a box, but not where they would reach into its free middle, m."""
+    chance, columns = np.random.default_rng(5), round(half / 0.05)
     for k in range(bodies):
         own = chance.uniform(0.015, 0.03)
         place = (0.1 * (k % columns + 0.5) - half, 0.1 * (k // columns + 0.5) - half)
         shape = _round_and_square(own)[k % 2]
-        if abs(place[1]) > 0.01 * half + 2 * own:
-            scene.add_body(shape, mass=1000 * own**2, position=place, **surface)
+        if abs(place[1]) > free + 2 * own or free < 0.0:
+            scene.add_body(shape, mass=1000 * own**2, position=place, **_ROUGH)
     return scene
 
 
@@ -109,5 +135,9 @@ SCENES: dict[str, Callable[[int], Scene]] = {
     "gas": _gas,
     "implosion": _implosion,
     "paddle": _paddle,
+    "shaken box": _shaken,
 }
 """Makers of the crowds by name."""
+
+DRIVES: dict[str, Callable[[float], tuple[float, float]]] = {"shaken box": _shaking}
+"""Velocities of the first body of some crowds, m/s, by time, s."""

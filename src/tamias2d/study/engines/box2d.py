@@ -71,6 +71,10 @@ class Box2D:
             if self._listens:
                 self._hear()
 
+    def drive(self, body: int, velocity: tuple[float, float]) -> None:
+        """Give a kinematic body another velocity, m/s."""
+        self.bodies[body].linear_velocity = velocity
+
     def read(self) -> Array:
         """Return the positions (n, 2) of what moves, m, in the way that is the fastest."""
         return np.asarray(self._moving.get_positions())

@@ -62,6 +62,10 @@ class Chipmunk:
             self._steps += 1
             self._space.step(self._time_step)
 
+    def drive(self, body: int, velocity: tuple[float, float]) -> None:
+        """Give a kinematic body another velocity, m/s."""
+        self.bodies[body].velocity = velocity
+
     def read(self) -> Array:
         """Return the positions (n, 2) of what moves, m, in the way that is the fastest."""
         self._buffer.clear()

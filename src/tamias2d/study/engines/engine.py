@@ -23,6 +23,9 @@ class Engine(Protocol):
     def step(self, count: int = 1) -> None:
         """Go so many time steps ahead, in one call where the engine can."""
 
+    def drive(self, body: int, velocity: tuple[float, float]) -> None:
+        """Give a kinematic body another velocity, m/s."""
+
     def read(self) -> Array:
         """Return the positions (n, 2), m, of at least what moves, in the fastest way."""
 

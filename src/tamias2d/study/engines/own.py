@@ -43,6 +43,10 @@ class Own:
             for a, b in self.simulator.began.bodies.tolist():
                 self.met.setdefault((min(a, b), max(a, b)), self.simulator.time)
 
+    def drive(self, body: int, velocity: tuple[float, float]) -> None:
+        """Give a kinematic body another velocity, m/s."""
+        self.simulator.velocity[body] = velocity
+
     def read(self) -> Array:
         """Return the positions (n, 2), m: a view, which nobody has to fill."""
         return np.asarray(self.simulator.position)
