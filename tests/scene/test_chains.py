@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, strategies as st
 
 import tamias2d as t2
 from tamias2d.record import drawing
@@ -39,7 +40,7 @@ def test_a_file_with_units_says_what_python_does() -> None:
     assert t2.load(FILE) == ground()
     assert t2.load(t2.scene_text(ground())) == ground()
     loop = t2.Scene(gravity=(0.0, 0.0))
-    loop.add_static(t2.Chain(vertices=HILL, loop=True), name="loop")
+    loop.add_static(t2.Chain(vertices=[*HILL, (0.0, -3.0)], loop=True), name="loop")
     assert t2.load(t2.scene_text(loop)) == loop
     assert t2.load(t2.scene_text(loop)).digest() == loop.digest()
 
@@ -57,6 +58,18 @@ def test_a_file_with_units_says_what_python_does() -> None:
         ({"vertices": [(0, 0), (1e200, 0)]}, r"vertices\[1\]"),
         ({"vertices": [(0, 0), 3]}, r"vertices\[1\]"),
         ({"vertices": 3}, "vertices of a chain: found 3: must be a list"),
+        (
+            {"vertices": [(0, 0), (4, 0), (4, 2), (2, -1)]},
+            r"vertices\[2\] \(4, 2\) .* meets the one that begins at vertices\[0\].*A16",
+        ),
+        ({"vertices": [(0, 0), (4, 0), (4, 2), (2, 0)]}, r"vertices\[2\] .*A16"),
+        ({"vertices": [(0, 0), (2, 0), (1, 0)]}, r"vertices\[1\] .*A16"),
+        ({"vertices": [(0, 0), (2, 0), (3, 0), (2.5, 1), (1, 0)]}, r"vertices\[3\] .*A16"),
+        (
+            {"vertices": [(0, 0), (2, 2), (2, 0), (0, 2)], "loop": True},
+            r"vertices\[2\] .* vertices\[0\].*A16",
+        ),
+        ({"vertices": [(0, 0), (2, 0), (2, 1), (1, 0)], "loop": True}, "A16"),
         ({"vertices": HILL, "loop": 1}, "loop of a chain: found 1: must be True or False"),
         ({"vertices": HILL, "one_sided": "yes"}, "one_sided of a chain"),
     ],
@@ -130,6 +143,42 @@ def test_a_chain_is_drawn_as_one_line() -> None:
     (line,) = drawing.outlines(ground().bodies[0])
     assert line == pytest.approx(np.array(HILL))
     loop = t2.Scene(gravity=(0.0, 0.0))
-    loop.add_static(t2.Chain(vertices=HILL, loop=True))
+    loop.add_static(t2.Chain(vertices=[*HILL, (0.0, -3.0)], loop=True))
     (line,) = drawing.outlines(loop.bodies[0])
-    assert line == pytest.approx(np.array([*HILL, HILL[0]]))
+    assert line == pytest.approx(np.array([*HILL, (0.0, -3.0), HILL[0]]))
+
+
+@given(st.integers(3, 60), st.integers(0, 2**32 - 1), st.booleans())
+def test_chains_that_cross_are_those_of_which_two_pieces_do(
+    count: int, seed: int, loop: bool
+) -> None:
+    """Heights over rising places never cross; a swap of two far vertices mostly does."""
+    chance = np.random.default_rng(seed)
+    places = np.cumsum(chance.uniform(0.1, 1.0, count))
+    points = np.column_stack((places, chance.normal(0.0, 3.0, count)))
+    if loop:
+        points = np.vstack((points, [(places[-1] + 1.0, -99.0), (places[0] - 1.0, -99.0)]))
+    t2.Chain(vertices=points, loop=loop)
+    i, j = sorted(chance.choice(count, 2, replace=False))
+    points[[i, j]] = points[[j, i]]
+    following = np.roll(points, -1, axis=0)
+    pieces = list(zip(points, following, strict=True))[: None if loop else -1]
+    crosses = any(
+        crossing(*pieces[a], *pieces[b])
+        for a in range(len(pieces))
+        for b in range(a + 2, len(pieces) - (loop and a == 0))
+    )
+    if crosses:
+        with pytest.raises(t2.InputError, match="A16"):
+            t2.Chain(vertices=points, loop=loop)
+    else:
+        t2.Chain(vertices=points, loop=loop)
+
+
+def crossing(p: np.ndarray, q: np.ndarray, r: np.ndarray, s: np.ndarray) -> bool:
+    """Solve for where two lines meet."""
+    ways = np.column_stack((q - p, r - s))
+    if abs(np.linalg.det(ways)) < 1e-12:
+        return False
+    at = np.linalg.solve(ways, r - p)
+    return bool((at >= 0).all() and (at <= 1).all())

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, field
 
 from tamias2d.generated import terrain
+from tamias2d.scene.crossings import crossings
 from tamias2d.scene.rules import RuleError, Vector, sequence, shown, vector
 from tamias2d.suggestions import suggests
 
@@ -39,8 +40,8 @@ class Chain:
         """Take two vertices or more, of a loop three.
 
         Raises:
-            InputError: they are too few, or one is no point or the same as the one before it; the
-                message names it.
+            InputError: they are too few, one is no point or the same as the one before it, or two
+                pieces cross (A16); the message names them.
         """
         loop, one_sided = _truth(loop, "loop"), _truth(one_sided, "one_sided")
         points = _checked_vertices(vertices, 3 if loop else 2)
@@ -48,6 +49,7 @@ class Chain:
         object.__setattr__(self, "vertices", points)
         object.__setattr__(self, "loop", loop)
         object.__setattr__(self, "one_sided", one_sided)
+        _refuse_crossing(self.segments, loop=loop)
         object.__setattr__(self, "corners", tuple(_corners(self.segments, loop=loop)))
 
     @property
@@ -120,6 +122,19 @@ def _refuse_repeated(points: tuple[Vector, ...], *, loop: bool) -> None:
         found = "is too far from the" if length else "is the same as the"
         raise RuleError(
             f"vertices[{k}] ({x:g}, {y:g}) of {_OF}: {found} {which} (R4). {why}", "vertices", k
+        )
+
+
+def _refuse_crossing(segments: tuple[tuple[Vector, Vector], ...], *, loop: bool) -> None:
+    """Refuse pieces with a common point that is no vertex of neighbours."""
+    for a, b in crossings(segments, loop=loop):
+        x, y = segments[b][0]
+        raise RuleError(
+            f"vertices[{b}] ({x:g}, {y:g}) of {_OF}: the piece that begins there meets the one "
+            f"that begins at vertices[{a}]: pieces have no point in common but the vertices of "
+            "neighbours (A16). Move one, or give two chains.",
+            "vertices",
+            b,
         )
 
 

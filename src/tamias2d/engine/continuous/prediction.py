@@ -15,6 +15,7 @@ from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
 from tamias2d.engine.narrow_phase.collide import collide_cores, match_impulses
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
 from tamias2d.engine.narrow_phase.polygon import held_normal
+from tamias2d.engine.narrow_phase.reuse import NEVER
 from tamias2d.engine.narrow_phase.seams import (
     clear_grounds,
     joins_ground,
@@ -31,6 +32,7 @@ from tamias2d.engine.tables import (
     HOLDING,
     IMPACTS,
     ISLANDS_KNOWN,
+    KNOWN_WAY,
     LOCATED,
     LOCATED_PAIRS,
     MEETING,
@@ -180,6 +182,8 @@ def foresee_contact(
             first, second = verdict.first, verdict.second
         if first == BESIDE:
             return False
+    elif second > 0:
+        manifold[KNOWN_WAY] = NEVER
     manifold[FORESEEN] = at * time
     found = match_impulses(manifold, flags, first, second) > 0
     return found and not joins_ground(p, at * time, bodies, shapes, contacts, events.ground)

@@ -59,6 +59,8 @@ def collide(
         return collide_piece(contact, s, t, dx, dy, margin, shapes, contacts)
     manifold, flags = contacts.manifolds[contact], contacts.flags[contact]
     first, second = find_points(manifold, flags, a, b, dx, dy, margin, shapes.world_vertices)
+    if second > 0:
+        manifold[KNOWN_WAY] = NEVER  # unless the pose is noted
     return match_impulses(manifold, flags, first, second)
 
 
@@ -156,6 +158,4 @@ def match_impulses(manifold: Array, flags: Integers, first: int, second: int) ->
         flags[FEATURE], flags[FEATURE + 1] = first, second
     count = (first > 0) + (second > 0)
     flags[POINT_COUNT] = count
-    if count == 2:
-        manifold[KNOWN_WAY] = NEVER  # unless the pose is noted
     return count

@@ -145,7 +145,8 @@ def find_manifold(p: int, margin: float, bodies: Bodies, shapes: Shapes, contact
     angle_a, angle_b = bodies.pose[i, ANGLE], bodies.pose[j, ANGLE]
     radius_s, radius_t = shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
     points = contacts.flags[p, POINT_COUNT]
-    if points == 2 and contacts.flags[p, TOUCHES] != 0:
+    plain = (shapes.kind[s] < THIN_CAPSULE) & (shapes.kind[t] < THIN_CAPSULE)
+    if points == 2 and plain and contacts.flags[p, TOUCHES] != 0:
         most = STILL * min(radius_s, radius_t)
         slow = margin <= (CLOSE + STILL) * min(radius_s, radius_t)
         if slow and move_gaps(
@@ -158,7 +159,6 @@ def find_manifold(p: int, margin: float, bodies: Bodies, shapes: Shapes, contact
     count = collide(p, s, t, x, y, margin, shapes, contacts)
     if contacts.manifolds[p, FORESEEN] != 0.0:
         contacts.manifolds[p, FORESEEN] = 0.0
-    plain = (shapes.kind[s] < THIN_CAPSULE) & (shapes.kind[t] < THIN_CAPSULE)
     if count == 2 and plain:  # which side of a thin shape the other one is on, is asked anew
         note_pose(x, y, angle_a, angle_b, 0.0, contacts.manifolds[p])
     return count
