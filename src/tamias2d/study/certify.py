@@ -38,7 +38,7 @@ _TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (afte
 _ORDER = 0.3  # within which the observed order is that of the scheme
 _COARSEST = 16  # steps of a grid that is trusted to show the order
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
-_LEFT = 0.3  # of the error may be left in it
+_LEFT = 0.5  # of the error may be left in it
 _TIGHTEST = 1e-14
 _COARSE = 10 * MOVED  # is the tolerance of a method whose steps err more than what is perturbed
 _HALVED = 3.0  # times what the order says of halved steps
@@ -401,7 +401,7 @@ def _embedded(run: Run, tighter: list[Run]) -> _Bound:
         )
     left = 1.0
     while left > _LEFT and rtol / _TIGHTER >= _TIGHTEST:
-        rtol /= _TIGHTER
+        rtol = float(f"{rtol / _TIGHTER:.1e}")
         companion = _at(run, rtol)
         tighter.append(companion)
         left = _left(run, companion)

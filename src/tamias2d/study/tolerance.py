@@ -7,7 +7,7 @@ from typing import NamedTuple
 from tamias2d.certificate import Certificate
 from tamias2d.contact import steps_because
 from tamias2d.errors import SceneError, SimulationError
-from tamias2d.motion import Dop853, DormandPrince5, StepSizeError
+from tamias2d.motion import Dop853, DormandPrince5
 from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import only_slowed
@@ -19,17 +19,15 @@ from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import located_plan, solved
 from tamias2d.study.refusal import ToleranceError, refusal
 from tamias2d.study.stepped_plan import plan_steps, stepped_because
-from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
+from tamias2d.work_limit import WORK_LIMIT
 
 _HALVED = 3.0
 """Times the tolerance is that of order 8 whose halved steps are tried first."""
-_TIGHT = 3e-5
-"""Is a tolerance from which on order 8 pays, and its order shows."""
-_TIGHT_WITH_IMPACTS = 1e-8
-"""The same where impacts make steps short."""
 _PLAIN, _SLOWED = 0.1, 10.0
-"""Times the tolerance is that of a method which is tried first; of bodies that are only slowed,
-whose errors decay, it is more."""
+"""The same of whole steps; where bodies are only slowed, and errors decay with their speed."""
+_ORDER_8, _IMPACTS = 3e-5, 1e-8
+"""Below these tolerances order 8 is cheaper than order 5: where order 5 is so at all, and where
+steps are short for impacts. From the first one on halves show the order of the scheme."""
 _LOOSEST = 0.3
 _TRIES = 3
 _TIGHTEST = 1e-14
@@ -113,15 +111,15 @@ def _unweighed(asked: _Asked) -> Run | None:
     Pilot runs, which weigh other methods, cost several times what the cheapest of these saves.
     """
     scene, tolerance = asked.scene, asked.tolerance
-    apart = not scene.joints and not pairs_that_can_meet(scene, asked.duration)
+    meet = bool(pairs_that_can_meet(scene, asked.duration))
     slowed = only_slowed(scene)
     try:
-        if apart and not slowed and tolerance <= _TIGHT:
+        if not (meet or slowed or scene.joints) and tolerance < _ORDER_8:
             return _halved(asked)
-        tight = _TIGHT if apart else _TIGHT_WITH_IMPACTS
-        method = Dop853 if tolerance < tight else DormandPrince5
+        loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
+        method = DormandPrince5 if (meet or slowed) and loose else Dop853
         return _tighter(asked, method, (_SLOWED if slowed else _PLAIN) * tolerance)
-    except (WorkLimitError, StepSizeError):  # the plan says what would do
+    except SimulationError:  # of a loose run; the plan refuses what cannot be
         return None
 
 
@@ -149,20 +147,20 @@ def _halved(asked: _Asked) -> Run | None:
 
 def _tighter(asked: _Asked, method: type[Dop853] | type[DormandPrince5], rtol: float) -> Run | None:
     """Return a run that is certified by one at a tighter tolerance, which is the next to try."""
-    run = asked.run(_estimate(asked, method(rtol=_two_digits(min(rtol, _LOOSEST)))))
+    rtol = min(rtol, _LOOSEST)
+    run = None
     for attempt in range(_TRIES):
-        found, tighter = certify_embedded(run)
-        if found.certificate is not None and found.certificate.meets(asked.tolerance):
-            return _first(found, asked.tolerance, attempt)
-        excess = 1.2 * _reached(found.certificate) / asked.tolerance
-        assert isinstance(run.method, Dop853 | DormandPrince5)
-        rtol = run.method.rtol / min(excess, _MOST)
-        if not excess < math.inf or rtol < _TIGHTEST:
+        run = run or asked.run(_estimate(asked, method(rtol=_two_digits(rtol))))
+        run, tighter = certify_embedded(run)
+        if run.certificate is not None and run.certificate.meets(asked.tolerance):
+            return _first(run, asked.tolerance, attempt)
+        excess = 1.2 * _reached(run.certificate) / asked.tolerance
+        if not excess < math.inf or (rtol := rtol / min(excess, _MOST)) < _TIGHTEST:
             return None
-        if isinstance(tighter and tighter.method, method) and tighter.method.rtol <= rtol:
-            run = tighter
-        else:
-            run = asked.run(_estimate(asked, method(rtol=_two_digits(rtol))))
+        run = None
+        if tighter is not None and isinstance(tighter.method, method):
+            run = tighter if tighter.method.rtol <= rtol else None
+            rtol = tighter.method.rtol if run else rtol
     return None
 
 
