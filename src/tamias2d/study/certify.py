@@ -35,6 +35,7 @@ _GAP = 2.0**-41  # of the larger size: four times what an impact in a step leave
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
 _SPREADS = 3.0  # times as far as runs perturbed by one rounding the exact answer may be
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (after Roache's index)
+_ONE = 2.5  # times what a single companion says: where a run meets something sharp, both may err
 _ORDER = 0.3  # within which the observed order is that of the scheme
 _COARSEST = 16  # steps of a grid that is trusted to show the order
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
@@ -42,7 +43,7 @@ _LEFT = 0.5  # of the error may be left in it
 _TIGHTEST = 1e-14
 _COARSE = 10 * MOVED  # is the tolerance of a method whose steps err more than what is perturbed
 _HALVED = 3.0  # times what the order says of halved steps
-_NEAR, _DISBELIEF = 1e-7, 0.3  # of the scale: as that is exceeded, the order is believed less
+_NEAR, _DISBELIEF = 3e-8, 0.5  # of the scale: as that is exceeded, the order is believed less
 _FEW = 24  # halved steps show no order
 
 
@@ -96,7 +97,7 @@ def certify(run: Run) -> Run:
         raise InputError(f"run: found {shown(run)}: must be a Run (R5). Give one of `simulate`.")
     if isinstance(run.method, Stepped):
         return certify_steps(run)
-    return _certified(run, lambda: _way(run.method))
+    return _certified(run, lambda: _way(run.method), told=True)
 
 
 def certify_halved(run: Run, apart: Array | None) -> Run:
@@ -111,11 +112,12 @@ def certify_embedded(run: Run) -> tuple[Run, Run | None]:
     return found, tighter[-1] if tighter else None
 
 
-def _certified(run: Run, way: Callable[[], _Way]) -> Run:
+def _certified(run: Run, way: Callable[[], _Way], *, told: bool = False) -> Run:
+    """Return a run with a certificate, which tells of the horizon also where its bound is large."""
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=_of_penetration(run, fault))
     try:
-        certificate = _of_positions(run, _found(run, way()))
+        certificate = _of_positions(run, _found(run, way(), told=told))
     except _NoBoundError as reason:
         certificate = _of_energy(run, str(reason), reason.lost_at)
     else:  # the way of many bodies is searched only if something is said of it
@@ -124,7 +126,7 @@ def _certified(run: Run, way: Callable[[], _Way]) -> Run:
     return replace(run, certificate=certificate)
 
 
-def _found(run: Run, way: _Way) -> _Bound:
+def _found(run: Run, way: _Way, *, told: bool) -> _Bound:
     """Return a bound; none past the horizon.
 
     Runs that agree although each of their steps errs by more than what is perturbed show that this
@@ -136,7 +138,7 @@ def _found(run: Run, way: _Way) -> _Bound:
             early = way(run, None)
         except _NoBoundError as reason:
             fault = reason
-        if early is not None and early.value <= LOST * scale(run):
+        if early is not None and (not told or early.value <= LOST * scale(run)):
             return early
     grown = growth(run)
     if (lost_at := horizon(run, grown)) is not None:
@@ -407,7 +409,7 @@ def _embedded(run: Run, tighter: list[Run]) -> _Bound:
         left = _left(run, companion)
     if left > _LEFT:
         return _against(run, Reference(1e-13))
-    value = _TRUSTED * _difference(run, companion) / (1 - left) + rounding(run)
+    value = _ONE * _difference(run, companion) / (1 - left) + rounding(run)
     return _Bound("embedded", value, f"{run.method} against {companion.method}")
 
 

@@ -21,13 +21,16 @@ from tamias2d.study.refusal import ToleranceError, refusal
 from tamias2d.study.stepped_plan import plan_steps, stepped_because
 from tamias2d.work_limit import WORK_LIMIT
 
-_HALVED = 3.0
-"""Times the tolerance is that of order 8 whose halved steps are tried first."""
+_HALVED, _ORDERLY = 3.0, 1e-6
+"""Times the tolerance is that of order 8 whose halved steps are tried first; at most so large is it
+that most scenes show the order of the scheme."""
 _PLAIN, _SLOWED = 0.1, 10.0
 """The same of whole steps; where bodies are only slowed, and errors decay with their speed."""
 _ORDER_8, _IMPACTS = 3e-5, 1e-8
-"""Below these tolerances order 8 is cheaper than order 5: where order 5 is so at all, and where
-steps are short for impacts. From the first one on halves show the order of the scheme."""
+"""Below these tolerances order 8 is cheaper than order 5: where bodies are only slowed, and where
+steps are short for impacts."""
+_HALVES = 3e-6
+"""Below it halved steps are cheaper than a run at a tighter tolerance."""
 _LOOSEST = 0.3
 _TRIES = 3
 _TIGHTEST = 1e-14
@@ -114,7 +117,7 @@ def _unweighed(asked: _Asked) -> Run | None:
     meet = bool(pairs_that_can_meet(scene, asked.duration))
     slowed = only_slowed(scene)
     try:
-        if not (meet or slowed or scene.joints) and tolerance < _ORDER_8:
+        if not (meet or slowed or scene.joints) and tolerance < _HALVES:
             return _halved(asked)
         loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
         method = DormandPrince5 if (meet or slowed) and loose else Dop853
@@ -125,7 +128,7 @@ def _unweighed(asked: _Asked) -> Run | None:
 
 def _halved(asked: _Asked) -> Run | None:
     """Return a run by halved steps, which are certified by whole ones."""
-    rtol = _HALVED * asked.tolerance
+    rtol = min(_HALVED * asked.tolerance, _ORDERLY)
     for attempt in range(_TRIES):
         run, apart = solve_halved(
             asked.scene,
