@@ -17,8 +17,9 @@ from tamias2d.study.sampled import Sampled, sampled
 SAMPLES = 1000
 _TIGHTEST = 1e-13
 _ROUNDING = 2.0**-52
-_PART = 64  # of the duration is the start by which the rest is estimated
-_LONGEST = 120.0
+_LOOSE, _ORDER = 1e-3, 8  # by the order of the method tighter runs take more steps
+_PART = 64
+_LONGEST = 60.0
 """s of the processor: what runs for the truth may take together"""
 
 
@@ -33,15 +34,15 @@ class Truth:
 def refuse_long(scene: Scene, duration: float, runs: int) -> None:
     """Raise `ToleranceError` where some runs for the truth would take too long.
 
-    That is estimated from the start of one.
+    That is estimated from a loose one: its start would not tell, for a whip is slow at first.
     """
     if closed_forms_of_all(scene):
         return
-    part = duration / _PART
-    for _ in range(2):  # code is loaded in the first
-        began = thread_time()
-        solve(scene, duration=part, method=Reference(_TIGHTEST), times=[part])
-    coming = (thread_time() - began) * _PART * runs
+    first = duration / _PART
+    solve(scene, duration=first, method=Reference(_LOOSE), times=[first])  # code is loaded
+    began = thread_time()
+    solve(scene, duration=duration, method=Reference(_LOOSE), times=[duration])
+    coming = (thread_time() - began) * (_LOOSE / _TIGHTEST) ** (1 / _ORDER) * runs
     if coming <= _LONGEST:
         return
     until = float(f"{duration * _LONGEST / coming:.1e}")

@@ -29,7 +29,7 @@ _RUNGS, _RUNGS_OF_IMPACTS = 9, 7  # each of twice the steps of the one before
 _REPEATS = 5
 _LONG = 0.5  # s: what the timing of a point may take, but for its first run
 _ROUNDING = 1e-12  # relative: where errors get there, a finer setting can only cost more
-_DEAREST = 20.0
+_DEAREST = 10.0
 """s of the processor: what all runs of a point may take, by what one of half the cost took."""
 _LOST = 1.0  # relative: an error beyond it says only that the run is wrong
 
