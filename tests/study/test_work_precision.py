@@ -20,6 +20,7 @@ from tamias2d.study import candidates, plot as drawn, work_precision
 from tamias2d.study.candidates import Candidate
 from tamias2d.study.event_errors import Errors
 from tamias2d.study.plot import plot
+from tamias2d.study.refusal import ToleranceError
 from tamias2d.study.report import as_json, schema
 from tamias2d.study.truth import truth_of
 from tamias2d.study.work_precision import Point, Study, study
@@ -195,3 +196,20 @@ def test_a_method_that_is_not_finite_has_an_error_without_limit(spring: Scene) -
     assert point.error is not None
     assert point.error.size == math.inf
     assert not point.valid
+
+
+def test_a_long_study_is_refused_before_it_starts(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tamias2d.study.truth._LONGEST", 1e-6)
+    scene = catalogue.load("kepler")
+    with pytest.raises(ToleranceError, match=r"End the run at .* s, or ask") as refused:
+        study(scene, duration=10.0)
+    assert refused.value.until is not None
+    assert 0.0 < refused.value.until < 10.0
+
+
+def test_a_setting_that_would_take_long_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tamias2d.study.work_precision._DEAREST", 1e-9)
+    found = study(catalogue.load("kepler"), duration=1.0, timed=False)
+    of_one = points_of(found, "RungeKutta4")
+    assert of_one[0].failure is None
+    assert all("not run: it would take" in (point.failure or "") for point in of_one[1:])

@@ -10,6 +10,7 @@ are named. It takes an hour.
 """
 
 import math
+import time
 from argparse import ArgumentParser
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -23,9 +24,9 @@ from tamias2d.motion import Dop853, DormandPrince5, Method, Reference, Stepped
 from tamias2d.run import Run
 from tamias2d.scene import Scene, catalogue
 from tamias2d.simulate import simulate
-from tamias2d.solve import solve
+from tamias2d.solve import solve, solve_halved
 from tamias2d.state import Array
-from tamias2d.study import companion, pilot, tolerance as within_tolerance
+from tamias2d.study import certify, companion, pilot, tolerance as within_tolerance
 from tamias2d.study.certify import rounding
 from tamias2d.study.error import history_error, scale
 from tamias2d.study.recommend import schemes_for, solved
@@ -59,8 +60,11 @@ class Pair:
     total: int | None
     """The same with those of pilot runs, of other tries, and of the certificate"""
     regret: float | None
-    """The cost over the least that a sweep needs; 1 where that is one's own"""
+    """The cost over that of the cheapest run of a sweep which is truly within the tolerance"""
     regret_of_all: float | None
+    """The same of the total"""
+    regret_of_seconds: float | None
+    """Seconds of the processor for all, over those of that cheapest run"""
 
 
 @dataclass(frozen=True)
@@ -128,6 +132,7 @@ def summary(pairs: list[Pair]) -> dict[str, Any]:
     regrets = [pair.regret for pair in pairs if pair.regret is not None]
     dear = [p for p in pairs if p.cost and p.total and p.regret is not None]
     with_all = sorted(p.regret_of_all for p in dear if p.regret_of_all is not None)
+    seconds = sorted(p.regret_of_seconds for p in dear if p.regret_of_seconds is not None)
     return {
         "coverage": sum(bool(pair.covered) for pair in claims) / len(claims),
         "effectivity_median": median(p.effectivity for p in claims if p.effectivity is not None),
@@ -139,6 +144,8 @@ def summary(pairs: list[Pair]) -> dict[str, Any]:
         "total_over_cost_median": median(p.total / p.cost for p in dear if p.total and p.cost),
         "regret_of_all_median": median(with_all),
         "regret_of_all_of_19_in_20": with_all[math.ceil(0.95 * len(with_all)) - 1],
+        "regret_of_seconds_median": median(seconds),
+        "regret_of_seconds_of_19_in_20": seconds[math.ceil(0.95 * len(seconds)) - 1],
         "pairs": len(pairs),
         "claims": len(claims),
     }
@@ -160,9 +167,10 @@ def _pairs(name: str, scene: Scene) -> list[Pair]:
 
 def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Sweep") -> Pair:
     duration = truth.run.duration
+    times = truth.run.times
     try:
         with _counted() as total:
-            run = simulate(scene, duration=duration, tolerance=tolerance, times=truth.run.times)
+            run = simulate(scene, duration=duration, tolerance=tolerance, times=times)
     except ToleranceError:
         return Pair(
             name,
@@ -179,6 +187,7 @@ def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Swe
             total=None,
             regret=None,
             regret_of_all=None,
+            regret_of_seconds=None,
         )
     assert run.certificate is not None
     assert run.certificate.bound is not None
@@ -187,7 +196,9 @@ def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Swe
     floor = max(truth.doubt, rounding(run) / scale(run))
     judged = truth.doubt <= bound
     cost = run.cost.force_evaluations
-    least = sweep.least(cost, tolerance)
+    least = sweep.least(tolerance) or (cost, run.method, run.time_step)
+    own = _seconds(lambda: simulate(scene, duration=duration, tolerance=tolerance, times=times))
+    other = _seconds(lambda: _go(scene, duration, *least[1:], times))
     return Pair(
         name,
         tolerance,
@@ -201,9 +212,20 @@ def _pair(name: str, scene: Scene, tolerance: float, truth: _Truth, sweep: "_Swe
         f"{run.method} {run.time_step or ''}",
         cost,
         total(),
-        cost / least if cost else 1.0,
-        total() / least if cost else 1.0,
+        cost / least[0] if cost else 1.0,
+        total() / least[0] if cost else 1.0,
+        own / other if cost else None,
     )
+
+
+def _seconds(run: Callable[[], object]) -> float:
+    """Return the seconds of the processor that a run takes once all is compiled, the least of 3."""
+    spent = []
+    for _ in range(4):
+        began = time.thread_time()
+        run()
+        spent.append(time.thread_time() - began)
+    return min(spent[1:])
 
 
 @contextmanager
@@ -216,9 +238,16 @@ def _counted() -> Iterator[Callable[[], int]]:
         spent.append(run.cost.force_evaluations if run.cost else 0)
         return run
 
+    def counting_halves(scene: Scene, **inputs: Any) -> tuple[Run, Array | None]:
+        run, apart = solve_halved(scene, **inputs)
+        spent.append(run.cost.force_evaluations if run.cost else 0)
+        return run, apart
+
     with ExitStack() as patched:
         for module in (companion, pilot, within_tolerance):
             patched.enter_context(patch.object(module, "solve", counting))
+        for module in (certify, within_tolerance):
+            patched.enter_context(patch.object(module, "solve_halved", counting_halves))
         yield lambda: sum(spent)
 
 
@@ -242,16 +271,16 @@ class _Sweep:
         self._truth = truth
         self._known: dict[tuple[Method, float | None], tuple[float, float]] = {}
 
-    def least(self, own: float, tolerance: float) -> float:
-        """Return the least cost, which is never more than one's own."""
-        best = own
+    def least(self, tolerance: float) -> tuple[float, Method, float | None] | None:
+        """Return the cheapest run within a tolerance: its cost, its method, and its step, s."""
+        best: tuple[float, Method, float | None] | None = None
         for ladder in self._ladders():
             for method, step in ladder:
                 cost, error = self._point(method, step)
-                if cost >= best:
+                if cost >= (best[0] if best else math.inf):
                     break
                 if error <= tolerance:
-                    best = cost
+                    best = cost, method, step
                     break
         return best
 

@@ -101,14 +101,17 @@ _FIXED = '''def advance(times, places, speeds, rates, {scheme}, {work}, told, fe
     return len(times) - 1
 '''
 _ADAPTIVE = '''def advance(
-    limit, times, places, speeds, rates, dense, control, {scheme}, {work}, told, felt, {tables}
+    limits, times, places, speeds, rates, dense, control, {scheme}, {work}, told, felt, {tables}
 ):
-    """Step towards a limit, each step as long as its error allows; return how many steps.
+    """Step towards limits, one each, as far as its error allows; return how many steps.
+
+    Where there are fewer limits than steps, the others go towards the last one.
 
     It ends before, where a force has no value on the way or where steps get very short.
     """
 {rows}
     for k in range(len(times) - 1):
+        limit = limits[min(k, len(limits) - 1)]
         if times[k] >= limit:
             return k
 {begin}

@@ -4,6 +4,7 @@ Serves: `solve`, which lets a motion step by it. Hides: the rows of numbers that
 whether they are compiled.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import astuple
 from functools import cache, cached_property
@@ -133,11 +134,23 @@ class KernelMarching:
             return None
         call.rows[0][0] = time
         numbers = call.array(list(astuple(control)))
-        count = call.go(limit, control=numbers)
+        count = call.go(call.array([limit]), control=numbers)
         finished = count == call.most or bool(call.rows[0][count] >= limit)
         if count:
             control.step, control.error = float(numbers[STEP]), float(numbers[ERROR])
         return call.steps(count, finished=finished)
+
+    def along(self, scheme: str, times: Sequence[float], start: Start) -> Steps | None:
+        """Step from each of the times to the next, as nothing is too large an error."""
+        call = self._call(scheme, start, len(times) - 1, len(times))
+        if call is None:
+            return None
+        call.rows[0][0] = times[0]
+        control = Control(math.inf, 1.0, math.inf, math.inf, math.inf, power=1.0, damping=0.0)
+        ends = list(times[1 : call.most + 1])
+        count = call.go(call.array(ends), control=call.array(list(astuple(control))))
+        found = call.steps(count, finished=count == call.most)
+        return found if found.times[1:] == ends[:count] else None
 
     def _call(self, scheme: str, start: Start, most: int, ahead: float) -> "_Call | None":
         """Return what is to be called; None where it is unknown, or the general code is faster."""

@@ -154,13 +154,7 @@ class Adaptive:
         end, pair = self._accepted(field, start, limit, position, velocity)
         if field.marching is not None:
             field.settle(end, pair.position, pair.velocity)
-        knots = np.stack(
-            [
-                np.stack((position, velocity, np.zeros_like(position))),
-                np.stack((pair.position, pair.velocity, np.zeros_like(position))),
-            ]
-        )
-        return StepBatch([start, end], knots, np.array(pair.dense)[:, None])
+        return StepBatch.of_pair(start, end, (position, velocity), pair)
 
     def memory(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array

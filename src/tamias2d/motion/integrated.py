@@ -9,6 +9,7 @@ from tamias2d.errors import TamiasError
 from tamias2d.motion.adaptive import Adaptive
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.fixed_steps import FixedSteps
+from tamias2d.motion.halved import Halved
 from tamias2d.motion.joint_code import JointCodes
 from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_events import JointEvents, joint_events
@@ -223,6 +224,18 @@ class IntegratedMotion:
                 yield step
                 start, now = step.end, step.last
 
+    @property
+    def halving(self) -> Array | None:
+        """(n, 3): how far coordinates are at most from those by whole steps, taken in halves here.
+
+        None for other steps, and where whole ones could not be followed to the end of the run.
+        """
+        apart = self._integrator.apart if isinstance(self._integrator, Halved) else None
+        if apart is None:
+            return None
+        still = np.zeros(3)
+        return np.array([apart.get(k, still) for k in range(len(self._scene))])
+
     def joint_events(self) -> JointEvents:
         """Return what has happened in joints."""
         return joint_events(self._loads.timeline.events)
@@ -331,7 +344,8 @@ class IntegratedMotion:
     ) -> Iterator[DenseStep | StepBatch]:
         """Yield steps, up to `most` of them as one where the integrator can do that."""
         joined = self._loads.mechanisms(field.bodies)
-        if joined or self._batching is None or (most <= 1 and field.marching is None):
+        alone = most <= 1 and field.marching is None and not isinstance(self._batching, Halved)
+        if joined or self._batching is None or alone:
             yield from self._dense_steps(field, start, end, *now)
             return
         while start < end:
@@ -361,11 +375,11 @@ def _quicker(field: Field, marching: Marching | None) -> Field:
     return quicker
 
 
-def _batching(integrator: Integrator) -> FixedSteps | Adaptive | None:
+def _batching(integrator: Integrator) -> FixedSteps | Adaptive | Halved | None:
     """Return an integrator that can take several steps at once."""
     if isinstance(integrator, FixedSteps):
         return integrator if integrator.plain else None
-    return integrator if isinstance(integrator, Adaptive) else None
+    return integrator if isinstance(integrator, Adaptive | Halved) else None
 
 
 def _state_dependent(constraint: Constraint | None) -> bool:

@@ -79,3 +79,9 @@ class Marching(Protocol):
         None are taken where the first has to be looked at: forces have no value on its way, or it
         gets very short. Otherwise the control is set for the step that follows.
         """
+
+    def along(self, scheme: str, times: Sequence[float], start: Start) -> Steps | None:
+        """Step by a generated pair from each of the times, s, to the next, whatever it errs.
+
+        Fewer steps are taken, or none, where forces have no value further on.
+        """

@@ -48,6 +48,17 @@ class MemoisedField:
         self._remember(time, position, velocity, result)
         return result
 
+    def beside(self) -> "MemoisedField":
+        """Return the same accelerations, of which nothing is remembered yet."""
+        return MemoisedField(
+            self._field,
+            self.bodies,
+            self.constraints,
+            self.tally,
+            felt_velocity=self._felt_velocity,
+            marching=self.marching,
+        )
+
     def known(self, time: float, position: Array, velocity: Array) -> Array | None:
         """Return the accelerations if they were computed before."""
         known = self._known.get(time)

@@ -17,6 +17,7 @@ from tamias2d.motion.adaptive import Adaptive, Tolerance
 from tamias2d.motion.closed_form import ClosedFormMotion
 from tamias2d.motion.exponential import ExponentialSteps
 from tamias2d.motion.fixed_steps import FixedSteps, Scheme
+from tamias2d.motion.halved import Halved
 from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.legacy import Legacy2018
 from tamias2d.motion.loads import Loads, coordinates, start_states
@@ -134,6 +135,12 @@ class _Embedded(PathMethod):
     damping: ClassVar[float]
     rtol: float
     atol: float | None
+    halved: bool
+
+    def __str__(self) -> str:
+        given = {"rtol": self.rtol, "atol": self.atol, "halved": self.halved or None}
+        told = ", ".join(f"{name}={value}" for name, value in given.items() if value is not None)
+        return f"{type(self).__name__}({told})"
 
     def __post_init__(self) -> None:
         if not 1e-14 <= self.rtol < 1:
@@ -158,7 +165,7 @@ class _Embedded(PathMethod):
             tolerance=Tolerance(self.rtol, small, small / time),
             damping=self.damping,
         )
-        return IntegratedMotion(scene, duration, steps)
+        return IntegratedMotion(scene, duration, Halved(steps) if self.halved else steps)
 
 
 @suggests
@@ -167,10 +174,12 @@ class DormandPrince5(_Embedded):
     """Order 5, adaptive: the error of each step within `rtol` of every value.
 
     Of values that are small it is within `atol`, m; without it, `rtol` of the size of the bodies.
+    Where they are `halved`, steps of that length are taken in two halves, of smaller errors.
     """
 
     rtol: float = 1e-6
     atol: float | None = None
+    halved: bool = False
     scheme = "dormand_prince_5"
     estimates = (4,)
     damping = 0.04
@@ -183,6 +192,7 @@ class Dop853(_Embedded):
 
     rtol: float = 1e-10
     atol: float | None = None
+    halved: bool = False
     scheme = "dop853"
     estimates = (5, 3)
     damping = 0.0

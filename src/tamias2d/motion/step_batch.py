@@ -1,10 +1,13 @@
 """A batch of steps as one path, so that contacts are searched for once and not step by step."""
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 from functools import cached_property
+from typing import Self
 
 import numpy as np
 
+from tamias2d.generated.schemes import Pair
 from tamias2d.motion.loads import state_of
 from tamias2d.motion.polynomial import (
     DenseStep,
@@ -29,7 +32,16 @@ class StepBatch:
         self.times = times
         self.end = times[-1]
         self.knots = knots
-        self._dense = dense
+        self.dense = dense
+
+    @classmethod
+    def of_pair(cls, start: float, end: float, first: tuple[Array, Array], pair: Pair) -> Self:
+        """Return a batch of one step of an embedded pair."""
+        still = np.zeros_like(first[0])
+        knots = np.stack(
+            [np.stack((*first, still)), np.stack((pair.position, pair.velocity, still))]
+        )
+        return cls([start, end], knots, np.array(pair.dense)[:, None])
 
     @property
     def last(self) -> tuple[Array, Array]:
@@ -42,7 +54,7 @@ class StepBatch:
 
     def only(self, count: int) -> "StepBatch":
         """Return the first of the steps."""
-        dense = None if self._dense is None else self._dense[:, :count]
+        dense = None if self.dense is None else self.dense[:, :count]
         return StepBatch(self.times[: count + 1], self.knots[: count + 1], dense)
 
     def step(self, k: int) -> DenseStep:
@@ -83,10 +95,10 @@ class StepBatch:
     @cached_property
     def coefficients(self) -> Array:
         """(m, k, n, 3), as those of a `DenseStep`."""
-        if self._dense is not None:
+        if self.dense is not None:
             start = self.knots[:-1, 0], self.knots[:-1, 1]
             length = np.diff(self.times)[:, None, None]
-            return dense_path(length, start, self.knots[1:, 0], tuple(self._dense))
+            return dense_path(length, start, self.knots[1:, 0], tuple(self.dense))
         first, last = np.moveaxis(self.knots[:-1], 1, 0), np.moveaxis(self.knots[1:], 1, 0)
         return quintic(self.half[:, None, None], tuple(first), tuple(last))
 
@@ -106,6 +118,16 @@ class StepBatch:
             np.abs(second[0, ..., 2]) + spread[..., 2],
         )
         return np.stack(columns, axis=-1)
+
+
+def joined(parts: Sequence[StepBatch]) -> StepBatch:
+    """Return batches of steps of a pair that follow each other as one."""
+    if len(parts) == 1:
+        return parts[0]
+    times = [parts[0].times[0], *(time for part in parts for time in part.times[1:])]
+    knots = [parts[0].knots[:1], *(part.knots[1:] for part in parts)]
+    dense = [part.dense for part in parts if part.dense is not None]
+    return StepBatch(times, np.concatenate(knots), np.concatenate(dense, axis=1))
 
 
 class BatchPath:

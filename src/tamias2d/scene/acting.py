@@ -8,6 +8,7 @@ from tamias2d.scene.law import Law, StateLaw, value_at, varies
 from tamias2d.scene.scene_data import SceneData
 
 _VELOCITIES = {"velocity", "angular_velocity"}
+_DRAG = "drag"
 
 Load: TypeAlias = tuple[float, float, float]
 """Both components of a force, N, and a torque, N m."""
@@ -52,6 +53,12 @@ def varying_loads(scene: SceneData) -> dict[int, str]:
     return {k: " and ".join(found[k]) for k in moving if k in found}
 
 
+def only_slowed(scene: SceneData) -> bool:
+    """Return whether no load of any body varies but by drag."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    return all(why.endswith(_DRAG) for _, why in _variations(scene, moving))
+
+
 def timed_loads(scene: SceneData) -> set[int]:
     """Return the bodies on which some law acts that depends on time, whatever their state."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
@@ -65,11 +72,11 @@ def _variations(scene: SceneData, moving: Sequence[int]) -> Iterator[tuple[int, 
         if not body.constant:
             yield k, "under a force or torque that varies with time or state"
         if body.quadratic_drag:
-            yield k, "under quadratic drag"
+            yield k, f"under quadratic {_DRAG}"
         if body.linear_drag:
-            yield k, "under linear drag"
+            yield k, f"under linear {_DRAG}"
         if body.angular_drag:
-            yield k, "under angular drag"
+            yield k, f"under angular {_DRAG}"
     for spring in scene.springs:
         yield from ((k, "held by a spring") for k in spring.bodies)
     for joint in scene.joints:

@@ -19,14 +19,17 @@ from tamias2d.state import Array, History
 from tamias2d.work_limit import Work
 
 
-def run_by_paths(plan: Plan, method: PathMethod, *, progress: bool, asked: bool) -> Run:
+def run_by_paths(
+    plan: Plan, method: PathMethod, *, progress: bool, asked: bool, motion: Motion | None = None
+) -> Run:
     """Return the run along the paths of a method, from impact to impact.
 
     Where the method was not asked for, more bodies than `MANY` are followed by compiled code or not
-    at all. Raises as `solve` does; the error's `run` is the history up to there.
+    at all. The motion is made if none is given. Raises as `solve` does; the error's `run` is the
+    history up to there.
     """
     scene = in_pieces(plan.scene)
-    motion = method.motion(scene, plan.duration, plan.time_step or plan.duration)
+    motion = motion or method.motion(scene, plan.duration, plan.time_step or plan.duration)
     motion.work = Work(plan.duration, plan.work_limit)
     march_by_kernels(motion, scene)
     discs = discs_of(plan.scene, method, plan.times)

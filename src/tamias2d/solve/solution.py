@@ -1,6 +1,7 @@
 """A scene solved by one method; contacts are stepped where locating them decides nothing."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,16 +13,18 @@ from tamias2d.contact import (
     SimultaneousImpactsError,
     UndecidedContactError,
 )
-from tamias2d.motion import Legacy2018, Method, PathMethod, Stepped
+from tamias2d.motion import Dop853, DormandPrince5, Legacy2018, Method, PathMethod, Stepped
+from tamias2d.motion.integrated import IntegratedMotion
 from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.run import Run
-from tamias2d.scene import Scene
+from tamias2d.scene import Scene, in_pieces
 from tamias2d.solve.assembly import start_of
 from tamias2d.solve.finite import refuse_infinite, within_range
 from tamias2d.solve.legacy import run_by_legacy
 from tamias2d.solve.located import are_many, run_by_paths
 from tamias2d.solve.plan import Plan, planned
 from tamias2d.solve.stepped import run_by_steps
+from tamias2d.state import Array
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
 _UNDECIDED = (SimultaneousImpactsError, LastingContactError, UndecidedContactError)
@@ -63,9 +66,32 @@ def solve(
         return _run(plan.by_steps(reason), progress, asked=False)
 
 
+def solve_halved(
+    scene: Scene,
+    *,
+    duration: float,
+    method: Dop853 | DormandPrince5,
+    times: Iterable[float] | None = None,
+    progress: bool = False,
+    work_limit: int = WORK_LIMIT,
+) -> tuple[Run, Array | None]:
+    """Return the history of a scene by halved steps, and how far whole ones are from it.
+
+    That is (n, 3), of each coordinate at most; None where impacts or joints hide it. Arguments and
+    errors are those of `solve`.
+    """
+    method = replace(method, halved=True)
+    plan = planned(scene, duration, method, None, times, work_limit)
+    motion = method.motion(in_pieces(scene), plan.duration, plan.duration)
+    with within_range(plan.duration):
+        _check(plan)
+        run = run_by_paths(plan, method, progress=progress, asked=True, motion=motion)
+    halving = motion.halving if isinstance(motion, IntegratedMotion) else None
+    return run, None if len(run.impacts) else halving
+
+
 def _run(plan: Plan, progress: bool, *, asked: bool) -> Run:
-    _refuse_singular(plan.scene)
-    refuse_infinite(np.zeros(1), *balance(plan.scene, start_of(plan)))
+    _check(plan)
     match plan.method:
         case PathMethod() as method:
             return run_by_paths(plan, method, progress=progress, asked=asked)
@@ -73,6 +99,12 @@ def _run(plan: Plan, progress: bool, *, asked: bool) -> Run:
             return run_by_steps(plan, method, progress=progress)
         case Legacy2018() as method:
             return run_by_legacy(plan, method)
+
+
+def _check(plan: Plan) -> None:
+    """Raise an error where the start is not finite."""
+    _refuse_singular(plan.scene)
+    refuse_infinite(np.zeros(1), *balance(plan.scene, start_of(plan)))
 
 
 def _refuse_singular(scene: Scene) -> None:

@@ -3,14 +3,24 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 
 from tamias2d.certificate import Certificate, Kind, hashes, not_claimed
 from tamias2d.errors import InputError
-from tamias2d.motion import ClosedForm, Dop853, Legacy2018, Method, Reference, Stepped
+from tamias2d.motion import (
+    ClosedForm,
+    Dop853,
+    DormandPrince5,
+    Legacy2018,
+    Method,
+    Reference,
+    Stepped,
+)
 from tamias2d.run import Run
 from tamias2d.scene.rules import shown
+from tamias2d.solve import solve_halved
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError, companion, limit_beside
 from tamias2d.study.error import MEASURE, apart, distance, radii, scale
@@ -25,11 +35,16 @@ _GAP = 2.0**-41  # of the larger size: four times what an impact in a step leave
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
 _SPREADS = 3.0  # times as far as runs perturbed by one rounding the exact answer may be
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (after Roache's index)
+_ONE = 2.5  # times what a single companion says: where a run meets something sharp, both may err
 _ORDER = 0.3  # within which the observed order is that of the scheme
 _COARSEST = 16  # steps of a grid that is trusted to show the order
 _TIGHTER = 30.0  # is the companion of a run that chooses its own steps
-_LEFT = 0.3  # of the error may be left in it
+_LEFT = 0.5  # of the error may be left in it
 _TIGHTEST = 1e-14
+_COARSE = 10 * MOVED  # is the tolerance of a method whose steps err more than what is perturbed
+_HALVED = 3.0  # times what the order says of halved steps
+_NEAR, _DISBELIEF = 3e-8, 0.5  # of the scale: as that is exceeded, the order is believed less
+_FEW = 24  # halved steps show no order
 
 
 _SOLUTION = "the exact solution of the scene's equations"
@@ -55,8 +70,16 @@ class _Bound:
     order: float | None = None
 
 
+_Way: TypeAlias = Callable[[Run, Array | None], _Bound]
+"""From a run, and how small changes grow in it where that is known, to a bound."""
+
+
 class _NoBoundError(Exception):
-    """Why there is none."""
+    """Why there is none; `lost_at` is the horizon, s, if that is why."""
+
+    def __init__(self, why: str, lost_at: float | None = None) -> None:
+        super().__init__(why)
+        self.lost_at = lost_at
 
 
 @suggests
@@ -65,30 +88,66 @@ def certify(run: Run) -> Run:
 
     The scene is simulated some times more: in closed form twice, by a stepped scheme on two coarser
     grids (together three quarters of the run's cost, and a finer one if they disagree about the
-    order), by an adaptive one at a tighter tolerance, through contacts four times by steps from a
-    half to a quarter (some ten times the run's cost); once more, perturbed, where impacts are
-    located; and once to look for bodies that overlap or pass through each other.
+    order), by an adaptive one at a tighter tolerance or, where its steps are halved, by whole ones,
+    through contacts four times by steps from a half to a quarter (some ten times the run's cost);
+    once more, perturbed, where steps are equal or a path is exact; and once to look for bodies that
+    overlap or pass through each other.
     """
     if not isinstance(run, Run):
         raise InputError(f"run: found {shown(run)}: must be a Run (R5). Give one of `simulate`.")
     if isinstance(run.method, Stepped):
         return certify_steps(run)
+    return _certified(run, lambda: _way(run.method), told=True)
+
+
+def certify_halved(run: Run, apart: Array | None) -> Run:
+    """Return a run by halved steps with a certificate, from how far whole ones are, (n, 3)."""
+    return _certified(run, lambda: lambda run, _: _of_halves(run, apart))
+
+
+def certify_embedded(run: Run) -> tuple[Run, Run | None]:
+    """Return an adaptive run with a certificate, and the one at a tighter tolerance behind it."""
+    tighter: list[Run] = []
+    found = _certified(run, lambda: lambda run, _: _embedded(run, tighter))
+    return found, tighter[-1] if tighter else None
+
+
+def _certified(run: Run, way: Callable[[], _Way], *, told: bool = False) -> Run:
+    """Return a run with a certificate, which tells of the horizon also where its bound is large."""
     if not crowded(run) and (fault := next(penetrations(run), None)) is not None:
         return replace(run, certificate=_of_penetration(run, fault))
-    grown = growth(run)
-    lost_at = horizon(run, grown)
     try:
-        if lost_at is not None:
-            raise _NoBoundError(
-                f"a change of {MOVED:g} of the scale grows to {LOST:.0%} of it within the run"
-            )
-        certificate = _of_positions(run, _way(run.method)(run, grown))
+        certificate = _of_positions(run, _found(run, way(), told=told))
     except _NoBoundError as reason:
-        certificate = _of_energy(run, str(reason), lost_at)
+        certificate = _of_energy(run, str(reason), reason.lost_at)
     else:  # the way of many bodies is searched only if something is said of it
         if crowded(run) and (fault := next(penetrations(run), None)) is not None:
             certificate = _of_penetration(run, fault)
     return replace(run, certificate=certificate)
+
+
+def _found(run: Run, way: _Way, *, told: bool) -> _Bound:
+    """Return a bound; none past the horizon.
+
+    Runs that agree although each of their steps errs by more than what is perturbed show that this
+    does not grow: they need no perturbed run.
+    """
+    early, fault = None, None
+    if getattr(run.method, "rtol", 0.0) >= _COARSE:
+        try:
+            early = way(run, None)
+        except _NoBoundError as reason:
+            fault = reason
+        if early is not None and (not told or early.value <= LOST * scale(run)):
+            return early
+    grown = growth(run)
+    if (lost_at := horizon(run, grown)) is not None:
+        raise _NoBoundError(
+            f"a change of {MOVED:g} of the scale grows to {LOST:.0%} of it within the run", lost_at
+        )
+    if fault is not None:
+        raise fault
+    return early or way(run, grown)
 
 
 def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
@@ -108,14 +167,16 @@ def certify_steps(run: Run, shorter: Refined | None = None) -> Run:
     return replace(run, certificate=certificate)
 
 
-def _way(method: Method) -> Callable[[Run, Array | None], _Bound]:
+def _way(method: Method) -> _Way:
     if isinstance(method, ClosedForm):
         return _exact
     if isinstance(method, Legacy2018):
         raise _NoBoundError("the scheme of 2018 is inconsistent: no step makes its error small")
     if method.fixed_step:
         return _step_doubling
-    return _embedded
+    if isinstance(method, Dop853 | DormandPrince5) and method.halved:
+        return lambda run, _: _of_halves(run, _whole_beside(run))
+    return lambda run, _: _embedded(run, [])
 
 
 def _of_positions(run: Run, found: _Bound) -> Certificate:
@@ -298,13 +359,42 @@ def _order(coarse: float, fine: float) -> float | None:
     return math.log2(coarse / fine) if 0 < fine < coarse < math.inf else None
 
 
-def _embedded(run: Run, _: Array | None) -> _Bound:
-    """Bound the error from the same method at tighter tolerances, or from an independent one.
+def _of_halves(run: Run, apart: Array | None) -> _Bound:
+    """Bound the error of halved steps from how far whole ones are, (n, 3), or as of others.
+
+    By the order p of the scheme halves err 2^p - 1 times less than both differ. The farther apart
+    they are, and the fewer, the less the order is believed: where a run meets something sharp, or
+    is coarse, both may err by much the same.
+    """
+    steps = run.cost.steps if run.cost else 0
+    if apart is None or steps < _FEW or run.method.facts is None:
+        return _embedded(run, [])
+    farthest = float((np.hypot(apart[:, 0], apart[:, 1]) + apart[:, 2] * radii(run.scene)).max())
+    order = float(run.method.facts.order)
+    doubt = _HALVED * max(1.0, (farthest / (_NEAR * scale(run))) ** _DISBELIEF)
+    value = min(doubt / (2**order - 1), 1.0) * farthest + rounding(run)
+    how = f"{run.method} against whole steps, which are {farthest:.2g} m away"
+    return _Bound("embedded", value, how)
+
+
+def _whole_beside(run: Run) -> Array | None:
+    """Return how far whole steps are from a run by halved ones, (n, 3); None where that is hidden.
+
+    The run is made again.
+    """
+    assert isinstance(run.method, Dop853 | DormandPrince5)
+    limit = limit_beside(run)
+    return solve_halved(
+        run.scene, duration=run.duration, method=run.method, times=run.times, work_limit=limit
+    )[1]
+
+
+def _embedded(run: Run, tighter: list[Run]) -> _Bound:
+    """Bound the error from the same method at a tighter tolerance, or from an independent one.
 
     A tighter tolerance must have made the steps so much shorter that what is left of the error, by
-    the order of the method, is a small part of it: over few steps it may change nothing. Where a
-    run meets something sharp its error may stay for a while as steps get shorter, and two runs
-    agree about it: a third one at a tolerance tighter still is asked, too.
+    the order of the method, is a small part of it: over few steps it may change nothing. The runs
+    that are made are added to those that are `tighter`.
     """
     rtol: float = run.method.rtol  # type: ignore[attr-defined]
     if isinstance(run.method, Reference) or rtol / _TIGHTER < _TIGHTEST:
@@ -313,16 +403,14 @@ def _embedded(run: Run, _: Array | None) -> _Bound:
         )
     left = 1.0
     while left > _LEFT and rtol / _TIGHTER >= _TIGHTEST:
-        rtol /= _TIGHTER
+        rtol = float(f"{rtol / _TIGHTER:.1e}")
         companion = _at(run, rtol)
+        tighter.append(companion)
         left = _left(run, companion)
     if left > _LEFT:
         return _against(run, Reference(1e-13))
-    changed = _difference(run, companion)
-    if rtol / _TIGHTER >= _TIGHTEST:
-        changed = max(changed, _difference(run, _at(run, rtol / _TIGHTER)))
-    value = _TRUSTED * changed / (1 - left) + rounding(run)
-    return _Bound("embedded", value, f"{run.method} against {companion.method} and tighter")
+    value = _ONE * _difference(run, companion) / (1 - left) + rounding(run)
+    return _Bound("embedded", value, f"{run.method} against {companion.method}")
 
 
 def _at(run: Run, rtol: float) -> Run:

@@ -7,20 +7,31 @@ from typing import NamedTuple
 from tamias2d.certificate import Certificate
 from tamias2d.contact import steps_because
 from tamias2d.errors import SceneError, SimulationError
-from tamias2d.motion import Dop853
+from tamias2d.motion import Dop853, DormandPrince5
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.solve import Interrupted, solve
+from tamias2d.scene.acting import only_slowed
+from tamias2d.scene.reach import pairs_that_can_meet
+from tamias2d.solve import Interrupted, solve, solve_halved
 from tamias2d.state import Array
-from tamias2d.study.certify import certify, certify_steps
+from tamias2d.study.certify import certify, certify_embedded, certify_halved, certify_steps
 from tamias2d.study.pilot import Estimate
 from tamias2d.study.recommend import located_plan, solved
 from tamias2d.study.refusal import ToleranceError, refusal
 from tamias2d.study.stepped_plan import plan_steps, stepped_because
-from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
+from tamias2d.work_limit import WORK_LIMIT
 
-_FIRST = 0.1
-"""Of the tolerance is that of order 8 which is tried before others are weighed."""
+_HALVED, _ORDERLY = 3.0, 1e-6
+"""Times the tolerance is that of order 8 whose halved steps are tried first; at most so large is it
+that most scenes show the order of the scheme."""
+_PLAIN, _SLOWED = 0.1, 10.0
+"""The same of whole steps; where bodies are only slowed, and errors decay with their speed."""
+_ORDER_8, _IMPACTS = 3e-5, 1e-8
+"""Below these tolerances order 8 is cheaper than order 5: where bodies are only slowed, and where
+steps are short for impacts."""
+_HALVES = 3e-6
+"""Below it halved steps are cheaper than a run at a tighter tolerance."""
+_LOOSEST = 0.3
 _TRIES = 3
 _TIGHTEST = 1e-14
 _MOST = 30.0  # times too large a bound is believed to be, or no bound at all
@@ -76,7 +87,7 @@ class _Asked(NamedTuple):
 
 
 def _located(asked: _Asked) -> Run:
-    """Return a run whose impacts are located: of order 8 if that will do, or else the cheapest."""
+    """Return a run whose impacts are located: an adaptive one, or else the cheapest."""
     tolerance = asked.tolerance
     if not solved(asked.scene) and (run := _unweighed(asked)) is not None:
         return run
@@ -98,28 +109,77 @@ def _located(asked: _Asked) -> Run:
 
 
 def _unweighed(asked: _Asked) -> Run | None:
-    """Return a run of order 8 within the tolerance; None if there is none at the second try.
+    """Return an adaptive run within the tolerance; None if there is none after some tries.
 
     Pilot runs, which weigh other methods, cost several times what the cheapest of these saves.
     """
-    rtol = _FIRST * asked.tolerance
-    for attempt in range(2):
-        method = Dop853(rtol=float(f"{rtol:.1e}"))
-        if rtol < _TIGHTEST:
-            return None
-        try:
-            run = certify(asked.run(Estimate(method, None, 0.0, asked.tolerance, None)))
-        except WorkLimitError:  # the plan says what would do
-            return None
+    scene, tolerance = asked.scene, asked.tolerance
+    meet = bool(pairs_that_can_meet(scene, asked.duration))
+    slowed = only_slowed(scene)
+    try:
+        if not (meet or slowed or scene.joints) and tolerance < _HALVES:
+            return _halved(asked)
+        loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
+        method = DormandPrince5 if (meet or slowed) and loose else Dop853
+        return _tighter(asked, method, (_SLOWED if slowed else _PLAIN) * tolerance)
+    except SimulationError:  # of a loose run; the plan refuses what cannot be
+        return None
+
+
+def _halved(asked: _Asked) -> Run | None:
+    """Return a run by halved steps, which are certified by whole ones."""
+    rtol = min(_HALVED * asked.tolerance, _ORDERLY)
+    for attempt in range(_TRIES):
+        run, apart = solve_halved(
+            asked.scene,
+            duration=asked.duration,
+            method=Dop853(rtol=_two_digits(rtol)),
+            times=asked.times,
+            progress=asked.progress,
+            work_limit=asked.work_limit,
+        )
+        run = certify_halved(run, apart)
         if run.certificate is not None and run.certificate.meets(asked.tolerance):
-            again = "" if attempt == 0 else ", at the second try"
-            note = f"{method}: within {asked.tolerance:g}{again}; no other method was weighed"
-            return replace(run, notes=(note, *run.notes[1:]))
+            return _first(run, asked.tolerance, attempt)
         excess = _reached(run.certificate) / asked.tolerance
-        if not excess < math.inf:
-            return None
         rtol /= 1.2 * min(excess, _MOST)
+        if not excess < math.inf or rtol < _TIGHTEST:
+            return None
     return None
+
+
+def _tighter(asked: _Asked, method: type[Dop853] | type[DormandPrince5], rtol: float) -> Run | None:
+    """Return a run that is certified by one at a tighter tolerance, which is the next to try."""
+    rtol = min(rtol, _LOOSEST)
+    run = None
+    for attempt in range(_TRIES):
+        run = run or asked.run(_estimate(asked, method(rtol=_two_digits(rtol))))
+        run, tighter = certify_embedded(run)
+        if run.certificate is not None and run.certificate.meets(asked.tolerance):
+            return _first(run, asked.tolerance, attempt)
+        excess = 1.2 * _reached(run.certificate) / asked.tolerance
+        if not excess < math.inf or (rtol := rtol / min(excess, _MOST)) < _TIGHTEST:
+            return None
+        run = None
+        if tighter is not None and isinstance(tighter.method, method):
+            run = tighter if tighter.method.rtol <= rtol else None
+            rtol = tighter.method.rtol if run else rtol
+    return None
+
+
+def _estimate(asked: _Asked, method: Dop853 | DormandPrince5) -> Estimate:
+    return Estimate(method, None, 0.0, asked.tolerance, None)
+
+
+def _first(run: Run, tolerance: float, attempt: int) -> Run:
+    """Return a run that notes that no other method was weighed."""
+    note = f"{run.method}: within {tolerance:g}{_again(attempt)}; no other method was weighed"
+    return replace(run, notes=(note, *run.notes[1:]))
+
+
+def _two_digits(rtol: float) -> float:
+    """Return a tolerance rounded to two digits: notes are read by people."""
+    return float(f"{rtol:.1e}")
 
 
 def _stepped(asked: _Asked, reason: str) -> Run:
@@ -144,10 +204,13 @@ def _stepped(asked: _Asked, reason: str) -> Run:
 
 
 def _noted(run: Run, tolerance: float, attempt: int) -> Run:
-    again = "" if attempt == 0 else f", at the {('second', 'third')[attempt - 1]} try"
     step = "" if run.time_step is None else f" with steps of {run.time_step:.4g} s"
-    note = f"{run.method}{step}: the cheapest within {tolerance:g}{again}"
+    note = f"{run.method}{step}: the cheapest within {tolerance:g}{_again(attempt)}"
     return replace(run, notes=(note, *run.notes[1:]))
+
+
+def _again(attempt: int) -> str:
+    return "" if attempt == 0 else f", at the {('second', 'third')[attempt - 1]} try"
 
 
 def _reached(certificate: Certificate | None) -> float:

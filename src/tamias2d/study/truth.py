@@ -1,6 +1,7 @@
 """The run that others are compared with: the closed form, or else a far tighter run."""
 
 from dataclasses import dataclass
+from time import thread_time
 
 import numpy as np
 
@@ -10,11 +11,16 @@ from tamias2d.scene.exact import closed_forms
 from tamias2d.solve import solve
 from tamias2d.state import Array
 from tamias2d.study.event_errors import errors
+from tamias2d.study.refusal import ToleranceError
 from tamias2d.study.sampled import Sampled, sampled
 
 SAMPLES = 1000
 _TIGHTEST = 1e-13
 _ROUNDING = 2.0**-52
+_LOOSE, _ORDER = 1e-3, 8  # by the order of the method tighter runs take more steps
+_PART = 64
+_LONGEST = 60.0
+"""s of the processor: what runs for the truth may take together"""
 
 
 @dataclass(frozen=True)
@@ -23,6 +29,34 @@ class Truth:
 
     history: Sampled
     how: str
+
+
+def refuse_long(scene: Scene, duration: float, runs: int) -> None:
+    """Raise `ToleranceError` where some runs for the truth would take too long.
+
+    That is estimated from a loose one: its start would not tell, for a whip is slow at first.
+    """
+    if closed_forms_of_all(scene):
+        return
+    first = duration / _PART
+    solve(scene, duration=first, method=Reference(_LOOSE), times=[first])  # code is loaded
+    began = thread_time()
+    solve(scene, duration=duration, method=Reference(_LOOSE), times=[duration])
+    coming = (thread_time() - began) * (_LOOSE / _TIGHTEST) ** (1 / _ORDER) * runs
+    if coming <= _LONGEST:
+        return
+    until = float(f"{duration * _LONGEST / coming:.1e}")
+    raise ToleranceError(
+        f"tradeoff: what others are compared with would take about {coming:.2g} s, and may take "
+        f"{_LONGEST:g} s (R4). End the run at {until:g} s, or ask for a tolerance or a quality.",
+        None,
+        until=until,
+    )
+
+
+def closed_forms_of_all(scene: Scene) -> bool:
+    """Whether every body that moves has a closed form."""
+    return len(closed_forms(scene)) == sum(body.dynamic for body in scene.bodies)
 
 
 def common_times(duration: float) -> Array:
@@ -36,8 +70,7 @@ def truth_of(scene: Scene, duration: float) -> Truth:
     Raises:
         SceneError, SimulationError: as `simulate`.
     """
-    moving = sum(body.dynamic for body in scene.bodies)
-    if len(closed_forms(scene)) == moving:
+    if closed_forms_of_all(scene):
         return Truth(_history(scene, duration, ClosedForm()), "closed form")
     reference = Reference(_TIGHTEST)
     return Truth(_history(scene, duration, reference), f"{reference}")

@@ -15,19 +15,22 @@ import numpy as np
 from tamias2d.cost import Cost
 from tamias2d.errors import TamiasError
 from tamias2d.scene import Scene
+from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import Interrupted
 from tamias2d.study.candidates import Candidate, candidates
 from tamias2d.study.event_errors import NAMES, Errors, errors
 from tamias2d.study.front import front
 from tamias2d.study.phases import LEAST, phases
 from tamias2d.study.sampled import sampled
-from tamias2d.study.truth import Truth, common_times, floor_of, truth_of
+from tamias2d.study.truth import Truth, common_times, floor_of, refuse_long, truth_of
 
 _FIRST = 16  # steps
 _RUNGS, _RUNGS_OF_IMPACTS = 9, 7  # each of twice the steps of the one before
 _REPEATS = 5
 _LONG = 0.5  # s: what the timing of a point may take, but for its first run
 _ROUNDING = 1e-12  # relative: where errors get there, a finer setting can only cost more
+_DEAREST = 10.0
+"""s of the processor: what all runs of a point may take, by what one of half the cost took."""
 _LOST = 1.0  # relative: an error beyond it says only that the run is wrong
 
 
@@ -116,7 +119,10 @@ def study(
     Raises:
         InputError: the number of phases is not 1 or more.
         SceneError, SimulationError: nothing is known to compare with, and why.
+        ToleranceError: to know it would take minutes; it says for how short a run it would not.
     """
+    most = phases_asked if pairs_that_can_meet(scene, duration) else 1
+    refuse_long(scene, duration, 2 * most + 2)
     first = truth_of(scene, duration)
     impacts = first.history.run.impacts
     floor = floor_of(first)
@@ -150,14 +156,27 @@ def _points(
     rungs = _RUNGS_OF_IMPACTS if len(truths[0].history.run.impacts) else _RUNGS
     tried = list(candidates(scenes[0], rungs=[_FIRST * 2**k for k in range(rungs)]))
     exact = set()
+    coming: dict[str, float] = {}  # s that the next point of a method will take
     for done, candidate in enumerate(tried):
         if candidate.name in exact:
             continue
         told(len(tried), done, f"{candidate.name} {candidate.setting}".strip())
+        if (long := coming.get(candidate.name, 0.0)) > _DEAREST:
+            yield _too_dear(candidate, long)
+            coming[candidate.name] = 2 * long
+            continue
+        began = thread_time()
         point = point_of(candidate, scenes, truths, timed=timed)
+        coming[candidate.name] = 2 * (thread_time() - began)
         if point.worst and point.worst.size <= max(10 * floor, _ROUNDING):
             exact.add(candidate.name)
         yield point
+
+
+def _too_dear(candidate: Candidate, seconds: float) -> Point:
+    """Return the point of a candidate that is not run."""
+    why = f"not run: it would take about {seconds:.2g} s, and a point at most {_DEAREST:g} s"
+    return Point(method=candidate.name, setting=candidate.setting, peer=candidate.peer, failure=why)
 
 
 def point_of(
