@@ -146,7 +146,7 @@ class KernelMarching:
         if call is None:
             return None
         call.rows[0][0] = times[0]
-        control = Control(math.inf, 1.0, math.inf, math.inf, math.inf, power=1.0, damping=0.0)
+        control = Control(math.inf, 1.0, 0.0, math.inf, math.inf, power=1.0, damping=0.0)
         ends = list(times[1 : call.most + 1])
         count = call.go(call.array(ends), control=call.array(list(astuple(control))))
         found = call.steps(count, finished=count == call.most)
