@@ -79,7 +79,6 @@ SUBSTEP = _settings()  # s, of the last part that was solved
 _control = Columns()
 SUBSTEPS = _control()  # of a step
 STEPS_LEFT = _control()  # steps of this call that are still to be taken
-CHECKED = _control()  # 1 if the values that users can set have been checked
 STAGE = _control()  # at which the step continues, one of those below
 ROWS_NEEDED = _control()  # by the array that was too short
 STEPS_TAKEN = _control()  # since the start

@@ -87,6 +87,28 @@ def arrays_by_slot(world: World) -> Iterator[NDArray[Any]]:
                 yield getattr(group, name)
 
 
+def in_use(world: World, slots: int) -> World:
+    """Return the world as steps see it: of arrays that have a row for each slot, the first ones.
+
+    So a step costs what its bodies cost, whatever the capacity. What users see stays whole: it goes
+    into chunks.
+    """
+    state = world.state._replace(body_of_slot=world.state.body_of_slot[:slots])
+    seen: World = _shortened(world, slots)._replace(state=state)
+    return seen
+
+
+def _shortened(group: Any, slots: int) -> Any:
+    kind: Any = type(group)
+    cut = {}
+    for name, declared in _declared(kind).items():
+        if isinstance(declared, type):
+            cut[name] = _shortened(getattr(group, name), slots)
+        elif declared is not None and declared[1].shape[0] == "slots":
+            cut[name] = getattr(group, name)[:slots]
+    return group._replace(**cut)
+
+
 def with_arrays(world: World, arrays: Mapping[str, NDArray[Any]]) -> World:
     """Return the world with some arrays, by their names, in the place of its own."""
     for name, values in arrays.items():
