@@ -263,6 +263,10 @@ class Engine(Store):
         control.counts[SUBSTEPS] = substeps
         self.world.direct.counts[UNSOLVED] = 0
         bodies.propagators[:] = bodies.propagators_of_level[0]
+        self.forget_steps()
+
+    def forget_steps(self) -> None:
+        """Begin anew with arrays that hold what they did before the first step."""
         self._alone, self._course_known = True, False
         self.revision += 1
 
