@@ -1,8 +1,8 @@
 """Stepped worlds of one scene: its simulator is made once, and put back to its start for each.
 
 Serves: the solving of blocks. Hides: which ensembles this fits, and where the values of a world go.
-A start follows from its values but for the order of its bodies, which goes by where they are; so
-there is a simulator for each order (DD77). Each world has the bits that it has alone.
+A start follows from its values but for the order of its bodies, which goes by where they are: so
+there is a simulator for each order. Each world has the bits that it has alone.
 """
 
 import math
