@@ -470,6 +470,7 @@ R_BIAS_RATE = _block()  # 1/s, at which an overlap is pushed apart
 R_MASS_SHARE = _block()  # of the effective mass by softness
 R_IMPULSE_SHARE = _block()  # of the impulse that softness takes back
 R_SMALLER_RADIUS = _block()  # m, of the smaller bounding circle
+R_ALLOWED = _block()  # m, overlap for which no preload is learnt
 SHARED = _block.width
 
 _point = Columns(LANES)  # then, of each point
