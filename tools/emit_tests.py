@@ -1,4 +1,4 @@
-"""Generated tests: closed forms against scipy, and schemes against their order.
+"""Generated tests: closed forms against scipy, schemes against their order, and laws in crowds.
 
 Tests that only repeat a loop over the specification are parametrised by it, in tests/.
 """
@@ -28,6 +28,7 @@ def emit(specification: Specification) -> dict[str, str]:
         "__init__.py": "",
         "test_closed_forms.py": _closed_forms(specification),
         "test_constraints.py": _constraints(specification),
+        "test_laws.py": _laws(specification),
         "test_schemes.py": _schemes(specification),
     }
 
@@ -91,6 +92,30 @@ def _constraint(item: Item) -> str:
         f"def test_{item.id}_follows_from_its_equation(**given: Value) -> None:\n"
         f"{_says(f'{item.file}:{item.line}.')}\n"
         f'    follows(CONSTRAINTS["{item.id}"], given)\n'
+    )
+
+
+def _laws(specification: Specification) -> str:
+    items = [item for item in specification.of_kind("property") if "crowd" in item.data]
+    imports = ["import pytest", "from tests.crowd_laws import SEEDS, holds"]
+    return _file("Each law holds in every step of random crowds.", imports, map(_law, items))
+
+
+def _law(item: Item) -> str:
+    crowd = item.data["crowd"]
+    conditions = {
+        "steady": "bodies" in crowd,
+        "whole": "steps" in crowd,
+        "at_most": "relation" in crowd,
+    }
+    given = ", ".join(f"{name}={value}" for name, value in conditions.items())
+    equation = " ".join(item.data["equation"].split())
+    return (
+        '@pytest.mark.parametrize("seed", SEEDS)\n'
+        f"def test_{item.id.lower()}_holds_in_a_crowd(seed: int) -> None:\n"
+        f"{_says(f'{item.id}, {item.file}:{item.line}.')}\n"
+        f"    law = {json.dumps(equation)}\n"
+        f"    holds(law, seed, within={crowd['within']}, {given})\n"
     )
 
 

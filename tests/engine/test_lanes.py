@@ -26,7 +26,7 @@ def solve_soft_alone(world: World, first: int, last: int, substep: float) -> Non
 
 def relax_alone(world: World, first: int, last: int, substep: float) -> None:
     """An entry: some blocks through `relax`."""
-    relax(first, last, world.bodies, world.constraints, substep)
+    relax(first, last, world.bodies, world.constraints, substep, True)
 
 
 def apply_restitution_alone(world: World, first: int, last: int, slowest: float) -> None:

@@ -129,6 +129,40 @@ def test_it_wakes_as_a_whole(way: str, counted: int) -> None:
     assert not sim.asleep.any()
 
 
+HELD: dict[str, Callable[[t2.Simulator], Any]] = {
+    "a view": lambda sim: sim.velocity,
+    "a part of a view": lambda sim: sim.velocity[2:],
+    "a part of a part": lambda sim: sim.velocity[1:][::-1].T,
+    "a buffer": lambda sim: memoryview(sim.torque),
+    "gravity": lambda sim: sim.gravity[:1],
+}
+
+
+@pytest.mark.parametrize("what", HELD)
+def test_what_is_written_into_a_view_that_is_held_counts(what: str) -> None:
+    """However many steps were only counted since it was taken, and nothing else was looked at."""
+    sim = slept()
+    held = HELD[what](sim)
+    for _ in range(3):
+        sim.step()
+    held[-1] = 1e-3
+    sim.step()
+    assert not sim.asleep.any()
+
+
+def test_where_nobody_holds_a_view_nothing_is_looked_at() -> None:
+    """A change that nobody can have made, for it needs a view, is not found."""
+    sim = slept()
+    sim.step()  # since `asleep` was asked for
+    load = sim._engine.load
+    load[2] = 1.0
+    sim.step()
+    assert sim._engine.asleep[1:].all()
+    assert sim.force.any()  # looked at: the next step finds it
+    sim.step()
+    assert not sim.asleep.any()
+
+
 def test_it_wakes_where_its_ground_is_taken_away() -> None:
     scene = t2.Scene(gravity=(0.0, -10.0))
     scene.add_static(t2.Box(width=4.0, height=1.0), **SURFACE)

@@ -327,11 +327,7 @@ class BodyPool:
         Bodies that are near each other are so in the order, too, and thus in memory.
         """
         state = self.store.world.state
-        reach = state.properties[rows, BOUNDING_RADIUS]
-        width = STRIP * np.median(reach[reach > 0.0]) if (reach > 0.0).any() else np.inf
-        with np.errstate(all="ignore"):
-            strip: Array = np.floor(state.pose[rows, X] / width)
-        return strip
+        return strips(state.pose[rows, X], state.properties[rows, BOUNDING_RADIUS])
 
     def _forms(self) -> IntArray:
         """Return a number for the form of each new body, in the order of the forms themselves."""
@@ -362,6 +358,14 @@ class BodyPool:
             shapes.world_vertices[together] = shapes.local_vertices[together]
             count = shapes.vertex_count[places].astype(np.int64)
             shapes.first[places] = start + np.cumsum(count) - count
+
+
+def strips(x: Array, reach: Array) -> Array:
+    """Return in which strip bodies (..., n) are, from how far each reaches from its centre (n,)."""
+    width = STRIP * np.median(reach[reach > 0.0]) if (reach > 0.0).any() else np.inf
+    with np.errstate(all="ignore"):
+        found: Array = np.floor(x / width)
+    return found
 
 
 def _by_shapes(overrides: Array) -> Array:

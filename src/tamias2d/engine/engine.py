@@ -1,7 +1,9 @@
 """The engine: bodies that can be added, changed and asked for, and the steps that are taken."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from types import SimpleNamespace
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +20,9 @@ from tamias2d.engine.steps_per_call import StepsPerCall
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ABSENT,
+    ALL_ASLEEP,
     AT_START,
     BOUNDING_RADIUS,
-    CHECKED,
     CLEAR,
     DONE,
     DYNAMIC,
@@ -34,6 +36,7 @@ from tamias2d.engine.tables import (
     JOINTS,
     LEAST_LEVEL,
     LIMITS,
+    LIST_HOLDS,
     MORE_BLOCKS,
     MORE_CANDIDATES,
     MORE_CONTACTS,
@@ -52,6 +55,7 @@ from tamias2d.engine.tables import (
     SPRINGS,
     STAGE,
     STEPS_LEFT,
+    STEPS_SINCE,
     STEPS_TAKEN,
     SUBSTEPS,
     SUNK_A,
@@ -59,6 +63,7 @@ from tamias2d.engine.tables import (
     TICK,
     TIME_STEP,
     UNSOLVED,
+    World,
 )
 from tamias2d.engine.validity import Invalid, first_invalid, overflowed
 from tamias2d.engine.world import Capacities
@@ -70,6 +75,10 @@ _TOO_SHORT = {
     MORE_BLOCKS: "blocks",
     MORE_SPARSE: "sparse",
 }
+
+
+_Take: TypeAlias = Callable[[int, bool], int]
+"""Takes some steps, of values that are known to be valid or not; returns how that ended."""
 
 
 class Engine(Store):
@@ -94,6 +103,7 @@ class Engine(Store):
     def begin(self, rank: NDArray[np.int64]) -> None:
         """Find out what the arrays hold; bodies have ranks (n,), -1 where absent."""
         self._library: SimpleNamespace | None = None  # what steps are taken with, once they are
+        self._take: _Take | None = None  # takes steps with the arrays as they are
         self._alone = True  # whether it is worth while to try ballistic motion
         self._course_known = False  # whether chunks know where bodies may be
         self._steps_per_call, self._ballistic_steps_per_call = StepsPerCall(), StepsPerCall()
@@ -178,7 +188,7 @@ class Engine(Store):
     @property
     def limits(self) -> int:
         """How many of the next two are known."""
-        return int(self.world.control.counts[LIMITS])
+        return self.world.control.counts.item(LIMITS)  # asked for in each step
 
     @property
     def sunk(self) -> tuple[int, int] | None:
@@ -222,7 +232,7 @@ class Engine(Store):
         them, what it knows of contacts fits them already.
         """
         places = set_joints(self, rows)
-        self._library = None
+        self._library = self._take = None
         if not restored:
             self._pool.drop_pairs(kept_apart(self))
             self.forget_pairs()
@@ -240,6 +250,11 @@ class Engine(Store):
         """Let islands fall asleep that have been slow for so many steps; 0 for never."""
         self.world.islands.counts[SLEEP_STEPS] = steps
 
+    @property
+    def sleeps(self) -> bool:
+        """Whether islands fall asleep."""
+        return bool(self.world.islands.counts[SLEEP_STEPS])
+
     def start_over(self) -> None:
         """Forget all steps, where the arrays hold what they did before the first one."""
         control, bodies = self.world.control, self.world.bodies
@@ -248,6 +263,10 @@ class Engine(Store):
         control.counts[SUBSTEPS] = substeps
         self.world.direct.counts[UNSOLVED] = 0
         bodies.propagators[:] = bodies.propagators_of_level[0]
+        self.forget_steps()
+
+    def forget_steps(self) -> None:
+        """Begin anew with arrays that hold what they did before the first step."""
         self._alone, self._course_known = True, False
         self.revision += 1
 
@@ -273,16 +292,25 @@ class Engine(Store):
     def forget_addresses(self) -> None:
         """Find the addresses of the arrays, and where bodies may be, anew before they are used."""
         super().forget_addresses()
-        self._course_known = False
+        self._course_known, self._take = False, None
 
-    def step(self, count: int = 1) -> Invalid | None:
+    def step(self, count: int = 1, *, untouched: bool = False) -> Invalid | None:
         """Take some steps; return the value that keeps one from being taken, or None.
 
         Then the state is as it was before that step. If what a step makes of a body is not finite,
-        the body stays as it was before, all others take the step, and contacts are forgotten.
+        the body stays as it was before, all others take the step, and contacts are forgotten. What
+        users see may be known to be `untouched` since the last step.
         """
-        checked, timed = 0, count > 1
+        if untouched and self._skipped(count):
+            return None
+        checked, timed = False, count > 1
         try:
+            if count == 1 and not self._alone:  # what is called most takes the shortest way
+                status = (self._take or self._prepared())(1, False)
+                if status == DONE:
+                    return None
+                status = self._continued(status, checked)
+                return None if status in (DONE, CLEAR) else self._refused(status)
             while count > 0:
                 if self._alone and not self._connected:
                     asked = min(count, self._ballistic_steps_per_call.most)
@@ -291,16 +319,29 @@ class Engine(Store):
                     if taken == asked:
                         continue
                 asked = min(count, self._steps_per_call.most)
-                status = self._solved_steps(asked, checked, timed)
+                if timed:
+                    self._steps_per_call.begin()
+                status = self._solved_steps(asked, checked)
+                taken, checked = asked - int(self.world.control.counts[STEPS_LEFT]), True
+                if timed:
+                    self._steps_per_call.end(taken)
                 if status not in (DONE, CLEAR):
                     return self._refused(status)
-                self._alone, checked = status == CLEAR, 1
-                count -= asked if status == DONE else self._taken(asked)
+                count -= taken
         except BaseException:  # Ctrl-C, or no memory
             if self.world.control.counts[STAGE] != AT_START:
                 self._forget_contacts()
             raise
         return None
+
+    def _skipped(self, count: int) -> bool:
+        """Count some steps as taken if all bodies sleep through them."""
+        control, broad_phase = self.world.control.counts, self.world.broad_phase.counts
+        asleep = bool(control[ALL_ASLEEP] and broad_phase[LIST_HOLDS])
+        if asleep:
+            control[STEPS_TAKEN] += count
+            broad_phase[STEPS_SINCE] += count
+        return asleep
 
     @property
     def _connected(self) -> bool:
@@ -330,31 +371,25 @@ class Engine(Store):
             self.world.control.counts[FINEST] = 0
         return taken
 
-    def _solved_steps(self, count: int, checked: int, timed: bool) -> int:
+    def _solved_steps(self, count: int, checked: bool) -> int:
         """Take up to some steps through contacts; return how that ended."""
-        counts = self.world.control.counts
-        counts[STEPS_LEFT], counts[CHECKED] = count, checked
         self._alone = self._course_known = False
-        if timed:
-            self._steps_per_call.begin()
-        while (status := self._call()) in _TOO_SHORT:
+        return self._continued((self._take or self._prepared())(count, checked), checked)
+
+    def _continued(self, status: int, checked: bool) -> int:
+        """Go on with steps that ended somehow, as long as an array is too short for them."""
+        while status in _TOO_SHORT:
+            counts = self.world.control.counts
             self.resize(**{_TOO_SHORT[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
-        if timed:
-            self._steps_per_call.end(self._taken(count))
+            status = self._prepared()(int(counts[STEPS_LEFT]), checked)
+        self._alone = status == CLEAR
         return status
 
-    def _taken(self, asked: int) -> int:
-        """How many of some steps the last call took."""
-        return asked - int(self.world.control.counts[STEPS_LEFT])
-
-    def _call(self) -> int:
-        try:
-            status: int = self._entries.step(self.argument)
-        except (ValueError, OverflowError, ZeroDivisionError):
-            if self.compiled:
-                raise
-            return OVERFLOWED  # plain Python makes no whole number of NaN; compiled code goes on
-        return status
+    def _prepared(self) -> _Take:
+        """Return what takes steps, bound to the arrays until these are replaced."""
+        step = self._entries.step if self.compiled else _overflowing(self._entries.step)
+        self._take = partial(step, self.argument)
+        return self._take
 
     def _refused(self, status: int) -> Invalid:
         """Return why a step was not taken, or not by all bodies."""
@@ -380,3 +415,15 @@ class Engine(Store):
             values[...] = 0
         world.shapes.world_vertices[...] = world.shapes.local_vertices
         self.forget_pairs()
+
+
+def _overflowing(step: Callable[..., int]) -> Callable[..., int]:
+    """Return plain Python steps that end where a number is not whole, as compiled ones do."""
+
+    def take(world: World, count: int, checked: bool) -> int:
+        try:
+            return step(world, count, checked)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return OVERFLOWED  # Python makes no whole number of NaN; compiled code goes on
+
+    return take

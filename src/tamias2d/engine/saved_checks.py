@@ -125,6 +125,7 @@ def _check_bodies(arrays: Arrays) -> None:
     require(slots[-1] == len(slots) - 1 and kind[-1] == ABSENT, name, "the last one must be idle")
     if rank is None or rank.dtype != np.int64 or rank.ndim != 1 or len(rank) >= len(kind):
         raise UnfitError("rank: must be int64, one for each body")
+    require(slots[: len(rank)] < len(rank), name, "bodies must have the first slots")
     present = kind != ABSENT
     require(~present[len(rank) :], "state.kind", "has more bodies than there are ranks")
     require((rank >= 0) == present[: len(rank)], "rank", "must be given to bodies alone")

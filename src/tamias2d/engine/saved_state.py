@@ -95,7 +95,7 @@ def _derive(world: World, arrays: Arrays) -> None:
     slots = state.slot_of_body
     state.body_of_slot[slots] = np.arange(len(slots))
     bodies.properties[slots], bodies.kind[slots] = state.properties, state.kind
-    world.shapes.slot[:] = slots[state.body_of_shape]
+    world.shapes.slot[:] = np.minimum(slots[state.body_of_shape], len(arrays["rank"]))
     world.touching.counts[[ARRANGED, ISLANDS_KNOWN]] = counts[BUFFER] = 0
     for name in Contacts._fields:
         getattr(world.buffers, name)[0] = arrays[f"contacts.{name}"]

@@ -53,7 +53,6 @@ from tamias2d.engine.tables import (
     AGAIN,
     ARRIVING,
     AT_START,
-    CHECKED,
     CLEAR,
     CONTACTS,
     DONE,
@@ -91,19 +90,20 @@ from tamias2d.engine.tables import (
 SHORTEST_FOR_SPRINGS = 6  # level; networks for which that is too long go through the substeps
 
 
-def step(world: World) -> int:
-    """Take the steps that are left of a call, or return why not all of them can be taken.
+def step(world: World, steps: int, checked: bool) -> int:
+    """Take some steps, or return why not all of them can be taken.
 
-    Called again, it continues. It ends early, with CLEAR, where no contact is on the list: bodies
-    may go ballistically then.
+    Called again with those that are left, it continues. It ends early, with CLEAR, where no contact
+    is on the list: bodies may go ballistically then. What users can set may have been `checked`.
     """
     counts = world.control.counts
+    counts[STEPS_LEFT] = steps
     if still_asleep(world):
         skip_steps(world)
         return DONE
     if counts[STAGE] == AT_START:
         valid = gather_state(world.control, world.state, world.bodies)
-        if not valid and counts[CHECKED] == 0:
+        if not (valid or checked):
             return INVALID
     note_places(world)
     mark_joined(world)

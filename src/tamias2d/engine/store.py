@@ -7,7 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.tables import CHUNK, LIST_HOLDS, Integers
-from tamias2d.engine.world import Capacities, allocated, arrays_by_slot, resized, with_arrays
+from tamias2d.engine.world import (
+    Capacities,
+    allocated,
+    arrays_by_slot,
+    in_use,
+    resized,
+    with_arrays,
+)
 from tamias2d.kernels.groups import addresses
 from tamias2d.state import Array
 
@@ -33,7 +40,8 @@ class Store:
         """The world as compiled code takes it, a table of addresses, or as plain code does."""
         if self._argument is None:
             self._reserve_clip()
-            self._argument = addresses(self.world) if self.compiled else self.world
+            seen = in_use(self.world, self.size + 1)  # an idle slot follows those of the bodies
+            self._argument = addresses(seen) if self.compiled else seen
         return self._argument
 
     def replace(self, **arrays: NDArray[Any]) -> None:
@@ -93,7 +101,7 @@ class Store:
         state, bodies = self.world.state, self.world.bodies
         slots = state.slot_of_body[rows]
         bodies.properties[slots], bodies.kind[slots] = state.properties[rows], state.kind[rows]
-        self.world.shapes.slot[:] = state.slot_of_body[state.body_of_shape]
+        self.world.shapes.slot[:] = np.minimum(state.slot_of_body[state.body_of_shape], self.size)
 
     def clear(self, rows: Integers) -> None:
         """Forget all that is known of some bodies."""

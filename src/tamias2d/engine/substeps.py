@@ -13,6 +13,7 @@ from tamias2d.engine.joints.stages import (
     relax_in_turns,
     relax_joints,
     solve_joints,
+    unless_in_turns,
 )
 from tamias2d.engine.solver.angular_momentum import (
     add_moments,
@@ -203,9 +204,12 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     relax_joints(world)
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(True, tree, tree_end, substep, bodies, constraints, world.direct)
-    for _ in range(constraints.counts[SWEEPS]):
-        relax(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
-    relax_in_turns(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], substep, world)
+    block, block_end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
+    done = True
+    done = unless_in_turns(done, world)
+    for left in range(constraints.counts[SWEEPS] - 1, -1, -1):
+        relax(block, block_end, bodies, constraints, substep, done and left == 0)
+    relax_in_turns(block, block_end, substep, world)
 
 
 @inlined

@@ -79,7 +79,6 @@ SUBSTEP = _settings()  # s, of the last part that was solved
 _control = Columns()
 SUBSTEPS = _control()  # of a step
 STEPS_LEFT = _control()  # steps of this call that are still to be taken
-CHECKED = _control()  # 1 if the values that users can set have been checked
 STAGE = _control()  # at which the step continues, one of those below
 ROWS_NEEDED = _control()  # by the array that was too short
 STEPS_TAKEN = _control()  # since the start
@@ -474,6 +473,7 @@ R_BIAS_RATE = _block()  # 1/s, at which an overlap is pushed apart
 R_MASS_SHARE = _block()  # of the effective mass by softness
 R_IMPULSE_SHARE = _block()  # of the impulse that softness takes back
 R_SMALLER_RADIUS = _block()  # m, of the smaller bounding circle
+R_ALLOWED = _block()  # m, overlap for which no preload is learnt
 SHARED = _block.width
 
 _point = Columns(LANES)  # then, of each point

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.engine.broad_phase.bvh import first_leaf_node
-from tamias2d.engine.memory import aligned_zeros
+from tamias2d.engine.memory import LINE, aligned_zeros
 from tamias2d.engine.tables import (
     CHUNK,
     CHUNK_LANES,
@@ -85,6 +85,42 @@ def arrays_by_slot(world: World) -> Iterator[NDArray[Any]]:
             by_body = isinstance(group, BodyState)
             if declared is not None and declared[1].shape[0] == "slots" and not by_body:
                 yield getattr(group, name)
+
+
+def gathered(world: World) -> tuple[World, NDArray[np.uint8]]:
+    """Return the world with arrays that lie in one piece of memory, and that memory."""
+    arrays = named_arrays(world)
+    lines = [-(-values.nbytes // LINE) for values in arrays.values()]
+    starts = LINE * (np.cumsum(lines) - lines)
+    memory = aligned_zeros(LINE * sum(lines), np.uint8)
+    moved = {}
+    for (name, values), start in zip(arrays.items(), starts.tolist(), strict=True):
+        place = memory[start : start + values.nbytes].view(values.dtype).reshape(values.shape)
+        place[...] = values
+        moved[name] = place
+    return with_arrays(world, moved), memory
+
+
+def in_use(world: World, slots: int) -> World:
+    """Return the world as steps see it: of arrays that have a row for each slot, the first ones.
+
+    So a step costs what its bodies cost, whatever the capacity. What users see stays whole: it goes
+    into chunks.
+    """
+    state = world.state._replace(body_of_slot=world.state.body_of_slot[:slots])
+    seen: World = _shortened(world, slots)._replace(state=state)
+    return seen
+
+
+def _shortened(group: Any, slots: int) -> Any:
+    kind: Any = type(group)
+    cut = {}
+    for name, declared in _declared(kind).items():
+        if isinstance(declared, type):
+            cut[name] = _shortened(getattr(group, name), slots)
+        elif declared is not None and declared[1].shape[0] == "slots":
+            cut[name] = getattr(group, name)[:slots]
+    return group._replace(**cut)
 
 
 def with_arrays(world: World, arrays: Mapping[str, NDArray[Any]]) -> World:

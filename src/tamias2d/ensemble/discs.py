@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from tamias2d.contact.stepping_choice import MANY
 from tamias2d.ensemble.request import STATE, Request
-from tamias2d.ensemble.worlds import VariedWorlds, Worlds
+from tamias2d.ensemble.worlds import VariedWorlds, Worlds, value_of
 from tamias2d.event_driven import LIBRARY, tables
 from tamias2d.event_driven.arrangement import blank_world, kinds_of
 from tamias2d.event_driven.length import hypot_agrees
@@ -138,23 +138,13 @@ def _pushed(scene: Scene) -> list[int]:
     return [k for k, body in enumerate(scene.bodies) if body.dynamic]
 
 
-def _value(worlds: VariedWorlds, keys: tuple[Any, ...], base: Any) -> Any:
-    """Return a number, or the numbers (w,) by which it varies; of a pair by its last key."""
-    for place, values in worlds.values.items():
-        if place.keys == keys:
-            return values
-        if place.vector and place.keys == keys[:-1]:
-            return values[:, keys[-1]]
-    return base
-
-
 def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
     """Return the columns (w, 15) of a body."""
     body, found = worlds.base.bodies[k], np.zeros((count, tables.COLUMNS))
 
     def value(key: str, *component: int) -> Any:
         base = getattr(body, key)
-        return _value(
+        return value_of(
             worlds,
             ("bodies", body.name, key, *component),
             base[component[0]] if component else base,
@@ -175,7 +165,7 @@ def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
 
 def _radius(worlds: VariedWorlds, body: Body) -> Any:
     assert isinstance(body.shape, Disc)
-    return _value(worlds, ("bodies", body.name, "radius"), body.shape.radius)
+    return value_of(worlds, ("bodies", body.name, "radius"), body.shape.radius)
 
 
 def _motion(worlds: VariedWorlds, body: Body, value: Any) -> Iterator[tuple[int, Any]]:
@@ -186,7 +176,7 @@ def _motion(worlds: VariedWorlds, body: Body, value: Any) -> Iterator[tuple[int,
     mass, inertia = value("mass"), value("inertia")
     if body.shape is not None and not body.inertia_stated and inertia is body.inertia:
         inertia = definitions.inertia_disc(mass, _radius(worlds, body))
-    gravity = tuple(_value(worlds, ("gravity", c), worlds.base.gravity[c]) for c in (0, 1))
+    gravity = tuple(value_of(worlds, ("gravity", c), worlds.base.gravity[c]) for c in (0, 1))
     force = (0.0 + value("force", 0), 0.0 + value("force", 1))
     yield from zip(
         (tables.AX, tables.AY), translation.acceleration(gravity, force, mass), strict=True
@@ -210,11 +200,11 @@ def _restitution(worlds: VariedWorlds, i: int, j: int) -> Any:
     names = scene.bodies[i].name, scene.bodies[j].name
     of_pair = scene.restitution_of_pairs.get((i, j))
     for pair in (names, names[::-1]):
-        of_pair = _value(worlds, ("restitution_of_pairs", pair), of_pair)
+        of_pair = value_of(worlds, ("restitution_of_pairs", pair), of_pair)
     if of_pair is not None:
         return of_pair
     own = [
-        _value(worlds, ("bodies", body.name, "restitution"), body.restitution)
+        value_of(worlds, ("bodies", body.name, "restitution"), body.restitution)
         for body in (scene.bodies[i], scene.bodies[j])
     ]
     stated = [value for value in own if value is not None]

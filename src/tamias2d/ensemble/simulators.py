@@ -126,7 +126,12 @@ class Simulators(Views):
             StepWarning: as `Simulator` does, for each world.
         """
         steps = checked_count(count, "count", 0)
-        self._each(lambda sim: sim.step(steps))
+
+        def advance(sim: Simulator) -> None:
+            sim._seen = True  # its arrays are shared
+            sim.step(steps)
+
+        self._each(advance)
 
     @exclusive
     def reset(self, mask: object | None = None) -> None:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tamias2d.balance import balance
 from tamias2d.ensemble.discs import followed
 from tamias2d.ensemble.request import Request, kept_of
+from tamias2d.ensemble.stepped import stepped
 from tamias2d.ensemble.worlds import Worlds, refuse_other_bodies
 from tamias2d.errors import InputError, SceneError, SimulationError, TamiasError
 from tamias2d.motion import Stepped
@@ -61,24 +62,22 @@ def solved_block(worlds: Worlds, request: Request, first: int, last: int) -> Blo
     arrays = {name: np.full((count, *request.shape(name)), np.nan) for name in request.kept}
     outcome = np.full(count, REFUSED, dtype=np.int8)
     refusal: TamiasError | None = None
-    compiled = followed(worlds, request, first, last)
-    left = np.arange(count)
-    if compiled is not None:
-        left = np.flatnonzero(~compiled.done)
-        outcome[compiled.done] = LOCATED
-        for name, values in compiled.arrays.items():
-            arrays[name][compiled.done] = values[compiled.done]
-    for row in left.tolist():
+    for quick, kind in ((followed, LOCATED), (stepped, STEPPED)):
+        if (found := quick(worlds, request, first, last)) is not None:
+            outcome[found.done] = kind
+            for name, values in found.arrays.items():
+                arrays[name][found.done] = values[found.done]
+    for row in np.flatnonzero(outcome == REFUSED).tolist():
         world = first + row
         scene = worlds.scene(world)
         refuse_other_bodies(scene, world, request.names)
         try:
-            found, outcome[row] = _solved(scene, request)
+            solved, outcome[row] = _solved(scene, request)
         except _REFUSALS as fault:
-            kind = next(kind for kind in _REFUSALS if isinstance(fault, kind))
-            refusal = refusal or kind(f"world {world} of the ensemble: {fault}")
+            refused = next(kind for kind in _REFUSALS if isinstance(fault, kind))
+            refusal = refusal or refused(f"world {world} of the ensemble: {fault}")
             continue
-        for name, values in found.items():
+        for name, values in solved.items():
             arrays[name][row] = values
     return Block(first, arrays, outcome, refusal)
 

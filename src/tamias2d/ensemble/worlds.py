@@ -66,6 +66,16 @@ class VariedWorlds:
         return VariedWorlds(self.base, values, self.count, first)
 
 
+def value_of(worlds: VariedWorlds, keys: tuple[Any, ...], base: Any) -> Any:
+    """Return a number, or the numbers (w,) by which it varies; of a pair by its last key."""
+    for place, values in worlds.values.items():
+        if place.keys == keys:
+            return values
+        if place.vector and place.keys == keys[:-1]:
+            return values[:, keys[-1]]
+    return base
+
+
 @dataclass(frozen=True)
 class MadeWorlds:
     """Scenes that a function makes."""

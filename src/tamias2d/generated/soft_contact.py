@@ -1,6 +1,7 @@
 """Soft contact: Row of a contact; Kick along a row; Soft contact; Overlap at rest; Preload of a
-contact; Firmness that feeds no wave; Frequency under a load; Shift through a substep;
-Separation of a contact that moves; What is left of a gap; Soft step of a contact.
+contact; Extent of what is thin; Firmness that feeds no wave; Frequency under a load; Shift
+through a substep; Separation of a contact that moves; What is left of a gap; Soft step of a
+contact.
 
 Generated from srs/models/soft_contact.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -296,6 +297,25 @@ def preload_later(
     )
 
 
+def extent_thin(
+    extent: Scalar, half_width: Scalar, width_multiple: Scalar, thinnest_share: Scalar
+) -> Scalar:
+    """Extent of a pair in which a body may be thin (m).
+
+    extent_thin = min(extent, max(width_multiple*half_width, thinnest_share*extent))
+
+    Args:
+        extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does, m
+        half_width: Half of a body's least width, m
+        width_multiple: How many half widths an extent counts at most, 1
+        thinnest_share: Part of its extent that a body counts at least, however thin it is, 1
+
+    Source: DD77, srs/models/soft_contact.md:430.
+    """
+    return least(extent, largest(width_multiple * half_width, thinnest_share * extent))
+
+
 def angular_frequency_even(time_step: Scalar) -> Scalar:
     """Phase that an oscillation gains per unit of time; at which a contact is as firm at rest as
     in a fast motion (rad/s).
@@ -305,7 +325,7 @@ def angular_frequency_even(time_step: Scalar) -> Scalar:
     Args:
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD76, srs/models/soft_contact.md:432.
+    Source: DD76, srs/models/soft_contact.md:459.
     """
     return 1 / time_step
 
@@ -338,7 +358,7 @@ def angular_frequency_loaded(
             does, m
         firmest: Frequency of a contact under a load, at most, over that without one, 1
 
-    Source: DD42, srs/models/soft_contact.md:470.
+    Source: DD42, srs/models/soft_contact.md:497.
     """
     angular_frequency_wanted = sqrt(
         accumulated_impulse
@@ -358,7 +378,7 @@ def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
         velocity: Velocity of the centre of mass, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:523.
+    Source: DD43, srs/models/soft_contact.md:550.
     """
     shift_x, shift_y = shift
     velocity_x, velocity_y = velocity
@@ -375,7 +395,7 @@ def turn_later(turn: Scalar, angular_velocity: Scalar, time_step: Scalar) -> Sca
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:524.
+    Source: DD43, srs/models/soft_contact.md:551.
     """
     return turn + time_step * angular_velocity
 
@@ -389,7 +409,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the contact point, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:547.
+    Source: DD29, srs/models/soft_contact.md:574.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -427,7 +447,7 @@ def separation_later(
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:548.
+    Source: DD29, srs/models/soft_contact.md:575.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -453,7 +473,7 @@ def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:616.
+    Source: DD31, srs/models/soft_contact.md:643.
     """
     return largest(separation / time_step + row_velocity, 0)
 
@@ -469,7 +489,7 @@ def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:617.
+    Source: DD31, srs/models/soft_contact.md:644.
     """
     return time_step * (bias_velocity_later - row_velocity)
 
@@ -487,7 +507,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:675.
+    Source: IM10, srs/models/soft_contact.md:702.
     """
     return (-removal_share) * extent / time_step
 
@@ -507,7 +527,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:676.
+    Source: IM10, srs/models/soft_contact.md:703.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -535,7 +555,7 @@ def soft_normal_impulse(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its impulse that a soft contact gives back in an iteration, 1
 
-    Source: IM10, srs/models/soft_contact.md:679.
+    Source: IM10, srs/models/soft_contact.md:706.
     """
     return largest(
         accumulated_impulse
@@ -565,7 +585,7 @@ def limited_tangent_impulse(
             along itself, 1
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:683.
+    Source: IM10, srs/models/soft_contact.md:710.
     """
     return largest(
         least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
@@ -594,7 +614,7 @@ def restitution_impulse(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:686.
+    Source: IM10, srs/models/soft_contact.md:713.
     """
     return largest(
         accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0

@@ -1201,6 +1201,42 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=767,
     ),
+    "half_width": Symbol(
+        "half_width",
+        "m",
+        "half of a body's least width",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="w",
+        file="srs/symbols.md",
+        line=772,
+    ),
+    "extent_thin": Symbol(
+        "extent_thin",
+        "m",
+        "extent of a pair in which a body may be thin",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="e_w",
+        file="srs/symbols.md",
+        line=777,
+    ),
+    "width_multiple": Symbol(
+        "width_multiple",
+        "1",
+        "how many half widths an extent counts at most",
+        range=Range("> 0", low=0.0),
+        tex="n_w",
+        file="srs/symbols.md",
+        line=782,
+    ),
+    "thinnest_share": Symbol(
+        "thinnest_share",
+        "1",
+        "part of its extent that a body counts at least, however thin it is",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="\\sigma_w",
+        file="srs/symbols.md",
+        line=787,
+    ),
     "preload_largest": Symbol(
         "preload_largest",
         "m",
@@ -1208,7 +1244,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=772,
+        line=792,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1216,7 +1252,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=777,
+        line=797,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1224,7 +1260,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=781,
+        line=801,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1232,7 +1268,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=785,
+        line=805,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1240,7 +1276,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=789,
+        line=809,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1248,7 +1284,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=793,
+        line=813,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1257,7 +1293,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=797,
+        line=817,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1266,7 +1302,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=802,
+        line=822,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1275,7 +1311,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=807,
+        line=827,
     ),
     "shift": Symbol(
         "shift",
@@ -1284,7 +1320,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=812,
+        line=832,
     ),
     "turn": Symbol(
         "turn",
@@ -1292,7 +1328,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=817,
+        line=837,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1301,7 +1337,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=821,
+        line=841,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1310,7 +1346,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=828,
+        line=848,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1319,7 +1355,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=833,
+        line=853,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1328,7 +1364,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=840,
+        line=860,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1337,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=847,
+        line=867,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1346,7 +1382,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=853,
+        line=873,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1354,7 +1390,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=860,
+        line=880,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1363,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=873,
+        line=893,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1371,7 +1407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=878,
+        line=898,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1379,7 +1415,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=882,
+        line=902,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1388,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=888,
+        line=908,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1396,7 +1432,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=893,
+        line=913,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1405,7 +1441,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=897,
+        line=917,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1413,7 +1449,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=902,
+        line=922,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1422,7 +1458,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=906,
+        line=926,
     ),
     "advance": Symbol(
         "advance",
@@ -1431,7 +1467,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=911,
+        line=931,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1439,7 +1475,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=916,
+        line=936,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1447,7 +1483,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=920,
+        line=940,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1455,7 +1491,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=924,
+        line=944,
     ),
     "slip": Symbol(
         "slip",
@@ -1463,7 +1499,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=929,
+        line=949,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1471,7 +1507,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=935,
+        line=955,
     ),
     "circling": Symbol(
         "circling",
@@ -1480,7 +1516,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=939,
+        line=959,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1488,7 +1524,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=946,
+        line=966,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1497,7 +1533,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=950,
+        line=970,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1506,7 +1542,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=955,
+        line=975,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1515,7 +1551,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=960,
+        line=980,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1523,7 +1559,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=965,
+        line=985,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1532,7 +1568,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=969,
+        line=989,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1540,7 +1576,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=974,
+        line=994,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1548,7 +1584,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=978,
+        line=998,
     ),
     "arc": Symbol(
         "arc",
@@ -1557,7 +1593,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=984,
+        line=1004,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1566,7 +1602,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=989,
+        line=1009,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1574,7 +1610,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=999,
+        line=1019,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1582,7 +1618,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1003,
+        line=1023,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1591,7 +1627,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1007,
+        line=1027,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1600,7 +1636,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1012,
+        line=1032,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1609,7 +1645,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1017,
+        line=1037,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1618,7 +1654,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1022,
+        line=1042,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1627,7 +1663,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1027,
+        line=1047,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1635,7 +1671,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1032,
+        line=1052,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1644,7 +1680,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1041,
+        line=1061,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1652,7 +1688,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1046,
+        line=1066,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1661,7 +1697,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1050,
+        line=1070,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1669,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1055,
+        line=1075,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1677,7 +1713,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1059,
+        line=1079,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1686,7 +1722,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1063,
+        line=1083,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1695,7 +1731,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1068,
+        line=1088,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1704,7 +1740,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1073,
+        line=1093,
     ),
     "work": Symbol(
         "work",
@@ -1712,7 +1748,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1078,
+        line=1098,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1721,7 +1757,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1082,
+        line=1102,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1729,7 +1765,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1087,
+        line=1107,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1738,7 +1774,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1091,
+        line=1111,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1746,7 +1782,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1096,
+        line=1116,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1755,7 +1791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1101,
+        line=1121,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1764,7 +1800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1106,
+        line=1126,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1773,7 +1809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1111,
+        line=1131,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1782,7 +1818,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1118,
+        line=1138,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1791,7 +1827,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1123,
+        line=1143,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1799,7 +1835,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1128,
+        line=1148,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1807,7 +1843,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1133,
+        line=1153,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1815,7 +1851,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1139,
+        line=1159,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1824,7 +1860,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1143,
+        line=1163,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -1833,7 +1869,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1150,
+        line=1170,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1842,7 +1878,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1155,
+        line=1175,
     ),
     "energy": Symbol(
         "energy",
@@ -1850,7 +1886,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1160,
+        line=1180,
     ),
     "radius": Symbol(
         "radius",
@@ -1859,7 +1895,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1169,
+        line=1189,
     ),
     "length": Symbol(
         "length",
@@ -1868,7 +1904,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1174,
+        line=1194,
     ),
     "width": Symbol(
         "width",
@@ -1877,7 +1913,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1181,
+        line=1201,
     ),
     "height": Symbol(
         "height",
@@ -1886,7 +1922,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1186,
+        line=1206,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1895,7 +1931,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1191,
+        line=1211,
     ),
     "center": Symbol(
         "center",
@@ -1904,7 +1940,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1196,
+        line=1216,
     ),
     "offset": Symbol(
         "offset",
@@ -1912,7 +1948,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1201,
+        line=1221,
     ),
     "area": Symbol(
         "area",
@@ -1921,7 +1957,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1205,
+        line=1225,
     ),
     "way": Symbol(
         "way",
@@ -1930,7 +1966,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1210,
+        line=1230,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -1938,7 +1974,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1215,
+        line=1235,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -1947,7 +1983,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1219,
+        line=1239,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -1956,7 +1992,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1224,
+        line=1244,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -1964,7 +2000,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1229,
+        line=1249,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -1972,7 +2008,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1233,
+        line=1253,
     ),
     "lean": Symbol(
         "lean",
@@ -1980,7 +2016,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1237,
+        line=1257,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -1988,7 +2024,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1241,
+        line=1261,
     ),
     "admitted": Symbol(
         "admitted",
@@ -1996,7 +2032,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1245,
+        line=1265,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2005,7 +2041,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1251,
+        line=1271,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2013,7 +2049,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1264,
+        line=1284,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2021,7 +2057,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1268,
+        line=1288,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2030,7 +2066,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1272,
+        line=1292,
     ),
     "slope": Symbol(
         "slope",
@@ -2039,7 +2075,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1277,
+        line=1297,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2047,7 +2083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1282,
+        line=1302,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2055,7 +2091,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1286,
+        line=1306,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2063,7 +2099,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1290,
+        line=1310,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2072,7 +2108,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1294,
+        line=1314,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2080,7 +2116,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1299,
+        line=1319,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2088,7 +2124,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1303,
+        line=1323,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2096,7 +2132,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1307,
+        line=1327,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2104,7 +2140,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1311,
+        line=1331,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2112,7 +2148,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1315,
+        line=1335,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2121,7 +2157,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1319,
+        line=1339,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2130,7 +2166,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1324,
+        line=1344,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2139,7 +2175,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1329,
+        line=1349,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2148,7 +2184,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1334,
+        line=1354,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2156,7 +2192,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1339,
+        line=1359,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2165,7 +2201,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1343,
+        line=1363,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2173,7 +2209,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1348,
+        line=1368,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2182,7 +2218,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1352,
+        line=1372,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2190,7 +2226,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1357,
+        line=1377,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2198,7 +2234,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1361,
+        line=1381,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2207,7 +2243,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1365,
+        line=1385,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2216,7 +2252,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1370,
+        line=1390,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2225,7 +2261,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1375,
+        line=1395,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2233,7 +2269,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1380,
+        line=1400,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2241,7 +2277,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1384,
+        line=1404,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2249,7 +2285,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1388,
+        line=1408,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2258,7 +2294,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1392,
+        line=1412,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2267,7 +2303,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1397,
+        line=1417,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2276,7 +2312,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1402,
+        line=1422,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2285,7 +2321,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1407,
+        line=1427,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2294,7 +2330,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1412,
+        line=1432,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2303,7 +2339,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1417,
+        line=1437,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2312,7 +2348,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1422,
+        line=1442,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2321,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1427,
+        line=1447,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2329,7 +2365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1432,
+        line=1452,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2338,7 +2374,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1436,
+        line=1456,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2346,7 +2382,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1441,
+        line=1461,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2355,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1445,
+        line=1465,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2364,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1450,
+        line=1470,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2373,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1455,
+        line=1475,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2382,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1460,
+        line=1480,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2391,7 +2427,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1465,
+        line=1485,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2399,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1470,
+        line=1490,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2408,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1474,
+        line=1494,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2417,7 +2453,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1479,
+        line=1499,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2426,7 +2462,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1484,
+        line=1504,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2435,7 +2471,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1489,
+        line=1509,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2443,7 +2479,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1494,
+        line=1514,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2451,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1498,
+        line=1518,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2460,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1502,
+        line=1522,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2469,7 +2505,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1507,
+        line=1527,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2478,7 +2514,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1512,
+        line=1532,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2487,7 +2523,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1517,
+        line=1537,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2496,7 +2532,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1522,
+        line=1542,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2505,7 +2541,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1527,
+        line=1547,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2514,7 +2550,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1532,
+        line=1552,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2523,7 +2559,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1537,
+        line=1557,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2532,7 +2568,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1542,
+        line=1562,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2540,7 +2576,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1547,
+        line=1567,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2549,7 +2585,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1551,
+        line=1571,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2557,7 +2593,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1556,
+        line=1576,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2565,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1560,
+        line=1580,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2574,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1564,
+        line=1584,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2583,7 +2619,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1569,
+        line=1589,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2592,7 +2628,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1574,
+        line=1594,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2600,7 +2636,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1579,
+        line=1599,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2609,7 +2645,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1583,
+        line=1603,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2617,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1588,
+        line=1608,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2626,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1592,
+        line=1612,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2635,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1597,
+        line=1617,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2643,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1602,
+        line=1622,
     ),
     "change": Symbol(
         "change",
@@ -2652,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1606,
+        line=1626,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2661,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1611,
+        line=1631,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2670,7 +2706,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1616,
+        line=1636,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2678,7 +2714,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1621,
+        line=1641,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2687,7 +2723,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1625,
+        line=1645,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2695,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1630,
+        line=1650,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2703,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1634,
+        line=1654,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2711,7 +2747,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1638,
+        line=1658,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2720,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1642,
+        line=1662,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2728,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1647,
+        line=1667,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2737,6 +2773,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1651,
+        line=1671,
     ),
 }

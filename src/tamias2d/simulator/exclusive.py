@@ -11,9 +11,10 @@ _Method = TypeVar("_Method", bound=Callable[..., Any])
 
 
 class Locked(Protocol):
-    """Whatever has a lock that a call holds while it runs."""
+    """Whatever has a lock that a call holds while it runs, and notes that somebody looked."""
 
     _lock: Lock
+    _seen: bool
 
 
 def exclusive(method: _Method) -> _Method:
@@ -23,6 +24,7 @@ def exclusive(method: _Method) -> _Method:
     def call(self: Locked, *args: Any, **kwargs: Any) -> Any:
         if not self._lock.acquire(blocking=False):
             raise busy(method.__name__.strip("_"))
+        self._seen = True
         try:
             return method(self, *args, **kwargs)
         finally:
@@ -38,6 +40,7 @@ def between_calls(method: _Method) -> _Method:
     def look(self: Locked) -> Any:
         if self._lock.locked():
             raise busy(method.__name__.strip("_"))
+        self._seen = True
         return method(self)
 
     return look  # type: ignore[return-value]

@@ -74,11 +74,13 @@ class Simulator(Views):
     """
 
     __slots__ = (
+        "_jointed",
         "_joints",
         "_limits",
         "_names",
         "_pushed",
         "_scene",
+        "_sleeps",
         "_staying",
         "_substeps",
         "_time_step",
@@ -138,7 +140,7 @@ class Simulator(Views):
 
     def _begin(self, engine: Engine) -> None:
         self._lock = Lock()
-        self._engine = engine
+        self._engine, self._sleeps = engine, engine.sleeps
         self._look()
         self._forget()
 
@@ -173,7 +175,8 @@ class Simulator(Views):
                 if self._unsettled:
                     self._settle()
                 self._touching = None
-                self._joints.forget_report()
+                if self._jointed:
+                    self._joints.forget_report()
                 if self._varying is None and self._pushed is None:
                     self._advance(count)
                     return
@@ -184,19 +187,21 @@ class Simulator(Views):
 
     def _advance(self, count: int) -> None:
         """Take some steps, or raise `RuleError`."""
-        if (invalid := self._engine.step(count)) is not None:
-            raise invalid_state(invalid, self._engine.kind, self._name_of)
-        step = self._time_step
-        if self._engine.limits > self._limits:
-            self._limits = self._engine.limits
+        engine, step = self._engine, self._time_step
+        untouched = self._sleeps and self._untouched
+        if (invalid := engine.step(count, untouched=untouched)) is not None:
+            raise invalid_state(invalid, engine.kind, self._name_of)
+        self._seen = False
+        if (limits := engine.limits) > self._limits:
+            self._limits = limits
             self._tell(
-                too_long_for_contacts(self._engine, self._name_of, self.time, step, self._substeps)
+                too_long_for_contacts(engine, self._name_of, self.time, step, self._substeps)
             )
-        if len(self._joints):
-            self._tell(too_long_for_joints(self._joints, self._engine, self.time, step))
+        if self._jointed:
+            self._tell(too_long_for_joints(self._joints, engine, self.time, step))
         if self._scene is None or SPRINGS in self._warned:
             return
-        if (row := self._engine.lossy_springs) >= 0:
+        if (row := engine.lossy_springs) >= 0:
             self._tell([too_long_for_springs(self._name_of(row), self.time, step)])
 
     def _tell(self, found: Iterable[Told]) -> None:
@@ -210,6 +215,7 @@ class Simulator(Views):
         """Give what was added its place, and see which loads vary on what is left."""
         self._engine.settle()
         self._unsettled = False
+        self._jointed = len(self._joints) > 0
         if self._joints.new:
             self._joints.settle(self._engine)
         self._varying = None
@@ -235,10 +241,11 @@ class Simulator(Views):
                 varying.begin(engine, self.time, self._time_step)
             if self._pushed is not None:
                 engine.load[: len(self._pushed)] += self._pushed
+            self._seen = True
             self._advance(1)
         finally:  # a push that cannot be is forgotten, too
             engine.load[:] = load
-            self._pushed = None
+            self._seen, self._pushed = True, None
             if engine.steps == steps:
                 engine.velocity[:] = velocity
         if varying is not None:

@@ -133,7 +133,13 @@ class Stepper:
 def states_at(
     scene: Scene, *, time_step: float, substeps: int, times: Array, duration: float
 ) -> History:
-    """Return the states at sorted times (k,), s, that a `Stepper` tells, without its contacts.
+    """Return the states at sorted times (k,), s, that a `Stepper` tells, without its contacts."""
+    sim = Simulator(scene, time_step=time_step, substeps=substeps)
+    return states_of(sim, times=times, duration=duration)
+
+
+def states_of(sim: Simulator, *, times: Array, duration: float) -> History:
+    """Return the states of a simulator, which has taken no step, at sorted times (k,), s.
 
     Steps between two times are taken in one call, up to the end of the duration, s.
 
@@ -141,9 +147,9 @@ def states_at(
         InputError: a number goes beyond float64 on the way.
         SimulationError: a force that varies has no finite value.
     """
-    sim = Simulator(scene, time_step=time_step, substeps=substeps)
-    rows = np.zeros((len(times), 6, len(scene)))
+    time_step = sim.time_step
     steps, before, after = 0, _state(sim), _state(sim)
+    rows = np.zeros((len(times), *after.shape))
     for k, time in enumerate(times.tolist()):
         last = _steps_until(time, time_step)
         if last > steps:

@@ -10,97 +10,109 @@ from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import ABSENT, DYNAMIC
 from tamias2d.scene.rules import RuleError, refuse_masked
 from tamias2d.simulator.exclusive import between_calls, exclusive
+from tamias2d.simulator.lent import is_held, lent
 from tamias2d.state import Array
+
+_POSITION, _ORIENTATION, _VELOCITY, _ANGULAR_VELOCITY, _FORCE, _TORQUE, _GRAVITY = range(7)
 
 
 class Views:
     """What can be read and written between steps; assigning to a view writes into it."""
 
-    __slots__ = ("_engine", "_lock", "_position")
+    __slots__ = ("_engine", "_lock", "_seen", "_views")
     _engine: Engine
     _lock: Lock
-    _position: Array  # kept, since a step of few bodies takes little longer than making a view
+    _seen: bool  # whether anybody has looked in between since the last step
+    _views: tuple[Array, ...]  # kept: a step of few bodies takes little longer than making a view
 
     def _look(self) -> None:
         """Look at the arrays of the engine anew, which adding may put elsewhere."""
-        self._position = self._engine.pose[..., :2]
+        engine = self._engine
+        pose, velocity, load = engine.pose, engine.velocity, engine.load
+        parts = [part for rows in (pose, velocity, load) for part in (rows[..., :2], rows[..., 2])]
+        self._seen, self._views = True, tuple(map(lent, (*parts, engine.gravity)))
+
+    @property
+    def _untouched(self) -> bool:
+        """Whether nobody can have written into what is seen since the last step."""
+        return not (self._seen or is_held(self._views))
 
     @property
     @between_calls
     def gravity(self) -> Array:
         """The same for all bodies, m/s^2: a view (2,)."""
-        return self._engine.gravity
+        return self._views[_GRAVITY]
 
     @gravity.setter
     @exclusive
     def gravity(self, value: ArrayLike) -> None:
-        _write(self._engine.gravity, value, "gravity")
+        _write(self._views[_GRAVITY], value, "gravity")
 
     @property
     @between_calls
     def position(self) -> Array:
         """Of the centres of mass, m: a view (n, 2), the same one until bodies are added."""
-        return self._position
+        return self._views[_POSITION]
 
     @position.setter
     @exclusive
     def position(self, value: ArrayLike) -> None:
-        _write(self._position, value, "position")
+        _write(self._views[_POSITION], value, "position")
 
     @property
     @between_calls
     def orientation(self) -> Array:
         """Counter-clockwise, unbounded, rad: a view (n,)."""
-        return self._engine.pose[..., 2]
+        return self._views[_ORIENTATION]
 
     @orientation.setter
     @exclusive
     def orientation(self, value: ArrayLike) -> None:
-        _write(self._engine.pose[..., 2], value, "orientation")
+        _write(self._views[_ORIENTATION], value, "orientation")
 
     @property
     @between_calls
     def velocity(self) -> Array:
         """m/s: a view (n, 2)."""
-        return self._engine.velocity[..., :2]
+        return self._views[_VELOCITY]
 
     @velocity.setter
     @exclusive
     def velocity(self, value: ArrayLike) -> None:
-        _write(self._engine.velocity[..., :2], value, "velocity")
+        _write(self._views[_VELOCITY], value, "velocity")
 
     @property
     @between_calls
     def angular_velocity(self) -> Array:
         """rad/s: a view (n,)."""
-        return self._engine.velocity[..., 2]
+        return self._views[_ANGULAR_VELOCITY]
 
     @angular_velocity.setter
     @exclusive
     def angular_velocity(self, value: ArrayLike) -> None:
-        _write(self._engine.velocity[..., 2], value, "angular_velocity")
+        _write(self._views[_ANGULAR_VELOCITY], value, "angular_velocity")
 
     @property
     @between_calls
     def force(self) -> Array:
         """Applied besides gravity until it is changed, N: a view (n, 2)."""
-        return self._engine.load[..., :2]
+        return self._views[_FORCE]
 
     @force.setter
     @exclusive
     def force(self, value: ArrayLike) -> None:
-        _write(self._engine.load[..., :2], value, "force")
+        _write(self._views[_FORCE], value, "force")
 
     @property
     @between_calls
     def torque(self) -> Array:
         """Applied until it is changed, N m: a view (n,)."""
-        return self._engine.load[..., 2]
+        return self._views[_TORQUE]
 
     @torque.setter
     @exclusive
     def torque(self, value: ArrayLike) -> None:
-        _write(self._engine.load[..., 2], value, "torque")
+        _write(self._views[_TORQUE], value, "torque")
 
     @property
     @between_calls

@@ -153,7 +153,19 @@ KINDS = {
             "property",
             r"P\d+",
             mapping(
-                ("says",), says=TEXT, uses=_IDS, equation=TEXT, condition=TEXT, label_2018=TEXT
+                ("says",),
+                says=TEXT,
+                uses=_IDS,
+                equation=TEXT,
+                condition=TEXT,
+                label_2018=TEXT,
+                crowd=mapping(
+                    ("within",),
+                    within=TEXT,
+                    bodies={"enum": ["steady"]},
+                    steps={"enum": ["whole"]},
+                    relation={"enum": ["at most"]},
+                ),
             ),
         ),
         Kind(

@@ -17,6 +17,7 @@ from tamias2d.engine.joints.stages import (
     relax_in_turns,
     relax_joints,
     solve_joints,
+    unless_in_turns,
 )
 from tamias2d.engine.sleep import note_joined_support
 from tamias2d.engine.solver.support import charge_joined, support_joined
@@ -40,6 +41,7 @@ JOINT_STAGES = (
     solve_joints,
     charge_joined,
     support_joined,
+    unless_in_turns,
     unless_joined,
     without_kept_apart,
 )

@@ -257,14 +257,20 @@ def relax_joints(world: World) -> None:
     fit_velocities(bodies, joints)
 
 
+def unless_in_turns(done: bool, world: World) -> bool:
+    """Return whether contacts are relaxed once they are: not where `relax_in_turns` goes on."""
+    counts = world.joints.counts
+    return done and (counts[MECHANISMS_AWAKE] == 0 or counts[MECHANISMS_TOUCHED] == 0)
+
+
 def relax_in_turns(block: int, last: int, substep: float, world: World) -> None:
     """Relax touched mechanisms and the contacts, in blocks of lanes, in turns: joints come last."""
     joints, bodies = world.joints, world.bodies
-    if joints.counts[MECHANISMS_AWAKE] == 0 or joints.counts[MECHANISMS_TOUCHED] == 0:
+    if unless_in_turns(True, world):
         return
-    for _ in range(RELAXING_ROUNDS):
+    for left in range(RELAXING_ROUNDS - 1, -1, -1):
         fit_velocities(bodies, joints)
-        relax(block, last, bodies, world.constraints, substep)
+        relax(block, last, bodies, world.constraints, substep, left == 0)
     fit_velocities(bodies, joints)
 
 

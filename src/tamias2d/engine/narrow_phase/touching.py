@@ -61,12 +61,14 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
+from tamias2d.engine.thickness import contact_extent
 from tamias2d.generated.soft_contact import row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 # fractions of the smaller bounding radius of two shapes
 CLOSE = 0.02  # the gap below which there is a contact already
+BETWEEN = 50.0  # half widths that the radius counts at most for it: across a body there is none
 AHEAD = 0.1  # the most by which the motion of a step raises that
 GRAZE = 2.0**-12  # the overlap of bodies that have just met
 DEEP = 0.35  # the overlap beyond which continuous collision sees to it that it grows no more
@@ -267,7 +269,8 @@ def speculative_margin(
     fast = unless_joined(fast, i, j, bodies)
     if fast:
         return 0.0
-    return CLOSE * smaller + (speed + turning if touched else speed) * time_step
+    near = CLOSE * contact_extent(i, j, smaller, BETWEEN, bodies)
+    return near + (speed + turning if touched else speed) * time_step
 
 
 @inlined

@@ -19,6 +19,7 @@ from tamias2d.engine.tables import (
     NEXT_LANE,
     POINT_SIZE,
     POINTS,
+    R_ALLOWED,
     R_FRICTION,
     R_INERTIA_A,
     R_INERTIA_B,
@@ -41,7 +42,11 @@ from tamias2d.engine.tables import (
     Shapes,
     Touching,
 )
+from tamias2d.engine.thickness import contact_extent
 from tamias2d.state import Array
+
+ALLOWED = 0.005  # of the extent: overlap for which no preload is learnt
+WIDTHS = 4.0  # half widths that this extent counts at most
 
 
 def assign_lanes(touching: Touching, constraints: Constraints) -> int:
@@ -120,6 +125,6 @@ def fill_lanes(
         row[R_FRICTION + m], row[R_RESTITUTION + m] = friction, restitution
         constraints.counts[BOUNCING] += restitution > 0.0
         row[R_RADIUS_A + m], row[R_RADIUS_B + m] = shapes.radius[s], shapes.radius[t]
-        row[R_SMALLER_RADIUS + m] = min(
-            shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS]
-        )
+        radius = min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
+        row[R_SMALLER_RADIUS + m] = radius
+        row[R_ALLOWED + m] = ALLOWED * contact_extent(i, j, radius, WIDTHS, bodies)

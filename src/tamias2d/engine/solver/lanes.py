@@ -222,15 +222,19 @@ def soft_lanes(at: int, row: Array, scratch: Array, substep: float) -> None:
         apply_normal(m, at, after - before, row, scratch)
 
 
-def relax_lanes(at: int, row: Array, scratch: Array, substep: float) -> None:
-    """Correct the normal impulses so that no point approaches by more than its gap."""
+def relax_lanes(at: int, row: Array, scratch: Array, substep: float, counted: bool) -> None:
+    """Correct the normal impulses so that no point approaches by more than its gap.
+
+    Where they are those that a substep leaves, they are counted.
+    """
+    share = 1.0 if counted else 0.0
     for m in range(LANES):
         speed = normal_speed(m, at, row, scratch)
         bias = bias_velocity_later(row[at + P_GAP_NOW + m], speed, substep)
         before = row[at + P_NORMAL_IMPULSE + m]
         after = soft_normal_impulse(before, speed, bias, row[at + P_NORMAL_MASS + m], 1.0, 0.0)
         row[at + P_NORMAL_IMPULSE + m] = after
-        row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + after
+        row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + share * after
         apply_normal(m, at, after - before, row, scratch)
 
 
@@ -328,10 +332,18 @@ def solve_soft(
         store_velocities(lane, motion, scratch)
 
 
-def relax(first: int, last: int, bodies: Bodies, constraints: Constraints, substep: float) -> None:
+def relax(
+    first: int,
+    last: int,
+    bodies: Bodies,
+    constraints: Constraints,
+    substep: float,
+    counted: bool,
+) -> None:
     """Relax constraints once, so that no softness is left in the velocities.
 
-    Points that meet in this substep get their normal impulse here, and their friction after it.
+    Points that meet in this substep get their normal impulse here, and their friction after it. The
+    impulses of the last time in a substep are counted.
     """
     motion, scratch = bodies.motion, constraints.scratch
     for b in range(first, last):
@@ -340,9 +352,9 @@ def relax(first: int, last: int, bodies: Bodies, constraints: Constraints, subst
         friction_lanes(FIRST_POINT, row, scratch)
         if lane[POINTS] == 2:
             friction_lanes(SECOND_POINT, row, scratch)
-        relax_lanes(FIRST_POINT, row, scratch, substep)
+        relax_lanes(FIRST_POINT, row, scratch, substep, counted)
         if lane[POINTS] == 2:
-            relax_lanes(SECOND_POINT, row, scratch, substep)
+            relax_lanes(SECOND_POINT, row, scratch, substep, counted)
         apply_closed_friction(
             lane, FIRST_POINT + P_GAP_NOW, SECOND_POINT + P_GAP_NOW, OPEN, row, scratch
         )

@@ -30,6 +30,7 @@ from tamias2d.engine.tables import (
     PRELOAD,
     PX,
     PY,
+    R_ALLOWED,
     R_BIAS_LEAST,
     R_BIAS_RATE,
     R_IMPULSE_SHARE,
@@ -79,7 +80,6 @@ FIRMEST = 2.0  # frequency under load, to that without
 DAMPING = 10.0  # of the spring, where 1 is critical
 REST = 0.015  # of the smaller radius: overlap to which a load should lead
 LEARNT = 0.02  # of the overlap, by the preload in a step
-ALLOWED = 0.005  # of the smaller radius: overlap for which no preload is learnt
 PRELOADED = 0.2  # of the smaller radius: largest preload
 FASTEST = 0.02  # of the smaller radius: how far an overlap is pushed apart in a substep, at most
 
@@ -172,7 +172,8 @@ def fill_impulses(m: int, n: int, ratio: float, manifold: Array, row: Array) -> 
     gap, preload = manifold[GAP + to], 0.0
     if manifold[NORMAL_IMPULSE + to] > 0.0:
         before = manifold[PRELOAD + to]
-        preload = preload_later(before, gap, LEARNT, ALLOWED * radius, PRELOADED * radius)
+        allowed = row[R_ALLOWED + m]
+        preload = preload_later(before, gap, LEARNT, allowed, PRELOADED * radius)
     manifold[PRELOAD + to] = preload
     row[at + P_GAP] = gap - preload
     row[at + P_NORMAL_IMPULSE] = ratio * manifold[NORMAL_IMPULSE + to]

@@ -1,0 +1,239 @@
+"""Stepped worlds of one scene: its simulator is made once, and put back to its start for each.
+
+Serves: the solving of blocks. Hides: which ensembles this fits, and where the values of a world go.
+A start follows from its values but for the order of its bodies, which goes by where they are: so
+there is a simulator for each order. Each world has the bits that it has alone.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tamias2d.engine.batch import UNSTATED
+from tamias2d.engine.body_pool import strips
+from tamias2d.engine.shape_rows import shape_rows
+from tamias2d.engine.tables import (
+    FRICTION,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    RESTITUTION,
+)
+from tamias2d.ensemble.request import STATE, Request
+from tamias2d.ensemble.worlds import VariedWorlds, Worlds, value_of
+from tamias2d.errors import InputError, SceneError, SimulationError
+from tamias2d.motion import Stepped
+from tamias2d.record.dataset import BODIES, DIMENSIONS
+from tamias2d.scene import Body, HalfPlane, Scene
+from tamias2d.scene.acting import steady_load
+from tamias2d.scene.compound import Shape
+from tamias2d.simulator import Restart, Simulator, states_of
+from tamias2d.simulator.batch import scene_batch
+from tamias2d.state import Array, IntArray
+
+_SURFACE = ("restitution", "friction")
+_MOTION = ("position", "orientation", "velocity", "angular_velocity")
+_REFUSALS = (SimulationError, SceneError, InputError)
+_LARGEST = 1e100  # what is beyond it is left to the ordinary way, which tells why it cannot be
+
+
+@dataclass(frozen=True)
+class Kept:
+    """What was kept of stepped worlds."""
+
+    arrays: dict[str, Array]
+    """By name, with the worlds along the first axis."""
+    done: NDArray[np.bool_]
+    """(k,): which worlds were stepped; the others are to be solved in the ordinary way."""
+
+
+class _Starts(NamedTuple):
+    """How w worlds of n bodies start, and what these are, by rows of the engine."""
+
+    pose: Array  # (w, n, 3)
+    velocity: Array  # (w, n, 3)
+    load: Array  # (w, n, 3)
+    inverse: Array  # (w, n, 2), of masses and inertias
+    surface: Array  # (w, n, 2), friction and restitution
+    gravity: Array  # (w, 2)
+
+
+def stepped(worlds: Worlds, request: Request, first: int, last: int) -> Kept | None:
+    """Step the worlds from `first` to before `last`; None if the ensemble is not of this kind."""
+    if not (isinstance(worlds, VariedWorlds) and _asked(request) and _fits(worlds)):
+        return None
+    rows, count = worlds.part(first, last), last - first
+    arrays = {name: np.full((count, *request.shape(name)), np.nan) for name in request.kept}
+    with np.errstate(all="ignore"):
+        starts = _starts(rows, count)
+        order, decided = _orders(rows, starts.pose)
+        small = [(np.abs(part) < _LARGEST).reshape(count, -1).all(axis=1) for part in starts]
+    done = np.logical_and.reduce((decided, *small))
+    for group in _alike(order, done):
+        try:
+            world = _Prepared(rows.scene(first + int(group[0])), request)
+        except _REFUSALS:
+            done[group] = False
+            continue
+        for row in group.tolist():
+            done[row] = world.kept(row, starts, arrays)
+    return Kept(arrays, done)
+
+
+def _asked(request: Request) -> bool:
+    """Whether the request is one for states, by steps."""
+    states = request.tolerance is None and not request.quantities
+    return isinstance(request.method, Stepped) and states and set(request.keep) <= set(STATE)
+
+
+def _fits(worlds: VariedWorlds) -> bool:
+    """Whether all that varies has its place in the arrays of a simulator, and nothing follows."""
+    scene = worlds.base
+    alone = not (scene.springs or scene.fields or scene.joints or scene.attraction is not None)
+    steady = all(body.constant and not body.quadratic_drag for body in scene.bodies)
+    return alone and steady and all(_has_place(scene, place.keys) for place in worlds.values)
+
+
+def _has_place(scene: Scene, keys: tuple[Any, ...]) -> bool:
+    if keys[0] != "bodies":
+        return bool(keys[0] == "gravity")
+    body, key = scene.bodies[scene.index(keys[1])], keys[2]
+    slowed = body.linear_drag or body.angular_drag
+    moves = key in _MOTION and not (body.static and isinstance(body.shape, HalfPlane))
+    pushed = key in ("force", "torque") or (key in ("mass", "inertia") and not slowed)
+    return key in _SURFACE or moves or (pushed and body.shape is not None)
+
+
+# -- the values of all worlds
+
+
+def _starts(worlds: VariedWorlds, count: int) -> _Starts:
+    scene = worlds.base
+    triples, pairs = (count, len(scene), 3), (count, len(scene), 2)
+    found = _Starts(
+        pose=np.zeros(triples),
+        velocity=np.zeros(triples),
+        load=np.zeros(triples),
+        inverse=np.zeros(pairs),
+        surface=np.zeros(pairs),
+        gravity=np.zeros((count, 2)),
+    )
+    for k, body in enumerate(scene.bodies):
+        _fill(worlds, k, body, found)
+    for c in (0, 1):
+        found.gravity[:, c] = value_of(worlds, ("gravity", c), scene.gravity[c])
+    return found
+
+
+def _fill(worlds: VariedWorlds, k: int, body: Body, found: _Starts) -> None:
+    """Fill in how a body starts in all worlds, and what it is."""
+
+    def value(base: Any, *keys: str | int) -> Any:
+        return value_of(worlds, ("bodies", body.name, *keys), base)
+
+    load = steady_load(worlds.base, k)
+    for c in (0, 1):
+        found.pose[:, k, c] = value(body.position[c], "position", c)
+        found.velocity[:, k, c] = value(body.velocity[c], "velocity", c)
+        found.load[:, k, c] = 0.0 + value(load[c], "force", c)
+    found.pose[:, k, 2] = value(body.orientation, "orientation")
+    found.velocity[:, k, 2] = value(body.angular_velocity, "angular_velocity")
+    found.load[:, k, 2] = 0.0 + value(load[2], "torque")
+    found.inverse[:, k, 0] = 1 / value(body.mass, "mass")
+    found.inverse[:, k, 1] = 1 / _inertia(worlds, body)
+    for column, key in enumerate(("friction", "restitution")):
+        stated = getattr(body, key)
+        found.surface[:, k, column] = value(UNSTATED if stated is None else stated, key)
+
+
+def _inertia(worlds: VariedWorlds, body: Body) -> Any:
+    """Return inertias, kg m^2, that vary, follow from a mass that does, or stay."""
+    keys = ("bodies", body.name)
+    stated = value_of(worlds, (*keys, "inertia"), body.inertia)
+    mass = value_of(worlds, (*keys, "mass"), None)
+    if mass is None or body.inertia_stated or stated is not body.inertia or body.shape is None:
+        return stated
+    shape: Any = body.shape
+    return np.array([shape.inertia(one) for one in mass.tolist()])
+
+
+# -- the order of bodies
+
+
+def _orders(worlds: VariedWorlds, pose: Array) -> tuple[IntArray, NDArray[np.bool_]]:
+    """Return the order of the bodies in each world (w, n), and whether it is all that decides.
+
+    What else orders bodies is told only where it is the same in all worlds.
+    """
+    scene = worlds.base
+    batch = scene_batch(scene)
+    reach = np.array([_reach(shape) for shape in batch.shapes])
+    x, y = pose[..., 0], pose[..., 1]
+    keys = np.stack((np.broadcast_to(batch.kind, x.shape), strips(x, reach), y, x))
+    order = np.lexsort(keys[::-1], axis=-1)
+    found = np.take_along_axis(keys, order[None], axis=-1)
+    same = (found[..., 1:] == found[..., :-1]).all(axis=0)
+    varied = {place.keys[1] for place in worlds.values if place.keys[0] == "bodies"}
+    varies = np.array([body.name in varied for body in scene.bodies])[order]
+    return order, ~(same & (varies[:, 1:] | varies[:, :-1])).any(axis=-1)
+
+
+def _reach(shape: Shape | None) -> float:
+    """Return how far the parts of a shape reach from its centre, as far as they have an end."""
+    ends = [part.bounding_radius for part in shape_rows(shape)]
+    return max((far for far in ends if math.isfinite(far)), default=0.0)
+
+
+def _alike(order: IntArray, some: NDArray[np.bool_]) -> Iterator[IntArray]:
+    """Yield the worlds of each order, of some."""
+    there = np.flatnonzero(some)
+    _, which = np.unique(order[there], axis=0, return_inverse=True)
+    for k in range(int(which.max(initial=-1)) + 1):
+        yield there[which.ravel() == k]
+
+
+# -- one world after the other
+
+
+class _Prepared:
+    """The simulator of all worlds of one order."""
+
+    def __init__(self, scene: Scene, request: Request) -> None:
+        method: Any = request.method
+        step: Any = request.time_step
+        self._sim = Simulator(scene, time_step=step, substeps=method.substeps)
+        self._restart, self._request = Restart(self._sim), request
+        self._times = np.array(request.times)
+
+    def kept(self, row: int, starts: _Starts, arrays: dict[str, Array]) -> bool:
+        """Step a world, and keep of it what is asked for; return whether that could be done."""
+        self._restart()
+        self._write(row, starts)
+        request = self._request
+        try:
+            history = states_of(self._sim, times=self._times, duration=request.duration)
+        except _REFUSALS:
+            return False
+        bodies = list(request.bodies)
+        for name in request.keep:
+            values = getattr(history, name)
+            arrays[name][row] = values[:, bodies] if BODIES in DIMENSIONS[name] else values
+        return True
+
+    def _write(self, row: int, starts: _Starts) -> None:
+        """Put the values of a world where they belong."""
+        engine = self._sim._engine
+        state, world = engine.world.state, engine.world
+        engine.pose[:], engine.velocity[:] = starts.pose[row], starts.velocity[row]
+        engine.load[:], engine.gravity[:] = starts.load[row], starts.gravity[row]
+        inverse = slice(INVERSE_MASS, INVERSE_INERTIA + 1)
+        size = engine.size
+        state.properties[:size, inverse] = starts.inverse[row]
+        world.bodies.properties[state.slot_of_body[:size], inverse] = starts.inverse[row]
+        surface = slice(FRICTION, RESTITUTION + 1)
+        owner = state.body_of_shape
+        there = np.flatnonzero(owner < size)
+        world.shapes.material[there, surface] = starts.surface[row][owner[there]]
