@@ -370,6 +370,7 @@ WORLD_POINT = _manifolds(2)  # m, where it was
 AXIS_CACHE = _manifolds(4)  # cached separating axis
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
 POINT = 16  # columns from a point to the next
+SIDE_NORMAL = 28  # of the side of a piece on which the other shape is, two columns
 IMPACT_NORMAL = 30  # of an impact in flight, two columns
 MANIFOLD = 32
 
@@ -379,7 +380,7 @@ FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
 SENSES = _flags()  # 1 if one of the shapes is a sensor
-KNOWN_SIDE = _flags()  # 1 if the normal tells the side of a piece, which was not touched
+KNOWN_SIDE = _flags()  # 1 if it is known on which side of a piece the other shape is
 LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list

@@ -113,7 +113,7 @@ def judge_piece(
     one_sided, round_ = p.kind == ONE_SIDED_PIECE, q.vertex_count == 1
     x, y = at[0], at[1]
     up = right.nx * held[0] + right.ny * held[1]
-    if abs(up) >= FACING and not round_:
+    if (up >= FACING or (up <= -FACING and not one_sided)) and not round_:
         side = seen_from(0 if up > 0.0 else 1, piece, p, vertices, shapes)
         return judge_side(side, p, q, at, margin, swapped, manifold, vertices)
     if is_normal(ux, uy, right, round_):

@@ -16,12 +16,10 @@ from tamias2d.engine.tables import (
     KNOWN_SIDE,
     LEFT_HIGH,
     LEFT_LOW,
-    NX,
-    NY,
     PIECE,
-    POINT_COUNT,
     RIGHT_HIGH,
     RIGHT_LOW,
+    SIDE_NORMAL,
     START_COSINE,
     START_SINE,
     Contacts,
@@ -32,10 +30,12 @@ from tamias2d.engine.tables import (
 NO_PIECE = -1
 
 
-def note_sides(count: int, contacts: Contacts, shapes: Shapes, sides: Integers) -> None:
-    """Let the contacts with pieces beside those that a shape touches know its side.
+def note_sides(
+    again: bool, count: int, contacts: Contacts, shapes: Shapes, sides: Integers
+) -> None:
+    """Let the contacts with pieces that a shape touches, and with those beside, know its side.
 
-    The sides of a shape are the first and the last piece that it touches from the right, and from
+    What is known stays so to the end of a step, where this is asked `again`. The sides of a shape are the first and the last piece that it touches from the right, and from
     the left, each plus 1.
     """
     if not has_chains(shapes):
@@ -43,7 +43,8 @@ def note_sides(count: int, contacts: Contacts, shapes: Shapes, sides: Integers) 
     for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
         if piece >= 0:
-            contacts.flags[p, KNOWN_SIDE] = 0
+            if not again:
+                contacts.flags[p, KNOWN_SIDE] = 0
             for n in range(4):
                 sides[other, n] = 0
     for p in range(count):
@@ -52,7 +53,7 @@ def note_sides(count: int, contacts: Contacts, shapes: Shapes, sides: Integers) 
             note_touched(p, piece, sides[other], contacts, shapes)
     for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
-        if piece >= 0 and contacts.flags[p, POINT_COUNT] == 0:
+        if piece >= 0 and contacts.flags[p, KNOWN_SIDE] == 0:
             tell_side(p, piece, sides[other], contacts, shapes)
 
 
@@ -83,6 +84,7 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
     up = hx * shapes.world_vertices[v, 2] + hy * shapes.world_vertices[v, 3]
     if abs(up) < FACING:
         return
+    know_side(p, piece, up > 0.0, contacts, shapes)
     low, high = (RIGHT_LOW, RIGHT_HIGH) if up > 0.0 else (LEFT_LOW, LEFT_HIGH)
     if sides[low] > 0 and shapes.slot[sides[low] - 1] == shapes.slot[piece]:
         sides[low], sides[high] = min(sides[low], piece + 1), max(sides[high], piece + 1)
@@ -91,15 +93,19 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
 
 
 def tell_side(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
-    """Let a contact that has not touched know on which side of its piece the other shape is."""
+    """Let a contact that does not know on which side of its piece the other shape is."""
     right = is_continued(piece, sides[RIGHT_LOW] - 1, sides[RIGHT_HIGH] - 1, 1.0, shapes)
     left = is_continued(piece, sides[LEFT_LOW] - 1, sides[LEFT_HIGH] - 1, -1.0, shapes)
-    if right == left:
-        return
+    if right != left:
+        know_side(p, piece, right, contacts, shapes)
+
+
+def know_side(p: int, piece: int, right: bool, contacts: Contacts, shapes: Shapes) -> None:
+    """Write down that the other shape of a contact is on the right side of a piece, or not."""
     sense = 1.0 if right == (contacts.pairs[p, 0] == piece) else -1.0
     v, manifold = shapes.first[piece], contacts.manifolds[p]
-    manifold[NX] = sense * shapes.world_vertices[v, 2]
-    manifold[NY] = sense * shapes.world_vertices[v, 3]
+    manifold[SIDE_NORMAL] = sense * shapes.world_vertices[v, 2]
+    manifold[SIDE_NORMAL + 1] = sense * shapes.world_vertices[v, 3]
     contacts.flags[p, KNOWN_SIDE] = 1
 
 

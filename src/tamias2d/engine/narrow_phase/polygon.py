@@ -30,6 +30,7 @@ from tamias2d.engine.tables import (
     NX,
     NY,
     POINT_COUNT,
+    SIDE_NORMAL,
     TOUCHES,
     Integers,
 )
@@ -103,9 +104,11 @@ def search(
 
 def held_normal(manifold: Array, flags: Integers) -> Vector:
     """Return the normal of a contact that tells the side, (0, 0) of others."""
-    if flags[KNOWN_SIDE] == 0 and not touched(flags):
-        return 0.0, 0.0
-    return manifold[NX], manifold[NY]
+    if touched(flags):
+        return manifold[NX], manifold[NY]
+    if flags[KNOWN_SIDE] == 1:
+        return manifold[SIDE_NORMAL], manifold[SIDE_NORMAL + 1]
+    return 0.0, 0.0
 
 
 def touched(flags: Integers) -> bool:
