@@ -1,27 +1,31 @@
-"""On which side of a chain a shape is: what touches one piece is on that side of the next one, too.
+"""On which side of a chain a shape is: what touches a piece is on that side of those beside it, too.
 
 A piece by itself has no inside. A shape that lies a little too deep on one piece, by rounding or
 because a soft step lets it, would come to the next one from behind, and pass. It is told its side
-there. Where a corner sticks out by more than a right angle, what touches one of its pieces may
-well be behind the other one, and is told nothing.
+of all that follow. Where a corner sticks out by more than a right angle, what touches one of its
+pieces may well be behind the other one, and is told nothing.
 
 Cost: where there are chains, some visits to each contact.
 """
 
-from tamias2d.engine.narrow_phase.chain import FACING, STRAIGHT
-from tamias2d.engine.narrow_phase.polygon import held_normal, touched
+from tamias2d.engine.narrow_phase.chain import BESIDE, FACING, STRAIGHT
 from tamias2d.engine.tables import (
     END_COSINE,
     END_SINE,
+    FEATURE,
     KNOWN_SIDE,
     LEFT_HIGH,
     LEFT_LOW,
+    MET_IN_FLIGHT,
+    NX,
     PIECE,
+    POINT_COUNT,
     RIGHT_HIGH,
     RIGHT_LOW,
     SIDE_NORMAL,
     START_COSINE,
     START_SINE,
+    TOUCHES,
     Contacts,
     Integers,
     Shapes,
@@ -35,8 +39,9 @@ def note_sides(
 ) -> None:
     """Let the contacts with pieces that a shape touches, and with those beside, know its side.
 
-    What is known stays so to the end of a step, where this is asked `again`. The sides of a shape are the first and the last piece that it touches from the right, and from
-    the left, each plus 1.
+    What is known stays so to the end of a step, where this is asked `again`. The sides of a shape
+    are the first and the last piece on whose right it is known to be, and on whose left, each
+    plus 1.
     """
     if not has_chains(shapes):
         return
@@ -49,9 +54,10 @@ def note_sides(
                 sides[other, n] = 0
     for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
-        if piece >= 0 and touched(contacts.flags[p]):
+        if piece >= 0 and has_touched(contacts.flags[p]):
             note_touched(p, piece, sides[other], contacts, shapes)
-    for p in range(count):
+    for k in range(2 * count):  # along the list, and back
+        p = k if k < count else 2 * count - 1 - k
         piece, other = piece_and_other(p, contacts, shapes)
         if piece >= 0 and contacts.flags[p, KNOWN_SIDE] == 0:
             tell_side(p, piece, sides[other], contacts, shapes)
@@ -75,17 +81,36 @@ def piece_and_other(p: int, contacts: Contacts, shapes: Shapes) -> tuple[int, in
     return (s if found else NO_PIECE), t
 
 
+def has_touched(flags: Integers) -> bool:
+    """Return whether the normal of a contact is that of one in the last step."""
+    solved = flags[POINT_COUNT] > 0 and flags[FEATURE] != BESIDE
+    return bool(solved or flags[TOUCHES] & MET_IN_FLIGHT > 0)
+
+
 def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
     """Add the piece of a contact to those that its other shape touches from one side."""
-    hx, hy = held_normal(contacts.manifolds[p], contacts.flags[p])
+    manifold = contacts.manifolds[p]
+    at = SIDE_NORMAL if contacts.flags[p, KNOWN_SIDE] == 1 else NX
+    hx, hy = manifold[at], manifold[at + 1]
     if contacts.pairs[p, 0] != piece:
         hx, hy = -hx, -hy
     v = shapes.first[piece]
     up = hx * shapes.world_vertices[v, 2] + hy * shapes.world_vertices[v, 3]
     if abs(up) < FACING:
         return
-    know_side(p, piece, up > 0.0, contacts, shapes)
-    low, high = (RIGHT_LOW, RIGHT_HIGH) if up > 0.0 else (LEFT_LOW, LEFT_HIGH)
+    know_side(p, piece, up > 0.0, sides, contacts, shapes)
+
+
+def know_side(
+    p: int, piece: int, right: bool, sides: Integers, contacts: Contacts, shapes: Shapes
+) -> None:
+    """Write down that the other shape of a contact is on the right side of a piece, or not."""
+    sense = 1.0 if right == (contacts.pairs[p, 0] == piece) else -1.0
+    v, manifold = shapes.first[piece], contacts.manifolds[p]
+    manifold[SIDE_NORMAL] = sense * shapes.world_vertices[v, 2]
+    manifold[SIDE_NORMAL + 1] = sense * shapes.world_vertices[v, 3]
+    contacts.flags[p, KNOWN_SIDE] = 1
+    low, high = (RIGHT_LOW, RIGHT_HIGH) if right else (LEFT_LOW, LEFT_HIGH)
     if sides[low] > 0 and shapes.slot[sides[low] - 1] == shapes.slot[piece]:
         sides[low], sides[high] = min(sides[low], piece + 1), max(sides[high], piece + 1)
     else:
@@ -93,20 +118,11 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
 
 
 def tell_side(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
-    """Let a contact that does not know on which side of its piece the other shape is."""
+    """Let a contact know the side of its other shape if the pieces beside do, and only one side."""
     right = is_continued(piece, sides[RIGHT_LOW] - 1, sides[RIGHT_HIGH] - 1, 1.0, shapes)
     left = is_continued(piece, sides[LEFT_LOW] - 1, sides[LEFT_HIGH] - 1, -1.0, shapes)
     if right != left:
-        know_side(p, piece, right, contacts, shapes)
-
-
-def know_side(p: int, piece: int, right: bool, contacts: Contacts, shapes: Shapes) -> None:
-    """Write down that the other shape of a contact is on the right side of a piece, or not."""
-    sense = 1.0 if right == (contacts.pairs[p, 0] == piece) else -1.0
-    v, manifold = shapes.first[piece], contacts.manifolds[p]
-    manifold[SIDE_NORMAL] = sense * shapes.world_vertices[v, 2]
-    manifold[SIDE_NORMAL + 1] = sense * shapes.world_vertices[v, 3]
-    contacts.flags[p, KNOWN_SIDE] = 1
+        know_side(p, piece, right, sides, contacts, shapes)
 
 
 def is_continued(piece: int, low: int, high: int, sense: float, shapes: Shapes) -> bool:

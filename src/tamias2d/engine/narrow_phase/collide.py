@@ -19,8 +19,6 @@ from tamias2d.engine.tables import (
     FEATURE,
     HALF_PLANE,
     NORMAL_IMPULSE,
-    NX,
-    NY,
     POINT,
     POINT_COUNT,
     PRELOAD,
