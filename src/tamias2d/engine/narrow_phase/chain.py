@@ -284,7 +284,8 @@ def clip_piece(
 ) -> tuple[int, int]:
     """Write the points of a shape over a side of a piece, along its normal; return their features.
 
-    The vertex is the foremost one of the shape, which is at (x, y) from the piece, m.
+    The vertex is the foremost one of the shape, which is at (x, y) from the piece, m. It is the only
+    point where the shape stands on it, or is past the end of the piece at a hollow corner.
     """
     side_q = incident_side(q, vertex, side.nx, side.ny, vertices)
     end_p, end_q = 1 - side.side, next_vertex(side_q, q.vertex_count)
@@ -293,7 +294,8 @@ def clip_piece(
         vertices,
     )  # fmt: skip
     low, high = common_part(facing)
-    if high < low or facing.along1 <= facing.along2:
+    apart = high < low or facing.along1 <= facing.along2
+    if apart and not is_over(side, p, q, vertex, x, y, vertices):
         return 0, 0
     first, second = clip_points(manifold, facing, low, high, p.radius, q.radius, margin)
     if first or second:

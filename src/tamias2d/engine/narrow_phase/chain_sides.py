@@ -1,4 +1,4 @@
-"""On which side of a chain a shape is: what touches a piece is on that side of those beside it, too.
+"""On which side of a chain a shape is: what touches a piece is on that side of those beside, too.
 
 A piece by itself has no inside. A shape that lies a little too deep on one piece, by rounding or
 because a soft step lets it, would come to the next one from behind, and pass. It is told its side
