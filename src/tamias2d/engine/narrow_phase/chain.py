@@ -284,8 +284,8 @@ def clip_piece(
 ) -> tuple[int, int]:
     """Write the points of a shape over a side of a piece, along its normal; return their features.
 
-    The vertex is the foremost one of the shape, which is at (x, y) from the piece, m. It is the only
-    point where the shape stands on it, or is past the end of the piece at a hollow corner.
+    The vertex is the foremost one of the shape, which is at (x, y) from the piece, m. It is the one
+    point where the shape stands on the piece, or is past its end at a hollow corner.
     """
     side_q = incident_side(q, vertex, side.nx, side.ny, vertices)
     end_p, end_q = 1 - side.side, next_vertex(side_q, q.vertex_count)

@@ -32,6 +32,7 @@ from tamias2d.engine.tables import (
 )
 
 NO_PIECE = -1
+MOST_PIECES = 32  # that are told a side by one that is touched
 
 
 def note_sides(
@@ -40,8 +41,7 @@ def note_sides(
     """Let the contacts with pieces that a shape touches, and with those beside, know its side.
 
     What is known stays so to the end of a step, where this is asked `again`. The sides of a shape
-    are the first and the last piece on whose right it is known to be, and on whose left, each
-    plus 1.
+    are the first and the last piece that it touches from the right, and from the left, each plus 1.
     """
     if not has_chains(shapes):
         return
@@ -56,8 +56,7 @@ def note_sides(
         piece, other = piece_and_other(p, contacts, shapes)
         if piece >= 0 and has_touched(contacts.flags[p]):
             note_touched(p, piece, sides[other], contacts, shapes)
-    for k in range(2 * count):  # along the list, and back
-        p = k if k < count else 2 * count - 1 - k
+    for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
         if piece >= 0 and contacts.flags[p, KNOWN_SIDE] == 0:
             tell_side(p, piece, sides[other], contacts, shapes)
@@ -98,19 +97,8 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
     up = hx * shapes.world_vertices[v, 2] + hy * shapes.world_vertices[v, 3]
     if abs(up) < FACING:
         return
-    know_side(p, piece, up > 0.0, sides, contacts, shapes)
-
-
-def know_side(
-    p: int, piece: int, right: bool, sides: Integers, contacts: Contacts, shapes: Shapes
-) -> None:
-    """Write down that the other shape of a contact is on the right side of a piece, or not."""
-    sense = 1.0 if right == (contacts.pairs[p, 0] == piece) else -1.0
-    v, manifold = shapes.first[piece], contacts.manifolds[p]
-    manifold[SIDE_NORMAL] = sense * shapes.world_vertices[v, 2]
-    manifold[SIDE_NORMAL + 1] = sense * shapes.world_vertices[v, 3]
-    contacts.flags[p, KNOWN_SIDE] = 1
-    low, high = (RIGHT_LOW, RIGHT_HIGH) if right else (LEFT_LOW, LEFT_HIGH)
+    know_side(p, piece, up > 0.0, contacts, shapes)
+    low, high = (RIGHT_LOW, RIGHT_HIGH) if up > 0.0 else (LEFT_LOW, LEFT_HIGH)
     if sides[low] > 0 and shapes.slot[sides[low] - 1] == shapes.slot[piece]:
         sides[low], sides[high] = min(sides[low], piece + 1), max(sides[high], piece + 1)
     else:
@@ -122,22 +110,53 @@ def tell_side(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: S
     right = is_continued(piece, sides[RIGHT_LOW] - 1, sides[RIGHT_HIGH] - 1, 1.0, shapes)
     left = is_continued(piece, sides[LEFT_LOW] - 1, sides[LEFT_HIGH] - 1, -1.0, shapes)
     if right != left:
-        know_side(p, piece, right, sides, contacts, shapes)
+        know_side(p, piece, right, contacts, shapes)
+
+
+def know_side(p: int, piece: int, right: bool, contacts: Contacts, shapes: Shapes) -> None:
+    """Write down that the other shape of a contact is on the right side of a piece, or not."""
+    sense = 1.0 if right == (contacts.pairs[p, 0] == piece) else -1.0
+    v, manifold = shapes.first[piece], contacts.manifolds[p]
+    manifold[SIDE_NORMAL] = sense * shapes.world_vertices[v, 2]
+    manifold[SIDE_NORMAL + 1] = sense * shapes.world_vertices[v, 3]
+    contacts.flags[p, KNOWN_SIDE] = 1
 
 
 def is_continued(piece: int, low: int, high: int, sense: float, shapes: Shapes) -> bool:
-    """Return whether a piece is among those from low to high, or beside them, round a corner that
-    does not hide it. The sense is 1 on the right side and -1 on the left one.
+    """Return whether a piece goes on with the first or the last one that a shape touches.
+
+    The sense is 1 on the right side and -1 on the left one.
     """
     if low < 0 or shapes.slot[low] != shapes.slot[piece]:
         return False
-    if low <= piece <= high:
+    if follows(piece, low, True, sense, shapes) or follows(piece, high, False, sense, shapes):
         return True
-    row = shapes.material[piece]
-    after = previous_piece(piece, shapes) == high
-    before = next_piece(piece, shapes) == low
-    start = after and shows(row[START_COSINE], sense * row[START_SINE])
-    return bool(start or (before and shows(row[END_COSINE], sense * row[END_SINE])))
+    return follows(piece, high, True, sense, shapes) or follows(piece, low, False, sense, shapes)
+
+
+def follows(piece: int, start: int, ahead: bool, sense: float, shapes: Shapes) -> bool:
+    """Return whether a piece comes after another one, or before it, round corners that show both.
+
+    What comes after the next one is not behind the first, either.
+    """
+    at = start
+    for count in range(MOST_PIECES):
+        if at == piece:
+            return True
+        row = shapes.material[at]
+        cosine, sine = (END_COSINE, END_SINE) if ahead else (START_COSINE, START_SINE)
+        if not shows(row[cosine], sense * row[sine]):
+            return False
+        at = next_piece(at, shapes) if ahead else previous_piece(at, shapes)
+        if count > 0 and not faces_alike(start, at, shapes):
+            return False
+    return False
+
+
+def faces_alike(piece: int, other: int, shapes: Shapes) -> bool:
+    """Return whether the sides of two pieces turn from each other by less than a right angle."""
+    v, w, vertices = shapes.first[piece], shapes.first[other], shapes.world_vertices
+    return bool(vertices[v, 2] * vertices[w, 2] + vertices[v, 3] * vertices[w, 3] > 0.0)
 
 
 def shows(cosine: float, sine: float) -> bool:
