@@ -112,13 +112,13 @@ def judge_piece(
     right = seen_from(0, piece, p, vertices, shapes)
     one_sided, round_ = p.kind == ONE_SIDED_PIECE, q.vertex_count == 1
     x, y = at[0], at[1]
-    up = right.nx * held[0] + right.ny * held[1]
-    if (up >= FACING or (up <= -FACING and not one_sided)) and not round_:
-        side = seen_from(0 if up > 0.0 else 1, piece, p, vertices, shapes)
+    left = seen_from(1, piece, p, vertices, shapes)
+    known = 0 if round_ else known_side(held[0], held[1], right, left)
+    if known == 1 or (known == -1 and not one_sided):
+        side = right if known == 1 else left
         return judge_side(side, p, q, at, margin, swapped, manifold, vertices)
     if is_normal(ux, uy, right, round_):
         return verdict_of(one_sided or not is_beyond_neighbour(right, p, q, x, y, vertices))
-    left = seen_from(1, piece, p, vertices, shapes)
     if not one_sided and is_normal(ux, uy, left, round_):
         return verdict_of(not is_beyond_neighbour(left, p, q, x, y, vertices))
     low, lowest = foremost_vertex(right, p, q, x, y, vertices)
@@ -202,6 +202,19 @@ def is_normal(ux: float, uy: float, side: Side, round_: bool) -> bool:
     if round_ and side.end_cosine != -1.0:
         return False
     return admitted(side.end_sine, corner_room(side.end_cosine, side.end_sine, up, along))
+
+
+def known_side(hx: float, hy: float, right: Side, left: Side) -> int:
+    """Return on which side of a piece the shape is that touches it with a normal of it.
+
+    1 says on its right side, -1 on its left one, 0 that it may be either. At a corner that sticks
+    out far a normal may lean over a piece by more than a right angle.
+    """
+    on_right, on_left = is_normal(hx, hy, right, False), is_normal(hx, hy, left, False)
+    if on_right != on_left:
+        return 1 if on_right else -1
+    up = right.nx * hx + right.ny * hy
+    return 0 if abs(up) < FACING else 1 if up > 0.0 else -1
 
 
 def leans_little(ux: float, uy: float, side: Side) -> bool:

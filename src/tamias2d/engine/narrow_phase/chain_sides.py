@@ -8,7 +8,8 @@ pieces may well be behind the other one, and is told nothing.
 Cost: where there are chains, some visits to each contact.
 """
 
-from tamias2d.engine.narrow_phase.chain import BESIDE, FACING, STRAIGHT
+from tamias2d.engine.narrow_phase.chain import BESIDE, STRAIGHT, known_side, seen_from
+from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.tables import (
     END_COSINE,
     END_SINE,
@@ -93,12 +94,13 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
     hx, hy = manifold[at], manifold[at + 1]
     if contacts.pairs[p, 0] != piece:
         hx, hy = -hx, -hy
-    v = shapes.first[piece]
-    up = hx * shapes.world_vertices[v, 2] + hy * shapes.world_vertices[v, 3]
-    if abs(up) < FACING:
+    core, vertices = core_of(piece, shapes), shapes.world_vertices
+    right = seen_from(0, piece, core, vertices, shapes)
+    known = known_side(hx, hy, right, seen_from(1, piece, core, vertices, shapes))
+    if known == 0:
         return
-    know_side(p, piece, up > 0.0, contacts, shapes)
-    low, high = (RIGHT_LOW, RIGHT_HIGH) if up > 0.0 else (LEFT_LOW, LEFT_HIGH)
+    know_side(p, piece, known == 1, contacts, shapes)
+    low, high = (RIGHT_LOW, RIGHT_HIGH) if known == 1 else (LEFT_LOW, LEFT_HIGH)
     if sides[low] > 0 and shapes.slot[sides[low] - 1] == shapes.slot[piece]:
         sides[low], sides[high] = min(sides[low], piece + 1), max(sides[high], piece + 1)
     else:
