@@ -60,6 +60,7 @@ class _Shared:
 
 
 @suggests
+@refuses_assignment
 class Simulators(Views):
     """A scene in many worlds, each of which is stepped as by a `Simulator` alone, to the bit.
 

@@ -115,7 +115,7 @@ def judge_piece(
     left = seen_from(1, piece, p, vertices, shapes)
     known = 0 if round_ else known_side(held[0], held[1], right, left)
     if known == 1 or (known == -1 and not one_sided):
-        side = right if known == 1 else left
+        side = seen_from(0 if known == 1 else 1, piece, p, vertices, shapes)
         return judge_side(side, p, q, at, margin, swapped, manifold, vertices)
     if is_normal(ux, uy, right, round_):
         return verdict_of(one_sided or not is_beyond_neighbour(right, p, q, x, y, vertices))
@@ -123,13 +123,15 @@ def judge_piece(
         return verdict_of(not is_beyond_neighbour(left, p, q, x, y, vertices))
     low, lowest = foremost_vertex(right, p, q, x, y, vertices)
     high, highest = foremost_vertex(left, p, q, x, y, vertices)
-    in_front = low > high
+    up = right.nx * ux + right.ny * uy
+    apart = is_beyond(ux, uy, p, q, x, y, vertices)
+    in_front = up > 0.0 if apart and abs(up) >= FACING else low > high
     if one_sided and not in_front:
         return Verdict(False, 0, 0)
     side = seen_from(0 if in_front else 1, piece, p, vertices, shapes)
     if not round_ and (one_sided or not is_beyond_neighbour(side, p, q, x, y, vertices)):
         vertex = lowest if in_front else highest
-        deep = (low if in_front else high) <= q.radius
+        deep = not apart and (low if in_front else high) <= q.radius
         over = deep and is_over(side, p, q, vertex, x, y, vertices)
         if over or leans_little(ux, uy, side):
             first, second = clip_piece(
@@ -252,6 +254,15 @@ def is_behind(
         low, high = min(low, height), max(high, height)
     low, high = low - q.radius, high + q.radius
     return high <= SLIVER * (high - low)
+
+
+def is_beyond(ux: float, uy: float, p: Core, q: Core, x: float, y: float, vertices: Array) -> bool:
+    """Return whether all of a shape is beyond all of a piece along a direction."""
+    low = INFINITE
+    for k in range(q.first, q.first + q.vertex_count):
+        low = min(low, ux * (x + vertices[k, 0]) + uy * (y + vertices[k, 1]))
+    first = ux * vertices[p.first, 0] + uy * vertices[p.first, 1]
+    return bool(low > max(first, ux * vertices[p.first + 1, 0] + uy * vertices[p.first + 1, 1]))
 
 
 def foremost_vertex(

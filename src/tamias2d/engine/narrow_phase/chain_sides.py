@@ -96,7 +96,8 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
         hx, hy = -hx, -hy
     core, vertices = core_of(piece, shapes), shapes.world_vertices
     right = seen_from(0, piece, core, vertices, shapes)
-    known = known_side(hx, hy, right, seen_from(1, piece, core, vertices, shapes))
+    left = seen_from(1, piece, core, vertices, shapes)
+    known = known_side(hx, hy, right, left)
     if known == 0:
         return
     know_side(p, piece, known == 1, contacts, shapes)
