@@ -27,6 +27,7 @@ from tamias2d.scene.rules import RuleError
 from tamias2d.simulator import Simulator
 from tamias2d.simulator.exclusive import between_calls, exclusive
 from tamias2d.simulator.settings import checked_count
+from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests

@@ -14,6 +14,7 @@ from tamias2d.spec.constraint_functions import Formula
 
 _SMALLEST = 1e-150  # m: float64 cannot square what is shorter
 
+
 class Start:
     """A joint as it is at the start: its rows, their slopes and rates."""
 

@@ -214,9 +214,26 @@ def known_side(hx: float, hy: float, right: Side, left: Side) -> int:
     """
     on_right, on_left = is_normal(hx, hy, right, False), is_normal(hx, hy, left, False)
     if on_right != on_left:
+        if leans_over_tip(hx, hy, right) if on_right else leans_over_tip(hx, hy, left):
+            return 0
         return 1 if on_right else -1
     up = right.nx * hx + right.ny * hy
     return 0 if abs(up) < FACING else 1 if up > 0.0 else -1
+
+
+def leans_over_tip(ux: float, uy: float, side: Side) -> bool:
+    """Return whether a normal leans over a corner whose other piece may hide what is there."""
+    along, up = side.nx * uy - side.ny * ux, side.nx * ux + side.ny * uy
+    if abs(along) <= PARALLEL * up:
+        return False
+    if along < 0.0:
+        return not shows(side.start_cosine, side.start_sine)
+    return not shows(side.end_cosine, side.end_sine)
+
+
+def shows(cosine: float, sine: float) -> bool:
+    """Return whether the pieces of a corner are both before what touches one of them."""
+    return bool(cosine > -1.0 and (cosine >= 0.0 or sine < -STRAIGHT))
 
 
 def leans_little(ux: float, uy: float, side: Side) -> bool:

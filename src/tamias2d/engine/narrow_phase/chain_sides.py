@@ -8,7 +8,7 @@ pieces may well be behind the other one, and is told nothing.
 Cost: where there are chains, some visits to each contact.
 """
 
-from tamias2d.engine.narrow_phase.chain import BESIDE, STRAIGHT, known_side, seen_from
+from tamias2d.engine.narrow_phase.chain import BESIDE, known_side, seen_from, shows
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.tables import (
     END_COSINE,
@@ -160,11 +160,6 @@ def faces_alike(piece: int, other: int, shapes: Shapes) -> bool:
     """Return whether the sides of two pieces turn from each other by less than a right angle."""
     v, w, vertices = shapes.first[piece], shapes.first[other], shapes.world_vertices
     return bool(vertices[v, 2] * vertices[w, 2] + vertices[v, 3] * vertices[w, 3] > 0.0)
-
-
-def shows(cosine: float, sine: float) -> bool:
-    """Return whether the pieces of a corner are both before what touches one of them."""
-    return bool(cosine > -1.0 and (cosine >= 0.0 or sine < -STRAIGHT))
 
 
 def previous_piece(piece: int, shapes: Shapes) -> int:
