@@ -326,7 +326,8 @@ def clip_piece(
     """Write the points of a shape over a side of a piece, along its normal; return their features.
 
     The vertex is the foremost one of the shape, which is at (x, y) from the piece, m. It is the one
-    point where the shape stands on the piece, or is past its end at a hollow corner.
+    point where the shape stands on the piece. What is behind the piece counts past its end, too, if
+    the corner is a hollow: no other piece would find it.
     """
     side_q = incident_side(q, vertex, side.nx, side.ny, vertices)
     end_p, end_q = 1 - side.side, next_vertex(side_q, q.vertex_count)
@@ -335,6 +336,10 @@ def clip_piece(
         vertices,
     )  # fmt: skip
     low, high = common_part(facing)
+    if facing.gap2 <= q.radius and side.start_sine < -STRAIGHT:
+        low = max(facing.along2, -facing.length)
+    if facing.gap1 <= q.radius and side.end_sine < -STRAIGHT:
+        high = min(facing.along1, 2.0 * facing.length)
     apart = high < low or facing.along1 <= facing.along2
     if apart and not is_over(side, p, q, vertex, x, y, vertices):
         return 0, 0
