@@ -275,12 +275,14 @@ def test_plain_and_compiled_code_have_the_same_bits_on_a_chain() -> None:
     assert (both[0].velocity == both[1].velocity).all()
 
 
-@pytest.mark.parametrize("seed", [3, 4, 9, 10, 12, 16, 21])
-def test_thin_bodies_do_not_pass_a_hill(seed: int) -> None:
-    """Segments, boards of 1 mm, capsules of 1 cm and discs, at up to 15 m/s and 10 rad/s.
+PASSED_A_HILL = (3, 4, 9, 10, 12, 16, 21, 178, 252, 313, 332, 336, 398, 402, 556, 670, 976)
+"""Seeds of scenes in which a body passed once: pieces did not tell each other the side, it was
+written over, forgotten where contacts were copied, or taken from what is beside a piece."""
 
-    Of each of these scenes one or two passed where pieces did not tell each other the side.
-    """
+
+@pytest.mark.parametrize("seed", [*PASSED_A_HILL, *range(1000, 1010)])
+def test_thin_bodies_do_not_pass_a_hill(seed: int) -> None:
+    """Segments, boards of 1 mm, capsules of 1 cm and discs, at up to 15 m/s and 10 rad/s."""
     rng = np.random.default_rng(9000 + seed)
     places = np.linspace(-10.0, 10.0, int(rng.choice([20, 60])))
     heights = np.sin(places * rng.uniform(0.2, 0.6)) * rng.uniform(0.2, 1.0)
@@ -310,7 +312,67 @@ def test_thin_bodies_do_not_pass_a_hill(seed: int) -> None:
             **({"inertia": length**2 / 12} if k % 4 == 0 else {}),
         )
     sim = t2.Simulator(scene)
-    sim.step(120)
-    x, y = sim.position[1:].T
-    over = abs(x) < 9.5  # what rolls off its end falls
-    assert (y[over] >= np.interp(x[over], places, heights) - 0.06).all()
+    for _ in range(120):
+        sim.step()
+        x, y = sim.position[1:].T
+        over = abs(x) < 9.5  # what rolls off its end falls
+        assert (y[over] >= np.interp(x[over], places, heights) - 0.06).all()
+
+
+@pytest.mark.parametrize("seed", [8, 45, 46, 54, 58, 79, 111, 117, 151, *range(200, 210)])
+def test_thin_bodies_stay_in_a_loop_with_teeth(seed: int) -> None:
+    """Needles, segments, boards and capsules at up to 40 m/s, between up to 40 random corners."""
+    rng = np.random.default_rng(70_000 + seed)
+    count, one_sided, apart = int(rng.integers(3, 40)), bool(rng.integers(2)), bool(rng.integers(2))
+    corners = (
+        np.sort(rng.uniform(0, 2 * np.pi, count))
+        if rng.integers(2)
+        else np.linspace(0, 2 * np.pi, count, endpoint=False) + rng.uniform(0, 6)
+    )
+    far = 4.0 * (rng.uniform(0.7, 1.0, count) if rng.integers(2) and count > 5 else np.ones(count))
+    widest = np.diff(np.r_[corners, corners[0] + 2 * np.pi]).max()
+    if widest > 2.6:
+        pytest.skip("the loop does not go round the origin")
+    walls = np.column_stack((far * np.cos(corners), far * np.sin(corners)))[::-1]
+    surface: Any = {"restitution": rng.choice([0.0, 0.5, 0.9]), "friction": rng.uniform(0, 0.8)}
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    vertices = [(float(x), float(y)) for x, y in walls]
+    scene.add_static(t2.Chain(vertices=vertices, loop=True, one_sided=one_sided), **surface)
+    room = math.cos(widest / 2) * far.min()
+    for k in range(20):
+        length = rng.uniform(0.1, 0.5)
+        shapes: Any = (
+            t2.Segment(length=length),
+            t2.Box(width=length, height=0.001),
+            t2.Capsule(length=length, radius=0.005),
+            t2.Polygon(vertices=[(0, 0), (length, 0), (0, 0.002)]),
+        )
+        place = rng.uniform(-4, 4, 2)
+        while not (math.hypot(*place) < room - 0.3 or (room < 0.6 and math.hypot(*place) < 0.3)):
+            place = rng.uniform(-4, 4, 2)
+        angle, speed = rng.uniform(0, 2 * np.pi), 10.0 ** rng.uniform(0, 1.6)
+        scene.add_body(
+            shapes[k % 4],
+            mass=1.0,
+            position=tuple(place),
+            orientation=rng.uniform(0, 6),
+            velocity=(speed * math.cos(angle), speed * math.sin(angle)),
+            angular_velocity=rng.uniform(-15, 15),
+            **surface,
+            **({"inertia": length**2 / 12} if k % 4 == 0 else {}),
+            **({"group": -1} if apart else {}),
+        )
+    sim = t2.Simulator(scene)
+    for _ in range(180):
+        sim.step()
+        assert all(is_within(walls, x, y, 0.04) for x, y in sim.position[1:])
+
+
+def is_within(walls: Array, x: float, y: float, most: float) -> bool:
+    """Whether a point is inside a loop, or at most so far outside, m."""
+    start, end = walls, np.roll(walls, -1, axis=0)
+    crossed = (start[:, 1] > y) != (end[:, 1] > y)
+    with np.errstate(all="ignore"):
+        at = start[:, 0] + (end - start)[:, 0] * (y - start[:, 1]) / (end - start)[:, 1]
+    closed = [(float(a), float(b)) for a, b in (*walls, walls[0])]
+    return bool((crossed & (x < at)).sum() % 2) or gap_over(closed, x, y) < most

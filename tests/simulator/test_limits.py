@@ -1,6 +1,8 @@
-"""Values that float64 cannot carry through a step; threads; Ctrl-C; copies that are read-only."""
+"""Values that float64 cannot carry through a step; threads; Ctrl-C; what is told and not taken."""
 
 import _thread
+import copy
+import pickle
 import signal
 import threading
 import time
@@ -12,6 +14,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.simulator.told_only import REMEDIES
 from tests.simulator.crowd import crowd
 
 
@@ -151,17 +154,45 @@ def test_many_steps_hear_ctrl_c() -> None:
 
 
 @pytest.mark.parametrize("name", ["mass", "present", "dynamic", "asleep"])
-def test_copies_cannot_be_written(name: str) -> None:
-    sim = ground()
-    with pytest.raises(ValueError, match="read-only"):
-        getattr(sim, name)[0] = 1
+def test_what_is_written_into_a_copy_is_refused_by_name(name: str) -> None:
+    values = getattr(ground(), name)
+    lost = rf"^{name} of the simulator: .* a copy: it would be lost \(R4\)\. \w"
+    with pytest.raises(t2.InputError, match=lost):
+        values[0] = 1
+    with pytest.raises(t2.InputError, match=lost):
+        values[:][...] = 1
+    with pytest.raises(t2.InputError, match=lost):
+        np.logical_or(values, values, out=values)
+    with pytest.raises(t2.InputError, match=lost):
+        np.add.at(values, [0], values[0])
+    for change in (values.fill, lambda _: values.sort()):
+        with pytest.raises(t2.InputError, match=lost):
+            change(1)
+
+
+def test_what_is_made_of_a_copy_is_an_array_like_any_other() -> None:
+    mass = ground().mass
+    for made in (2 * mass, np.array(mass), pickle.loads(pickle.dumps(mass)), np.sqrt(mass)):
+        assert type(made) is np.ndarray
+        made[0] = 1.0
+    for made in (mass.copy(), mass[[0, 1]], copy.deepcopy(mass)):
+        made[0] = 1.0
+        made += 1.0
+        assert made[0] == 2.0
+    assert mass.sum() == np.asarray(mass).sum()
+
+
+@pytest.mark.parametrize("name", sorted(REMEDIES))
+def test_what_is_told_cannot_be_assigned(name: str) -> None:
+    with pytest.raises(t2.InputError, match=r"it is told, and cannot be set \(R4\)\. \w"):
+        setattr(ground(), name, 1)
 
 
 def test_reports_cannot_be_written() -> None:
     sim = ground()
     sim.step(90)
     for values in (sim.contacts.impulse, sim.began.bodies, sim.ended):
-        with pytest.raises(ValueError, match="read-only"):
+        with pytest.raises(t2.InputError, match=r"a copy: it would be lost \(R4\)"):
             values[...] = 0
 
 

@@ -31,6 +31,7 @@ from tamias2d.engine.tables import (
     WAS_TOUCHING,
     WORLD_POINT,
 )
+from tamias2d.read_only import read_only
 from tamias2d.state import Array, IntArray
 
 
@@ -51,6 +52,9 @@ class Contacts:
 
     def __len__(self) -> int:
         return len(self.bodies)
+
+
+_REMEDY = "They tell what a step did: call apply_impulse or apply_force to push bodies."
 
 
 class _Points(NamedTuple):
@@ -102,7 +106,7 @@ def contact_report(store: Store) -> Touching:
     return Touching(
         contacts=_contacts(bodies, found, count, pushed),
         began=_contacts(bodies, found, count, begun),
-        ended=_read_only(bodies[ended]),
+        ended=pairs_of(bodies[ended]),
     )
 
 
@@ -148,12 +152,17 @@ def _contacts(bodies: IntArray, touch: Array, count: IntArray, points: _Points) 
 def contacts_of(columns: Iterable[NDArray[Any]]) -> Contacts:
     """Return the contacts with these columns, in the order of the fields; they become read-only."""
     names = (field.name for field in fields(Contacts))
-    return Contacts(**{n: _read_only(values) for n, values in zip(names, columns, strict=True)})
+    return Contacts(
+        **{
+            name: read_only(values, f"{name} of the contacts", _REMEDY)
+            for name, values in zip(names, columns, strict=True)
+        }
+    )
 
 
-def _read_only(values: NDArray[Any]) -> NDArray[Any]:
-    values.flags.writeable = False
-    return values
+def pairs_of(bodies: IntArray) -> IntArray:
+    """Return the pairs that ceased to touch (k, 2); they become read-only."""
+    return read_only(bodies, "pairs that ended", _REMEDY)
 
 
 def _nothing() -> Contacts:
@@ -163,6 +172,6 @@ def _nothing() -> Contacts:
 
 
 _NOTHING = Touching(
-    contacts=_nothing(), began=_nothing(), ended=_read_only(np.empty((0, 2), dtype=np.int64))
+    contacts=_nothing(), began=_nothing(), ended=pairs_of(np.empty((0, 2), dtype=np.int64))
 )
 """Made once, because most steps of a scene without piles have it."""

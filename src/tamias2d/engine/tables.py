@@ -369,9 +369,10 @@ WORLD_POINT = _manifolds(2)  # m, where it was
 AXIS_CACHE = _manifolds(4)  # cached separating axis
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
 POINT = 16  # columns from a point to the next
-# of a contact with two points: where B was from A when gaps were found, m, angles of both, rad, and
-# how far their surfaces have moved against each other since the manifold was found, m
+# of two points, where no shape is thin: where B was from A when gaps were found, m, angles of both,
+# rad, and how far the surfaces have moved against each other since the manifold was found, m
 KNOWN_X, KNOWN_Y, KNOWN_ANGLE_A, KNOWN_ANGLE_B, KNOWN_WAY = 16, 17, 27, 28, 29
+SIDE_NORMAL = 28  # of the side of a piece on which the other shape is, two columns
 IMPACT_NORMAL = 30  # of an impact in flight, two columns
 MANIFOLD = 32
 
@@ -381,7 +382,7 @@ FEATURE = _flags(2)  # names of both points
 TOUCHES = _flags()  # bits below
 CACHED_AXIS = _flags(2)
 SENSES = _flags()  # 1 if one of the shapes is a sensor
-KNOWN_SIDE = _flags()  # 1 if the normal tells the side of a piece, which was not touched
+KNOWN_SIDE = _flags()  # 1 if it is known on which side of a piece the other shape is
 LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
 SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list

@@ -22,11 +22,13 @@ from tamias2d.ensemble.execution import cores
 from tamias2d.ensemble.sampling import Design
 from tamias2d.ensemble.worlds import Maker, VariedWorlds, refuse_other_bodies, worlds_of
 from tamias2d.errors import InputError, SimulationError, TamiasError
+from tamias2d.read_only import read_only
 from tamias2d.scene import Scene
 from tamias2d.scene.rules import RuleError
 from tamias2d.simulator import Simulator
 from tamias2d.simulator.exclusive import between_calls, exclusive
 from tamias2d.simulator.settings import checked_count
+from tamias2d.simulator.told_only import REMEDIES, refuses_assignment
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array, IntArray
 from tamias2d.suggestions import suggests
@@ -60,6 +62,7 @@ class _Shared:
 
 
 @suggests
+@refuses_assignment
 class Simulators(Views):
     """A scene in many worlds, each of which is stepped as by a `Simulator` alone, to the bit.
 
@@ -149,7 +152,8 @@ class Simulators(Views):
     @between_calls
     def time(self) -> Array:
         """Since the start of each world, s: (worlds,)."""
-        return np.array([sim.time for sim in self._sims])
+        times = np.array([sim.time for sim in self._sims])
+        return read_only(times, "time of the worlds", REMEDIES["time"])
 
     @property
     @exclusive
@@ -168,7 +172,8 @@ class Simulators(Views):
     def ended(self) -> IntArray:
         """The pairs (k, 3) that touched before the last step, and not in it: world, then bodies."""
         pairs = [sim.ended for sim in self._sims]
-        return np.column_stack((_worlds(pairs), np.concatenate(pairs)))
+        rows = np.column_stack((_worlds(pairs), np.concatenate(pairs)))
+        return read_only(rows, "pairs that ended", REMEDIES["ended"])
 
     @exclusive
     def world(self, world: int) -> Simulator:
@@ -305,7 +310,13 @@ def _gathered(found: list[Contacts]) -> WorldContacts:
     columns = {
         name: np.concatenate([getattr(one, name) for one in found]) for name in vars(found[0])
     }
-    return WorldContacts(**columns, world=_worlds(found))
+    columns["world"] = _worlds(found)
+    return WorldContacts(
+        **{
+            name: read_only(values, f"{name} of the contacts", REMEDIES["contacts"])
+            for name, values in columns.items()
+        }
+    )
 
 
 def _worlds(found: list[Any]) -> IntArray:

@@ -242,6 +242,9 @@ Solvable: TypeAlias = PathMethod | Legacy2018 | Stepped
 """The methods that `simulate` takes."""
 
 
+_ROUNDING = 2.0**-52
+
+
 def _scale(scene: Scene, duration: float) -> tuple[float, float]:
     """Return a length in m and a time in s that are not small in a scene."""
     moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
@@ -252,5 +255,6 @@ def _scale(scene: Scene, duration: float) -> tuple[float, float]:
     q, rate = coordinates([states[i] for i in moving])
     pull = Loads(scene).field(moving, [None] * len(moving))(0.0, q, rate)
     place, speed, push = (np.hypot(rows[:, 0], rows[:, 1]) for rows in (q, rate, pull))
-    ways = speed * duration + push * duration**2
-    return float(min(place.max() or math.inf, ways.max())) or 1.0, duration
+    ways = (speed * duration + push * duration**2).max()
+    far = place.max() if place.max() > _ROUNDING * ways else math.inf
+    return float(min(far, ways)) or 1.0, duration

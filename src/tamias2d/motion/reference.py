@@ -74,6 +74,11 @@ class ScipyDop853:
             atol=self._tolerance(len(position)),  # type: ignore[arg-type]
             first_step=None if hint is None else min(hint, limit - start),
         )
+        if not solver.h_abs > 0.0:  # DOP853 looks for a step for ever
+            raise NoStepError(
+                f"run at {start!r} s: its lengths or times are too small for float64 (R4). Give "
+                "larger ones, or 0."
+            )
         before = solver.nfev
         solver.step()
         if solver.status == "failed":

@@ -12,6 +12,8 @@ from tamias2d.scene.joints import Joint
 from tamias2d.spec.constraint import ENDS
 from tamias2d.spec.constraint_functions import Formula
 
+_SMALLEST = 1e-150  # m: float64 cannot square what is shorter
+
 
 class Start:
     """A joint as it is at the start: its rows, their slopes and rates."""
@@ -55,7 +57,7 @@ class Start:
             for name, value in self.joint.parameters
             if name == "joint_length" and isinstance(value, float)
         ]
-        return max((length for length in reach if math.isfinite(length)), default=0.0) or 1.0
+        return max((one for one in reach if _SMALLEST < one < math.inf), default=1.0)
 
     @property
     def speed(self) -> float:

@@ -33,12 +33,14 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, MOST_ROWS
+from tamias2d.read_only import read_only
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joint_checks import checked_joint
 from tamias2d.scene.joints import End, Joint
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.springs import arm
+from tamias2d.simulator.told_only import REMEDIES
 from tamias2d.spec.constraint import ENDS
 from tamias2d.state import Array, IntArray
 
@@ -207,13 +209,19 @@ class JointSet:
                 x, y = arm(anchor, 0.0 if body is None else float(engine.pose[body, 2]))
                 torque[k, i] -= x * force[k, i, 1] - y * force[k, i, 0]
         lengths, angles = _separations(joints, engine.pose)
+        told = {
+            "impulse": totals[:, :, :2].copy(),
+            "force": force,
+            "torque": torque,
+            "separation": lengths,
+            "angular_separation": angles,
+        }
         return Reactions(
             names=self.names,
-            impulse=totals[:, :, :2].copy(),
-            force=force,
-            torque=torque,
-            separation=lengths,
-            angular_separation=angles,
+            **{
+                name: read_only(values, f"{name} of the reactions", REMEDIES["reactions"])
+                for name, values in told.items()
+            },
         )
 
     # -- keeping

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d import archive
-from tamias2d.engine.contact_report import Contacts, Touching, contacts_of
+from tamias2d.engine.contact_report import Contacts, Touching, contacts_of, pairs_of
 from tamias2d.engine.saved_checks import UnfitError, require
 from tamias2d.errors import RecordingError, TamiasError
 from tamias2d.scene import Scene
@@ -181,7 +181,9 @@ def touching_of(arrays: Arrays, size: int) -> Touching:
     for report in (contacts, began):
         same = {len(values) for values in vars(report).values()}
         require(len(same) == 1, "touching", "its columns must have one length")
-    return Touching(contacts=contacts, began=began, ended=_report_array(arrays, "ended", size, 2))
+    return Touching(
+        contacts=contacts, began=began, ended=pairs_of(_report_array(arrays, "ended", size, 2))
+    )
 
 
 _WIDTH = {"bodies": 2, "point": 2, "normal": 2, "impulse": 0, "separation": 0}

@@ -48,6 +48,7 @@ from tamias2d.simulator.step_warnings import (
     too_long_for_joints,
     too_long_for_springs,
 )
+from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.simulator.varying_loads import VaryingLoads
 from tamias2d.simulator.views import Views
 from tamias2d.state import Array, IntArray
@@ -58,6 +59,7 @@ _LONGEST_WAIT, _ENDLESS = 2**31 - 1, 2**63  # steps
 
 
 @suggests
+@refuses_assignment
 class Simulator(Views):
     """A scene that is stepped through its contacts, and can be changed between the steps.
 

@@ -8,14 +8,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from tamias2d.engine.engine import Engine
 from tamias2d.engine.tables import ABSENT, DYNAMIC
+from tamias2d.read_only import read_only
 from tamias2d.scene.rules import RuleError, refuse_masked
 from tamias2d.simulator.exclusive import between_calls, exclusive
 from tamias2d.simulator.lent import is_held, lent
+from tamias2d.simulator.told_only import REMEDIES, refuses_assignment
 from tamias2d.state import Array
 
 _POSITION, _ORIENTATION, _VELOCITY, _ANGULAR_VELOCITY, _FORCE, _TORQUE, _GRAVITY = range(7)
 
 
+@refuses_assignment
 class Views:
     """What can be read and written between steps; assigning to a view writes into it."""
 
@@ -119,25 +122,25 @@ class Views:
     def mass(self) -> Array:
         """kg, infinite for what nothing can push: a read-only copy (n,)."""
         with np.errstate(divide="ignore"):
-            return _read_only(1 / self._engine.inverse_mass)
+            return _told(1 / self._engine.inverse_mass, "mass")
 
     @property
     @between_calls
     def present(self) -> NDArray[np.bool_]:
         """Which rows hold a body: a read-only copy (n,)."""
-        return _read_only(np.not_equal(self._engine.kind, ABSENT))
+        return _told(np.not_equal(self._engine.kind, ABSENT), "present")
 
     @property
     @between_calls
     def dynamic(self) -> NDArray[np.bool_]:
         """Which rows hold a body that can be pushed: a read-only copy (n,)."""
-        return _read_only(np.equal(self._engine.kind, DYNAMIC))
+        return _told(np.equal(self._engine.kind, DYNAMIC), "dynamic")
 
     @property
     @between_calls
     def asleep(self) -> NDArray[np.bool_]:
         """Which bodies sleep: a read-only copy (n,)."""
-        return _read_only(self._engine.asleep)
+        return _told(self._engine.asleep, "asleep")
 
     def __len__(self) -> int:
         """How many bodies there are."""
@@ -158,7 +161,6 @@ def _write(view: Array, value: ArrayLike, key: str) -> None:
         ) from None
 
 
-def _read_only(values: NDArray[Any]) -> NDArray[Any]:
+def _told(values: NDArray[Any], name: str) -> NDArray[Any]:
     """Return an array, a copy, so that writing into it is refused and not lost."""
-    values.flags.writeable = False
-    return values
+    return read_only(values, f"{name} of the simulator", REMEDIES[name])

@@ -11,6 +11,7 @@ from tamias2d.engine.tables import (
     CONTACTS,
     FIRST_RUN,
     ISLANDS_KNOWN,
+    KNOWN_SIDE,
     LOCATED,
     MANIFOLD,
     POINT,
@@ -160,12 +161,13 @@ def keep_new_candidates(total: int, broad_phase: BroadPhase, contacts: Contacts)
 
 
 def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
-    """Copy a contact; its manifold only if it has points, touched, or will."""
+    """Copy a contact; its manifold only if it has points, touched, will, or knows its side."""
     for k in range(4):
         following.pairs[new, k] = contacts.pairs[old, k]
     touches = contacts.flags[old, TOUCHES] + contacts.flags[old, LOCATED] != 0
-    if contacts.flags[old, POINT_COUNT] > 0 or touches:
-        for k in range(POINT if contacts.flags[old, POINT_COUNT] == 1 else MANIFOLD):
+    points, known = contacts.flags[old, POINT_COUNT], contacts.flags[old, KNOWN_SIDE]
+    if points > 0 or touches or known == 1:
+        for k in range(POINT if points == 1 and known == 0 else MANIFOLD):
             following.manifolds[new, k] = contacts.manifolds[old, k]
         for k in range(contacts.flags.shape[1]):
             following.flags[new, k] = contacts.flags[old, k]

@@ -10,7 +10,7 @@ from math import sqrt
 
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED, Sweep, safe_advance
 from tamias2d.engine.continuous.trajectory import RelativePath
-from tamias2d.engine.narrow_phase.chain import BESIDE, has_end, is_piece, judge
+from tamias2d.engine.narrow_phase.chain import BESIDE, FACING, has_end, is_piece, judge
 from tamias2d.engine.narrow_phase.clip import TINY
 from tamias2d.engine.narrow_phase.collide import collide_cores
 from tamias2d.engine.narrow_phase.core import Core, core_of, is_thin
@@ -68,6 +68,8 @@ def advance(
     at, last = near_interval(p, path, reach, vertices)
     manifold, rows = events.scratch[0], events.scratch[1:]
     least = hair = near
+    seen = held
+    told = held[0] != 0.0 or held[1] != 0.0
     piece = is_piece(p) or is_piece(q)
     kept = piece and not has_end(s if is_piece(p) else t, shapes)
     for pose in range(MOST_POSES):
@@ -82,18 +84,21 @@ def advance(
             stays, gap = measure_gap_of_piece(
                 s, t, placed_a, placed_b, (x, y), gap, held, manifold, rows, shapes
             )
+            if seen[0] * manifold[NX] + seen[1] * manifold[NY] < -FACING:  # it came past an end
+                stays, gap = False, UNBOUNDED
+        elif piece:
+            seen = (manifold[NX], manifold[NY])
         if at == 0.0 and gap <= near:
-            known = held[0] != 0.0 or held[1] != 0.0
-            if gap > 0.0 and is_thin(p, q) and not known:  # behind a gap of 0 is the other side
+            if gap > 0.0 and is_thin(p, q) and not told:  # behind a gap of 0 is the other side
                 least = hair = 0.5 * gap
             else:
                 least = gap - near
         elif gap > near:
             least = hair = near
-        if gap <= near:
+        if gap <= near and not (piece and told):
             held = (manifold[NX], manifold[NY])
-        elif not kept:  # a shape may have come to the other side
-            held = (0.0, 0.0)
+        elif gap > near and not kept:  # a shape may have come to the other side
+            held, told = (0.0, 0.0), False
         if not (gap > least and (least == near or pose < MOST_CLOSE_POSES)):
             return at
         if not stays:

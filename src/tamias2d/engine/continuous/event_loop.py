@@ -33,6 +33,7 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
     update_events_of,
 )
+from tamias2d.engine.continuous.gap_bound import UNBOUNDED
 from tamias2d.engine.continuous.impact import contact_point, rebound, record_impact
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
@@ -330,7 +331,9 @@ def resolve_impact(
         if now > 1.0:
             return False
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
-    manifold_at(s, t, now, held, bodies, shapes, events)
+    gap = manifold_at(s, t, now, held, bodies, shapes, events)
+    if gap >= UNBOUNDED:  # it is beside a piece
+        return False
     manifold = events.scratch[0]
     if meets_seam(s, t, now, bodies, shapes, events):
         return False

@@ -112,24 +112,26 @@ def judge_piece(
     right = seen_from(0, piece, p, vertices, shapes)
     one_sided, round_ = p.kind == ONE_SIDED_PIECE, q.vertex_count == 1
     x, y = at[0], at[1]
-    up = right.nx * held[0] + right.ny * held[1]
-    if abs(up) >= FACING and not round_:
-        side = seen_from(0 if up > 0.0 else 1, piece, p, vertices, shapes)
+    left = seen_from(1, piece, p, vertices, shapes)
+    known = 0 if round_ else known_side(held[0], held[1], right, left)
+    if known == 1 or (known == -1 and not one_sided):
+        side = seen_from(0 if known == 1 else 1, piece, p, vertices, shapes)
         return judge_side(side, p, q, at, margin, swapped, manifold, vertices)
     if is_normal(ux, uy, right, round_):
         return verdict_of(one_sided or not is_beyond_neighbour(right, p, q, x, y, vertices))
-    left = seen_from(1, piece, p, vertices, shapes)
     if not one_sided and is_normal(ux, uy, left, round_):
         return verdict_of(not is_beyond_neighbour(left, p, q, x, y, vertices))
     low, lowest = foremost_vertex(right, p, q, x, y, vertices)
     high, highest = foremost_vertex(left, p, q, x, y, vertices)
-    in_front = low > high
+    up = right.nx * ux + right.ny * uy
+    apart = is_beyond(ux, uy, p, q, x, y, vertices)
+    in_front = up > 0.0 if apart and abs(up) >= FACING else low > high
     if one_sided and not in_front:
         return Verdict(False, 0, 0)
     side = seen_from(0 if in_front else 1, piece, p, vertices, shapes)
     if not round_ and (one_sided or not is_beyond_neighbour(side, p, q, x, y, vertices)):
         vertex = lowest if in_front else highest
-        deep = (low if in_front else high) <= q.radius
+        deep = not apart and (low if in_front else high) <= q.radius
         over = deep and is_over(side, p, q, vertex, x, y, vertices)
         if over or leans_little(ux, uy, side):
             first, second = clip_piece(
@@ -204,6 +206,36 @@ def is_normal(ux: float, uy: float, side: Side, round_: bool) -> bool:
     return admitted(side.end_sine, corner_room(side.end_cosine, side.end_sine, up, along))
 
 
+def known_side(hx: float, hy: float, right: Side, left: Side) -> int:
+    """Return on which side of a piece the shape is that touches it with a normal of it.
+
+    1 says on its right side, -1 on its left one, 0 that it may be either. At a corner that sticks
+    out far a normal may lean over a piece by more than a right angle.
+    """
+    on_right, on_left = is_normal(hx, hy, right, False), is_normal(hx, hy, left, False)
+    if on_right != on_left:
+        if leans_over_tip(hx, hy, right) if on_right else leans_over_tip(hx, hy, left):
+            return 0
+        return 1 if on_right else -1
+    up = right.nx * hx + right.ny * hy
+    return 0 if abs(up) < FACING else 1 if up > 0.0 else -1
+
+
+def leans_over_tip(ux: float, uy: float, side: Side) -> bool:
+    """Return whether a normal leans over a corner whose other piece may hide what is there."""
+    along, up = side.nx * uy - side.ny * ux, side.nx * ux + side.ny * uy
+    if abs(along) <= PARALLEL * up:
+        return False
+    if along < 0.0:
+        return not shows(side.start_cosine, side.start_sine)
+    return not shows(side.end_cosine, side.end_sine)
+
+
+def shows(cosine: float, sine: float) -> bool:
+    """Return whether the pieces of a corner are both before what touches one of them."""
+    return bool(cosine > -1.0 and (cosine >= 0.0 or sine < -STRAIGHT))
+
+
 def leans_little(ux: float, uy: float, side: Side) -> bool:
     """Return whether a direction is nearly the normal, over a corner that does not stick out."""
     along, up = side.nx * uy - side.ny * ux, side.nx * ux + side.ny * uy
@@ -239,6 +271,15 @@ def is_behind(
         low, high = min(low, height), max(high, height)
     low, high = low - q.radius, high + q.radius
     return high <= SLIVER * (high - low)
+
+
+def is_beyond(ux: float, uy: float, p: Core, q: Core, x: float, y: float, vertices: Array) -> bool:
+    """Return whether all of a shape is beyond all of a piece along a direction."""
+    low = INFINITE
+    for k in range(q.first, q.first + q.vertex_count):
+        low = min(low, ux * (x + vertices[k, 0]) + uy * (y + vertices[k, 1]))
+    first = ux * vertices[p.first, 0] + uy * vertices[p.first, 1]
+    return bool(low > max(first, ux * vertices[p.first + 1, 0] + uy * vertices[p.first + 1, 1]))
 
 
 def foremost_vertex(
@@ -284,7 +325,9 @@ def clip_piece(
 ) -> tuple[int, int]:
     """Write the points of a shape over a side of a piece, along its normal; return their features.
 
-    The vertex is the foremost one of the shape, which is at (x, y) from the piece, m.
+    The vertex is the foremost one of the shape, which is at (x, y) from the piece, m. It is the one
+    point where the shape stands on the piece. What is behind the piece counts past its end, too, if
+    the corner is a hollow: no other piece would find it.
     """
     side_q = incident_side(q, vertex, side.nx, side.ny, vertices)
     end_p, end_q = 1 - side.side, next_vertex(side_q, q.vertex_count)
@@ -293,7 +336,12 @@ def clip_piece(
         vertices,
     )  # fmt: skip
     low, high = common_part(facing)
-    if high < low or facing.along1 <= facing.along2:
+    if facing.gap2 <= q.radius and side.start_sine < -STRAIGHT:
+        low = max(facing.along2, -facing.length)
+    if facing.gap1 <= q.radius and side.end_sine < -STRAIGHT:
+        high = min(facing.along1, 2.0 * facing.length)
+    apart = high < low or facing.along1 <= facing.along2
+    if apart and not is_over(side, p, q, vertex, x, y, vertices):
         return 0, 0
     first, second = clip_points(manifold, facing, low, high, p.radius, q.radius, margin)
     if first or second:

@@ -1,58 +1,65 @@
-"""On which side of a chain a shape is: what touches one piece is on that side of the next one, too.
+"""On which side of a chain a shape is: what touches a piece is on that side of those beside, too.
 
 A piece by itself has no inside. A shape that lies a little too deep on one piece, by rounding or
 because a soft step lets it, would come to the next one from behind, and pass. It is told its side
-there. Where a corner sticks out by more than a right angle, what touches one of its pieces may
-well be behind the other one, and is told nothing.
+of all that follow. Where a corner sticks out by more than a right angle, what touches one of its
+pieces may well be behind the other one, and is told nothing.
 
 Cost: where there are chains, some visits to each contact.
 """
 
-from tamias2d.engine.narrow_phase.chain import FACING, STRAIGHT
-from tamias2d.engine.narrow_phase.polygon import held_normal, touched
+from tamias2d.engine.narrow_phase.chain import BESIDE, known_side, seen_from, shows
+from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.tables import (
     END_COSINE,
     END_SINE,
+    FEATURE,
     KNOWN_SIDE,
     LEFT_HIGH,
     LEFT_LOW,
+    MET_IN_FLIGHT,
     NX,
-    NY,
     PIECE,
     POINT_COUNT,
     RIGHT_HIGH,
     RIGHT_LOW,
+    SIDE_NORMAL,
     START_COSINE,
     START_SINE,
+    TOUCHES,
     Contacts,
     Integers,
     Shapes,
 )
 
 NO_PIECE = -1
+MOST_PIECES = 32  # that are told a side by one that is touched
 
 
-def note_sides(count: int, contacts: Contacts, shapes: Shapes, sides: Integers) -> None:
-    """Let the contacts with pieces beside those that a shape touches know its side.
+def note_sides(
+    again: bool, count: int, contacts: Contacts, shapes: Shapes, sides: Integers
+) -> None:
+    """Let the contacts with pieces that a shape touches, and with those beside, know its side.
 
-    The sides of a shape are the first and the last piece that it touches from the right, and from
-    the left, each plus 1.
+    What is known stays so to the end of a step, where this is asked `again`. The sides of a shape
+    are the first and the last piece that it touches from the right, and from the left, each plus 1.
     """
     if not has_chains(shapes):
         return
     for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
         if piece >= 0:
-            contacts.flags[p, KNOWN_SIDE] = 0
+            if not again:
+                contacts.flags[p, KNOWN_SIDE] = 0
             for n in range(4):
                 sides[other, n] = 0
     for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
-        if piece >= 0 and touched(contacts.flags[p]):
+        if piece >= 0 and has_touched(contacts.flags[p]):
             note_touched(p, piece, sides[other], contacts, shapes)
     for p in range(count):
         piece, other = piece_and_other(p, contacts, shapes)
-        if piece >= 0 and contacts.flags[p, POINT_COUNT] == 0:
+        if piece >= 0 and contacts.flags[p, KNOWN_SIDE] == 0:
             tell_side(p, piece, sides[other], contacts, shapes)
 
 
@@ -74,16 +81,27 @@ def piece_and_other(p: int, contacts: Contacts, shapes: Shapes) -> tuple[int, in
     return (s if found else NO_PIECE), t
 
 
+def has_touched(flags: Integers) -> bool:
+    """Return whether the normal of a contact is that of one in the last step."""
+    solved = flags[POINT_COUNT] > 0 and flags[FEATURE] != BESIDE
+    return bool(solved or flags[TOUCHES] & MET_IN_FLIGHT > 0)
+
+
 def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
     """Add the piece of a contact to those that its other shape touches from one side."""
-    hx, hy = held_normal(contacts.manifolds[p], contacts.flags[p])
+    manifold = contacts.manifolds[p]
+    at = SIDE_NORMAL if contacts.flags[p, KNOWN_SIDE] == 1 else NX
+    hx, hy = manifold[at], manifold[at + 1]
     if contacts.pairs[p, 0] != piece:
         hx, hy = -hx, -hy
-    v = shapes.first[piece]
-    up = hx * shapes.world_vertices[v, 2] + hy * shapes.world_vertices[v, 3]
-    if abs(up) < FACING:
+    core, vertices = core_of(piece, shapes), shapes.world_vertices
+    right = seen_from(0, piece, core, vertices, shapes)
+    left = seen_from(1, piece, core, vertices, shapes)
+    known = known_side(hx, hy, right, left)
+    if known == 0:
         return
-    low, high = (RIGHT_LOW, RIGHT_HIGH) if up > 0.0 else (LEFT_LOW, LEFT_HIGH)
+    know_side(p, piece, known == 1, contacts, shapes)
+    low, high = (RIGHT_LOW, RIGHT_HIGH) if known == 1 else (LEFT_LOW, LEFT_HIGH)
     if sides[low] > 0 and shapes.slot[sides[low] - 1] == shapes.slot[piece]:
         sides[low], sides[high] = min(sides[low], piece + 1), max(sides[high], piece + 1)
     else:
@@ -91,36 +109,57 @@ def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes
 
 
 def tell_side(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
-    """Let a contact that has not touched know on which side of its piece the other shape is."""
+    """Let a contact know the side of its other shape if the pieces beside do, and only one side."""
     right = is_continued(piece, sides[RIGHT_LOW] - 1, sides[RIGHT_HIGH] - 1, 1.0, shapes)
     left = is_continued(piece, sides[LEFT_LOW] - 1, sides[LEFT_HIGH] - 1, -1.0, shapes)
-    if right == left:
-        return
+    if right != left:
+        know_side(p, piece, right, contacts, shapes)
+
+
+def know_side(p: int, piece: int, right: bool, contacts: Contacts, shapes: Shapes) -> None:
+    """Write down that the other shape of a contact is on the right side of a piece, or not."""
     sense = 1.0 if right == (contacts.pairs[p, 0] == piece) else -1.0
     v, manifold = shapes.first[piece], contacts.manifolds[p]
-    manifold[NX] = sense * shapes.world_vertices[v, 2]
-    manifold[NY] = sense * shapes.world_vertices[v, 3]
+    manifold[SIDE_NORMAL] = sense * shapes.world_vertices[v, 2]
+    manifold[SIDE_NORMAL + 1] = sense * shapes.world_vertices[v, 3]
     contacts.flags[p, KNOWN_SIDE] = 1
 
 
 def is_continued(piece: int, low: int, high: int, sense: float, shapes: Shapes) -> bool:
-    """Return whether a piece is among those from low to high, or beside them, round a corner that
-    does not hide it. The sense is 1 on the right side and -1 on the left one.
+    """Return whether a piece goes on with the first or the last one that a shape touches.
+
+    The sense is 1 on the right side and -1 on the left one.
     """
     if low < 0 or shapes.slot[low] != shapes.slot[piece]:
         return False
-    if low <= piece <= high:
+    if follows(piece, low, True, sense, shapes) or follows(piece, high, False, sense, shapes):
         return True
-    row = shapes.material[piece]
-    after = previous_piece(piece, shapes) == high
-    before = next_piece(piece, shapes) == low
-    start = after and shows(row[START_COSINE], sense * row[START_SINE])
-    return bool(start or (before and shows(row[END_COSINE], sense * row[END_SINE])))
+    return follows(piece, high, True, sense, shapes) or follows(piece, low, False, sense, shapes)
 
 
-def shows(cosine: float, sine: float) -> bool:
-    """Return whether the pieces of a corner are both before what touches one of them."""
-    return bool(cosine > -1.0 and (cosine >= 0.0 or sine < -STRAIGHT))
+def follows(piece: int, start: int, ahead: bool, sense: float, shapes: Shapes) -> bool:
+    """Return whether a piece comes after another one, or before it, round corners that show both.
+
+    What comes after the next one is not behind the first, either.
+    """
+    at = start
+    for count in range(MOST_PIECES):
+        if at == piece:
+            return True
+        row = shapes.material[at]
+        cosine, sine = (END_COSINE, END_SINE) if ahead else (START_COSINE, START_SINE)
+        if not shows(row[cosine], sense * row[sine]):
+            return False
+        at = next_piece(at, shapes) if ahead else previous_piece(at, shapes)
+        if count > 0 and not faces_alike(start, at, shapes):
+            return False
+    return False
+
+
+def faces_alike(piece: int, other: int, shapes: Shapes) -> bool:
+    """Return whether the sides of two pieces turn from each other by less than a right angle."""
+    v, w, vertices = shapes.first[piece], shapes.first[other], shapes.world_vertices
+    return bool(vertices[v, 2] * vertices[w, 2] + vertices[v, 3] * vertices[w, 3] > 0.0)
 
 
 def previous_piece(piece: int, shapes: Shapes) -> int:

@@ -10,7 +10,7 @@ separating axis test between convex polyhedra (GDC 2013); Catto, Box2D v3 (2024)
 pairs that do not touch yet.
 """
 
-from tamias2d.engine.narrow_phase.chain import BESIDE, is_piece, judge
+from tamias2d.engine.narrow_phase.chain import is_piece, judge
 from tamias2d.engine.narrow_phase.core import Core, core_of
 from tamias2d.engine.narrow_phase.disc import collide_disc, collide_discs
 from tamias2d.engine.narrow_phase.half_plane import collide_half_plane
@@ -19,11 +19,8 @@ from tamias2d.engine.narrow_phase.reuse import NEVER
 from tamias2d.engine.tables import (
     FEATURE,
     HALF_PLANE,
-    KNOWN_SIDE,
     KNOWN_WAY,
     NORMAL_IMPULSE,
-    NX,
-    NY,
     POINT,
     POINT_COUNT,
     PRELOAD,
@@ -83,8 +80,6 @@ def collide_piece(
         verdict = judge(s, t, a, b, (x, y), margin, held, manifold, vertices, shapes)
         if not verdict.stays:
             first, second = verdict.first, verdict.second
-    if flags[KNOWN_SIDE] == 1 and (first == 0 or first == BESIDE):
-        manifold[NX], manifold[NY] = held
     return match_impulses(manifold, flags, first, second)
 
 

@@ -11,6 +11,7 @@ from tamias2d.engine.narrow_phase.axis_cache import (
     moved_too_far,
     relative_pose,
 )
+from tamias2d.engine.narrow_phase.chain import BESIDE
 from tamias2d.engine.narrow_phase.clip import clip_reference
 from tamias2d.engine.narrow_phase.core import Core, is_thin
 from tamias2d.engine.narrow_phase.separation import (
@@ -25,11 +26,13 @@ from tamias2d.engine.narrow_phase.separation import (
 )
 from tamias2d.engine.tables import (
     CACHED_AXIS,
+    FEATURE,
     KNOWN_SIDE,
     MET_IN_FLIGHT,
     NX,
     NY,
     POINT_COUNT,
+    SIDE_NORMAL,
     TOUCHES,
     Integers,
 )
@@ -103,9 +106,11 @@ def search(
 
 def held_normal(manifold: Array, flags: Integers) -> Vector:
     """Return the normal of a contact that tells the side, (0, 0) of others."""
-    if flags[KNOWN_SIDE] == 0 and not touched(flags):
-        return 0.0, 0.0
-    return manifold[NX], manifold[NY]
+    if flags[KNOWN_SIDE] == 1:
+        return manifold[SIDE_NORMAL], manifold[SIDE_NORMAL + 1]
+    if touched(flags) and flags[FEATURE] != BESIDE:
+        return manifold[NX], manifold[NY]
+    return 0.0, 0.0
 
 
 def touched(flags: Integers) -> bool:

@@ -96,7 +96,7 @@ def find_touching(
     total = marked = new_static = 0
     deep = False
     same = touching.counts[ARRANGED] == 1
-    note_sides(broad_phase.counts[CONTACTS], contacts, shapes, touching.sides)
+    note_sides(again, broad_phase.counts[CONTACTS], contacts, shapes, touching.sides)
     for p in range(broad_phase.counts[CONTACTS]):
         age_flags(again, contacts.flags[p])
         s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
