@@ -4,14 +4,20 @@ Cost: two visits to each body for a solution, and cosine and sine where position
 Source: Featherstone (2008), articulated bodies.
 """
 
-from math import inf
-
-from tamias2d.engine.joints.hinge_tree import arms_of_hinge, first_besides, hung_by_law
-from tamias2d.engine.joints.impulse import apply_joint_impulse
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, place_members
+from tamias2d.engine.joints.hinge_tree import (
+    arms_of_hinge,
+    first_besides,
+    hung_by_law,
+    place_tree,
+    turn_tree,
+)
+from tamias2d.engine.joints.impulse import note_joint_impulse
+from tamias2d.engine.joints.linearise import ENDS_OF_JOINT
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
     REMOVED_BY_JOINTS,
+    SLOWLY,
+    SOLVED_RATE,
     aim_joint,
     errors_of_joint,
     rate_of_row,
@@ -31,9 +37,7 @@ from tamias2d.engine.tables import (
     H_OWED,
     H_SHARE,
     H_YIELD,
-    HELD_INVERSE_INERTIA,
     I_NODE,
-    INVERSE_MASS,
     J_ERROR,
     J_FIRMNESS,
     J_LAW,
@@ -56,7 +60,6 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
     angular_momentum_passed,
-    angular_velocity_hinged,
     change,
     hinge_change,
     hinge_impulse,
@@ -66,7 +69,6 @@ from tamias2d.generated.hinge_tree import (
     root_change,
     spin_change,
     turn_owed,
-    velocity_hinged,
 )
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
@@ -100,13 +102,18 @@ def aim_tree(n: int, length: float, joints: Joints) -> None:
 def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Change the velocities of a tree so that a substep, s, brings its hinges where they are to be.
 
-    Arms turn meanwhile; where that matters, it is done again, as long as errors become less.
+    Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
+    errors do not become much less.
     """
-    before = inf
-    for _ in range(MOST_ITERATIONS_OF_JOINTS):
+    first = before = 0.0
+    for k in range(MOST_ITERATIONS_OF_JOINTS):
         fastest, size = find_gap_errors(n, substep, bodies, joints)
-        if not size < before:
+        if k == 0:
+            first = size
+        if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
+        if k > 0 and size > SLOWLY * before:
+            turn_tree(n, substep, bodies, joints)
         before, turn = size, substep * fastest
         change_of_turn = substep * solve_hinges(n, bodies, joints)
         if not change_of_turn * (turn + change_of_turn) > SLIGHT_TURN:
@@ -144,7 +151,7 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> t
     Returns the fastest spin, and the sum of the squares of these rates.
     """
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    place_members(first, last, substep, bodies, joints)
+    place_tree(n, substep, bodies, joints)
     fastest = size = 0.0
     for m in range(first, last):
         row = joints.hinges[m]
@@ -190,16 +197,12 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
         impulse = pass_down(m, hinges[members[m, JOINED_ABOVE]], joints)
         row = hinges[m]
         largest = max(largest, abs(row[H_CHANGE + 2]))
-        if members[m, JOINED_HINGE] >= 0:
-            row[H_GIVEN] += impulse[0]
-            row[H_GIVEN + 1] += impulse[1]
-            push_hinged(m, (row[H_ARM], row[H_ARM + 1]), impulse, bodies, joints)
-        if m > first:
-            away, far = (-impulse[0], -impulse[1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
-            push_hinged(members[m, JOINED_ABOVE], far, away, bodies, joints)
+        row[H_GIVEN] += impulse[0]
+        row[H_GIVEN + 1] += impulse[1]
+        move_on_hinge(members[m, JOINED_SLOT], row, bodies)
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
-            apply_joint_impulse(j, r, impulse_besides(j, r, joints), bodies, joints)
+            note_joint_impulse(j, r, impulse_besides(j, r, joints), joints)
     return largest
 
 
@@ -253,17 +256,12 @@ def pass_down(m: int, above: Array, joints: Joints) -> Vector:
 
 
 @inlined
-def push_hinged(m: int, arm: Vector, impulse: Vector, bodies: Bodies, joints: Joints) -> None:
-    """Give a member an impulse at its hinge, which is not what contacts have done."""
-    i = joints.members[m, JOINED_SLOT]
+def move_on_hinge(i: int, row: Array, bodies: Bodies) -> None:
+    """Change the velocities of a body by what a solution found; contacts have not done that."""
     now, state = bodies.motion[i], bodies.substep_state[i]
-    held = joints.places[m, HELD_INVERSE_INERTIA]
-    by_x, by_y = velocity_hinged((0.0, 0.0), impulse, bodies.properties[i, INVERSE_MASS])
-    turn = angular_velocity_hinged(0.0, arm, impulse, held)
-    now[VX], now[VY], now[SPIN] = now[VX] + by_x, now[VY] + by_y, now[SPIN] + turn
-    state[SUBSTEP_START] += by_x
-    state[SUBSTEP_START + 1] += by_y
-    state[SUBSTEP_START + 2] += turn
+    for k in range(3):
+        now[VX + k] += row[H_CHANGE + k]
+        state[SUBSTEP_START + k] += row[H_CHANGE + k]
 
 
 def owe_law(j: int, joints: Joints) -> None:

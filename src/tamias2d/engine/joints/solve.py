@@ -10,7 +10,12 @@ from tamias2d.engine.direct.cholesky import substitute
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, factor_mechanism, place_members
+from tamias2d.engine.joints.linearise import (
+    ENDS_OF_JOINT,
+    factor_mechanism,
+    place_members,
+    rows_where_placed,
+)
 from tamias2d.engine.tables import (
     CHANGE,
     I_NODE,
@@ -32,6 +37,7 @@ from tamias2d.engine.tables import (
     LAW_RATE,
     LAW_STIFFNESS,
     LOWER_LIMIT,
+    M_CHOOSING,
     M_GOVERNED,
     M_JOINT,
     M_MESHED,
@@ -56,7 +62,8 @@ from tamias2d.generated.joint_step import (
 )
 
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
-MOST_ITERATIONS_OF_JOINTS = 5
+MOST_ITERATIONS_OF_JOINTS = 12
+SLOWLY = 1e-2  # by which share errors become less: else rows are found anew
 MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
 SOLVED_RATE = 1e-4  # of the largest error of the first iteration: as good as solved
 
@@ -92,7 +99,7 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
     if joints.mechanisms[n, M_GOVERNED] == 1 and not again:
         factor_mechanism(n, substep, bodies, joints)
     bring_to_aims(n, again, substep, bodies, joints)
-    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_GOVERNED] == 1 else 0):
+    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_CHOOSING] == 1 else 0):
         find_position_errors(n, substep, bodies, joints)
         note_rates(n, bodies, joints)
         if not choose_rows(n, substep, bodies, joints):
@@ -139,12 +146,19 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
             first = size
-        elif not SOLVED_RATE * SOLVED_RATE * first < size < before:
+        if size <= SOLVED_RATE * SOLVED_RATE * first:
             return
-        if size == 0.0:
-            return
+        if k > 0 and size > SLOWLY * before:
+            turn_rows(n, substep, bodies, joints)
         solve_joint_errors(n, bodies, joints)
         before = size
+
+
+def turn_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Let the rows of a mechanism be those where its members are placed."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        rows_where_placed(j, joints)
+    factor_mechanism(n, substep, bodies, joints)
 
 
 def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
