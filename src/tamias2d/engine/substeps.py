@@ -9,8 +9,8 @@ from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.stages import (
     begin_joints,
     end_joints,
+    fit_touched,
     look_at_touched,
-    relax_in_turns,
     relax_joints,
     solve_joints,
 )
@@ -205,7 +205,7 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     solve_trees(True, tree, tree_end, substep, bodies, constraints, world.direct)
     for _ in range(constraints.counts[SWEEPS]):
         relax(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], bodies, constraints, substep)
-    relax_in_turns(slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK], substep, world)
+    fit_touched(world)
 
 
 @inlined

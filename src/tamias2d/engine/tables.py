@@ -851,6 +851,7 @@ H_PULL = _hinges(2)  # N s, through the hinge over this part, before that
 H_TURN = _hinges()  # N m s, likewise, about the body
 H_FAR_TURN = _hinges()  # N m s, likewise, about the body above
 H_APART = _hinges(2)  # m, by how much the hinge was apart at most in this part
+H_WHOLE = _hinges()  # of the first member: size of the errors of its mechanism in this substep
 
 _links = Columns(2)  # of a hinge in a net
 L_ARM_A = _links()  # m
@@ -885,7 +886,7 @@ class Joints(NamedTuple):
     numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
     members: Annotated[RankRows, Sized("joined", _joined.width)]
     places: Annotated[FloatRows, Sized("joined", _places.width)]
-    turns: Annotated[FloatRows, Sized(3, "joined")]  # angle, rad, its cosine and sine, for lanes
+    turns: Annotated[FloatRows, Sized(3, "turned")]  # angle, rad, its cosine and sine, for lanes
     hinges: Annotated[FloatRows, Sized("joined", _hinges.width)]
     links: Annotated[FloatRows, Sized("joints", _links.width)]
     net_nodes: Annotated[FloatRows, Sized("joined", 8)]

@@ -192,7 +192,7 @@ class Simulator(Views):
             self._tell(
                 too_long_for_contacts(self._engine, self._name_of, self.time, step, self._substeps)
             )
-        if len(self._joints):
+        if self._engine.joints_apart:
             self._tell(too_long_for_joints(self._joints, self._engine, self.time, step))
         if self._scene is None or SPRINGS in self._warned:
             return

@@ -36,6 +36,7 @@ from tamias2d.engine.tables import (
     H_MOMENT,
     H_OWED,
     H_SHARE,
+    H_WHOLE,
     H_YIELD,
     I_NODE,
     J_ERROR,
@@ -99,18 +100,19 @@ def aim_tree(n: int, length: float, joints: Joints) -> None:
         aim_joint(j, length, joints)
 
 
-def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+def bring_tree_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Change the velocities of a tree so that a substep, s, brings its hinges where they are to be.
 
     Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
     errors do not become much less.
     """
-    first = before = 0.0
+    row = joints.hinges[joints.sparse[n, I_NODE] + 1]
+    before = 0.0
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         fastest, size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
-            first = size
-        if size <= SOLVED_RATE * SOLVED_RATE * first:
+            row[H_WHOLE] = max(size, row[H_WHOLE]) if again else size
+        if size <= SOLVED_RATE * SOLVED_RATE * row[H_WHOLE]:
             return
         if k > 0 and size > SLOWLY * before:
             turn_tree(n, substep, bodies, joints)
@@ -153,6 +155,10 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> t
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
     place_tree(n, substep, bodies, joints)
     fastest = size = 0.0
+    if joints.members[first, JOINED_HINGE] < 0:
+        begin_errors(joints.hinges[first], 0.0, 0.0)
+        fastest = abs(bodies.motion[joints.members[first, JOINED_SLOT], SPIN])
+        first += 1
     for m in range(first, last):
         row = joints.hinges[m]
         _, _, gap = arms_of_hinge(m, joints)

@@ -75,6 +75,7 @@ from tamias2d.state import Array
 
 FIRM = 1e8  # firmness of a row, for each unit of its own mass
 ENDS_OF_JOINT = 3
+TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
 
 def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -161,9 +162,11 @@ def turn_members(first: int, last: int, joints: Joints) -> None:
 
 
 def turn_all(first: int, last: int, angles: Array, cosines: Array, sines: Array) -> None:
-    """Write the cosines and sines of some angles, in lanes."""
-    for m in range(first, last):
-        cosines[m], sines[m] = cosine_sine(angles[m])
+    """Write the cosines and sines of some angles, in whole lanes: others stay as they are."""
+    last = first + TURNED_TOGETHER * ((last - first - 1) // TURNED_TOGETHER + 1)
+    angle, cosine, sine = angles[first:last], cosines[first:last], sines[first:last]
+    for k in range(len(angle)):
+        cosine[k], sine[k] = cosine_sine(angle[k])
 
 
 def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> None:

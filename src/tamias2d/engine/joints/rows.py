@@ -8,6 +8,7 @@ import numpy as np
 from tamias2d.engine.joints.elimination import Elimination, eliminated
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
 from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ARRANGED,
@@ -80,6 +81,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     store.resize(
         joints=len(rows),
         joined=len(member) + 1 if rows else 0,
+        turned=len(member) + 1 + TURNED_TOGETHER if rows else 0,
         mechanisms=len(mechanisms) + 1,
         joint_sparse=max(len(member), edges, fill, len(plans)) + 2 if rows else 0,
         apart=len(apart),

@@ -18,6 +18,7 @@ from tamias2d.engine.joints.linearise import (
 )
 from tamias2d.engine.tables import (
     CHANGE,
+    H_WHOLE,
     I_NODE,
     J_AIM,
     J_ERROR,
@@ -62,8 +63,8 @@ from tamias2d.generated.joint_step import (
 )
 
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
-MOST_ITERATIONS_OF_JOINTS = 12
-SLOWLY = 1e-2  # by which share errors become less: else rows are found anew
+MOST_ITERATIONS_OF_JOINTS = 12  # two to three are usual
+SLOWLY = 0.1  # by which share errors become less: else rows are found anew
 MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
 SOLVED_RATE = 1e-4  # of the largest error of the first iteration: as good as solved
 
@@ -141,12 +142,13 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         if not again:
             keep_impulses(n, joints)
         return
-    first = before = 0.0
+    row = joints.hinges[joints.sparse[n, I_NODE] + 1]
+    before = 0.0
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
-            first = size
-        if size <= SOLVED_RATE * SOLVED_RATE * first:
+            row[H_WHOLE] = max(size, row[H_WHOLE]) if again else size
+        if size <= SOLVED_RATE * SOLVED_RATE * row[H_WHOLE]:
             return
         if k > 0 and size > SLOWLY * before:
             turn_rows(n, substep, bodies, joints)

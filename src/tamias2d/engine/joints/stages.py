@@ -20,7 +20,6 @@ from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impuls
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.solver.energy import UNLIMITED
-from tamias2d.engine.solver.lanes import relax
 from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
 from tamias2d.engine.tables import (
@@ -77,8 +76,6 @@ from tamias2d.generated.joint_step import (
     kick_velocity_later,
     kick_velocity_start,
 )
-
-RELAXING_ROUNDS = 0  # of joints and contacts, when their velocities are relaxed, besides the first
 
 
 def clear_of_joints(clear: bool, world: World) -> bool:
@@ -258,15 +255,9 @@ def relax_joints(world: World) -> None:
     fit_velocities(GOVERNED_ALONE, bodies, joints)
 
 
-def relax_in_turns(block: int, last: int, substep: float, world: World) -> None:
-    """Relax touched mechanisms and the contacts, in blocks of lanes, in turns: joints come last."""
-    joints, bodies = world.joints, world.bodies
-    if joints.counts[MECHANISMS_AWAKE] == 0 or joints.counts[MECHANISMS_TOUCHED] == 0:
-        return
-    for _ in range(RELAXING_ROUNDS):
-        fit_velocities(IN_CONTACT, bodies, joints)
-        relax(block, last, bodies, world.constraints, substep)
-    fit_velocities(IN_CONTACT, bodies, joints)
+def fit_touched(world: World) -> None:
+    """Let the velocities of touched mechanisms fit their rows again, after those of contacts."""
+    fit_velocities(IN_CONTACT, world.bodies, world.joints)
 
 
 def fit_velocities(least: int, bodies: Bodies, joints: Joints) -> None:
