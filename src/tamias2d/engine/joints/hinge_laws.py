@@ -37,7 +37,7 @@ def keep_tree_positions(
     governed = joints.mechanisms[n, M_GOVERNED] == 1
     if governed and not again:
         hang_tree(n, substep, bodies, joints)
-    bring_tree_to_aims(n, again, substep, bodies, joints)
+    bring_tree_to_aims(n, substep, bodies, joints)
     for _ in range(MOST_CHOICES if joints.mechanisms[n, M_CHOOSING] == 1 else 0):
         find_gap_errors(n, substep, bodies, joints)
         note_tree_rates(n, bodies, joints)
@@ -45,7 +45,7 @@ def keep_tree_positions(
             return
         hang_tree(n, substep, bodies, joints)
         return_tree_to_rates(n, bodies, joints)
-        bring_tree_to_aims(n, True, substep, bodies, joints)
+        bring_tree_to_aims(n, substep, bodies, joints)
 
 
 def note_tree_rates(n: int, bodies: Bodies, joints: Joints) -> None:

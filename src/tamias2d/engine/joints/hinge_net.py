@@ -69,8 +69,8 @@ from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-LEAST_ITERATIONS, MOST_ITERATIONS_OF_NET = 2, 20  # what is left is made up for in later substeps
-LEFT_OPEN = 0.25  # of the gap that is looked at, in a substep
+LEAST_ITERATIONS, MOST_ITERATIONS_OF_NET = 4, 20  # what is left is made up for in later substeps
+LEFT_OPEN = 0.4  # of the gap that is looked at, in a substep
 
 
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:

@@ -4,6 +4,8 @@ Cost: two visits to each body for a solution, and cosine and sine where position
 Source: Featherstone (2008), articulated bodies.
 """
 
+from math import inf
+
 from tamias2d.engine.joints.hinge_tree import (
     arms_of_hinge,
     first_besides,
@@ -30,17 +32,18 @@ from tamias2d.engine.tables import (
     H_FAR_ARM,
     H_GAP,
     H_GIVEN,
+    H_IMPULSE,
     H_LAW,
     H_LEVER,
     H_MASS,
     H_MOMENT,
     H_OWED,
     H_SHARE,
-    H_WHOLE,
     H_YIELD,
     I_NODE,
     J_ERROR,
     J_FIRMNESS,
+    J_IMPULSE,
     J_LAW,
     J_NODE,
     J_ROW,
@@ -100,26 +103,43 @@ def aim_tree(n: int, length: float, joints: Joints) -> None:
         aim_joint(j, length, joints)
 
 
-def bring_tree_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Change the velocities of a tree so that a substep, s, brings its hinges where they are to be.
 
     Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
     errors do not become much less.
     """
-    row = joints.hinges[joints.sparse[n, I_NODE] + 1]
-    before = 0.0
+    first, before, turned = 0.0, inf, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         fastest, size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
-            row[H_WHOLE] = max(size, row[H_WHOLE]) if again else size
-        if size <= SOLVED_RATE * SOLVED_RATE * row[H_WHOLE]:
+            first = size
+        if turned and not size < before:
+            take_solution_back(n, bodies, joints)
             return
-        if k > 0 and size > SLOWLY * before:
+        if size <= SOLVED_RATE * SOLVED_RATE * first:
+            return
+        turned = size > SLOWLY * before
+        if turned:
             turn_tree(n, substep, bodies, joints)
         before, turn = size, substep * fastest
         change_of_turn = substep * solve_hinges(n, bodies, joints)
         if not change_of_turn * (turn + change_of_turn) > SLIGHT_TURN:
             return
+
+
+def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the last solution from the motion of a tree: no solution is near."""
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        row = joints.hinges[m]
+        for k in range(3):
+            row[H_CHANGE + k] = -row[H_CHANGE + k]
+        row[H_GIVEN] -= row[H_IMPULSE]
+        row[H_GIVEN + 1] -= row[H_IMPULSE + 1]
+        move_on_hinge(joints.members[m, JOINED_SLOT], row, bodies)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            note_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], joints)
 
 
 def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -170,7 +190,8 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> t
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         errors_of_joint(j, substep, bodies, joints)
         for r in range(joints.joints[j, J_ROWS]):
-            size += joints.numbers[j, J_ERROR + r] * joints.numbers[j, J_ERROR + r]
+            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
+                size += joints.numbers[j, J_ERROR + r] * joints.numbers[j, J_ERROR + r]
     return fastest, size
 
 
@@ -203,12 +224,14 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
         impulse = pass_down(m, hinges[members[m, JOINED_ABOVE]], joints)
         row = hinges[m]
         largest = max(largest, abs(row[H_CHANGE + 2]))
+        row[H_IMPULSE], row[H_IMPULSE + 1] = impulse[0], impulse[1]
         row[H_GIVEN] += impulse[0]
         row[H_GIVEN + 1] += impulse[1]
         move_on_hinge(members[m, JOINED_SLOT], row, bodies)
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
-            note_joint_impulse(j, r, impulse_besides(j, r, joints), joints)
+            joints.numbers[j, J_IMPULSE + r] = impulse_besides(j, r, joints)
+            note_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], joints)
     return largest
 
 

@@ -6,6 +6,8 @@ known: momentum and angular momentum are those of the impulses.
 Cost: a visit to each joint and a substitution for each iteration.
 """
 
+from math import inf
+
 from tamias2d.engine.direct.cholesky import substitute
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
@@ -18,7 +20,6 @@ from tamias2d.engine.joints.linearise import (
 )
 from tamias2d.engine.tables import (
     CHANGE,
-    H_WHOLE,
     I_NODE,
     J_AIM,
     J_ERROR,
@@ -66,7 +67,7 @@ REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
 MOST_ITERATIONS_OF_JOINTS = 12  # two to three are usual
 SLOWLY = 0.1  # by which share errors become less: else rows are found anew
 MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
-SOLVED_RATE = 1e-4  # of the largest error of the first iteration: as good as solved
+SOLVED_RATE = 1e-7  # of the largest error of the first iteration: as good as solved
 
 
 def aim_joints(n: int, length: float, joints: Joints) -> None:
@@ -142,18 +143,28 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         if not again:
             keep_impulses(n, joints)
         return
-    row = joints.hinges[joints.sparse[n, I_NODE] + 1]
-    before = 0.0
+    first, before, turned = 0.0, inf, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
-            row[H_WHOLE] = max(size, row[H_WHOLE]) if again else size
-        if size <= SOLVED_RATE * SOLVED_RATE * row[H_WHOLE]:
+            first = size
+        if turned and not size < before:
+            take_impulses_back(n, bodies, joints)
             return
-        if k > 0 and size > SLOWLY * before:
+        if size <= SOLVED_RATE * SOLVED_RATE * first:
+            return
+        turned = size > SLOWLY * before
+        if turned:
             turn_rows(n, substep, bodies, joints)
         solve_joint_errors(n, bodies, joints)
         before = size
+
+
+def take_impulses_back(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the impulses of the last solution from a mechanism: no solution is near."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            apply_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], bodies, joints)
 
 
 def turn_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
