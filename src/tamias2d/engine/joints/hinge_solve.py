@@ -52,6 +52,7 @@ from tamias2d.engine.tables import (
     JOINED_HINGE,
     JOINED_SLOT,
     LAW_RATE,
+    M_CHOOSING,
     M_JOINT,
     MOTOR,
     SPIN,
@@ -109,6 +110,7 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
     Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
     errors do not become much less.
     """
+    turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
     first, before, turned = 0.0, inf, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         fastest, size = find_gap_errors(n, substep, bodies, joints)
@@ -117,9 +119,9 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
         if turned and not size < before:
             take_solution_back(n, bodies, joints)
             return
-        if size <= SOLVED_RATE * SOLVED_RATE * first:
+        if size <= SOLVED_RATE * SOLVED_RATE * first or not (turning or size < before):
             return
-        turned = size > SLOWLY * before
+        turned = turning and size > SLOWLY * before
         if turned:
             turn_tree(n, substep, bodies, joints)
         before, turn = size, substep * fastest

@@ -143,6 +143,7 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         if not again:
             keep_impulses(n, joints)
         return
+    turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
     first, before, turned = 0.0, inf, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
@@ -151,9 +152,9 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         if turned and not size < before:
             take_impulses_back(n, bodies, joints)
             return
-        if size <= SOLVED_RATE * SOLVED_RATE * first:
+        if size <= SOLVED_RATE * SOLVED_RATE * first or not (turning or size < before):
             return
-        turned = size > SLOWLY * before
+        turned = turning and size > SLOWLY * before
         if turned:
             turn_rows(n, substep, bodies, joints)
         solve_joint_errors(n, bodies, joints)
