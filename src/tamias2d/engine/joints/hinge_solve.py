@@ -13,7 +13,7 @@ from tamias2d.engine.joints.hinge_tree import (
     place_tree,
     turn_tree,
 )
-from tamias2d.engine.joints.impulse import note_joint_impulse
+from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.linearise import ENDS_OF_JOINT
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
@@ -40,7 +40,9 @@ from tamias2d.engine.tables import (
     H_OWED,
     H_SHARE,
     H_YIELD,
+    HELD_INVERSE_INERTIA,
     I_NODE,
+    INVERSE_MASS,
     J_ERROR,
     J_FIRMNESS,
     J_IMPULSE,
@@ -65,6 +67,7 @@ from tamias2d.engine.tables import (
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
     angular_momentum_passed,
+    angular_velocity_hinged,
     change,
     hinge_change,
     hinge_impulse,
@@ -74,6 +77,7 @@ from tamias2d.generated.hinge_tree import (
     root_change,
     spin_change,
     turn_owed,
+    velocity_hinged,
 )
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
@@ -132,16 +136,13 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
 
 def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
     """Take the last solution from the motion of a tree: no solution is near."""
-    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    for m in range(first, last):
         row = joints.hinges[m]
-        for k in range(3):
-            row[H_CHANGE + k] = -row[H_CHANGE + k]
-        row[H_GIVEN] -= row[H_IMPULSE]
-        row[H_GIVEN + 1] -= row[H_IMPULSE + 1]
-        move_on_hinge(joints.members[m, JOINED_SLOT], row, bodies)
+        push_through(m, first, (-row[H_IMPULSE], -row[H_IMPULSE + 1]), bodies, joints)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         for r in range(joints.joints[j, J_ROWS]):
-            note_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], joints)
+            apply_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], bodies, joints)
 
 
 def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -227,13 +228,11 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
         row = hinges[m]
         largest = max(largest, abs(row[H_CHANGE + 2]))
         row[H_IMPULSE], row[H_IMPULSE + 1] = impulse[0], impulse[1]
-        row[H_GIVEN] += impulse[0]
-        row[H_GIVEN + 1] += impulse[1]
-        move_on_hinge(members[m, JOINED_SLOT], row, bodies)
+        push_through(m, first, impulse, bodies, joints)
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
             joints.numbers[j, J_IMPULSE + r] = impulse_besides(j, r, joints)
-            note_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], joints)
+            apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
     return largest
 
 
@@ -287,12 +286,30 @@ def pass_down(m: int, above: Array, joints: Joints) -> Vector:
 
 
 @inlined
-def move_on_hinge(i: int, row: Array, bodies: Bodies) -> None:
-    """Change the velocities of a body by what a solution found; contacts have not done that."""
+def push_through(m: int, first: int, impulse: Vector, bodies: Bodies, joints: Joints) -> None:
+    """Give a member of a tree and the one above it the impulse through its hinge."""
+    row = joints.hinges[m]
+    if joints.members[m, JOINED_HINGE] >= 0:
+        row[H_GIVEN] += impulse[0]
+        row[H_GIVEN + 1] += impulse[1]
+        push_hinged(m, (row[H_ARM], row[H_ARM + 1]), impulse, bodies, joints)
+    if m > first:
+        away, far = (-impulse[0], -impulse[1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
+        push_hinged(joints.members[m, JOINED_ABOVE], far, away, bodies, joints)
+
+
+@inlined
+def push_hinged(m: int, arm: Vector, impulse: Vector, bodies: Bodies, joints: Joints) -> None:
+    """Give a member an impulse at its hinge, which is not what contacts have done."""
+    i = joints.members[m, JOINED_SLOT]
     now, state = bodies.motion[i], bodies.substep_state[i]
-    for k in range(3):
-        now[VX + k] += row[H_CHANGE + k]
-        state[SUBSTEP_START + k] += row[H_CHANGE + k]
+    held = joints.places[m, HELD_INVERSE_INERTIA]
+    by_x, by_y = velocity_hinged((0.0, 0.0), impulse, bodies.properties[i, INVERSE_MASS])
+    turn = angular_velocity_hinged(0.0, arm, impulse, held)
+    now[VX], now[VY], now[SPIN] = now[VX] + by_x, now[VY] + by_y, now[SPIN] + turn
+    state[SUBSTEP_START] += by_x
+    state[SUBSTEP_START + 1] += by_y
+    state[SUBSTEP_START + 2] += turn
 
 
 def owe_law(j: int, joints: Joints) -> None:

@@ -35,11 +35,16 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
 
     It is not what contacts have done, and so it also changes with what the substep began.
     """
-    note_joint_impulse(j, r, impulse, joints)
     ends, numbers = joints.joints[j], joints.numbers[j]
+    numbers[J_PULL + r] += impulse
+    numbers[J_GIVEN + r] += impulse
     for end in range(ENDS_OF_JOINT):
         i, at = joints.members[ends[J_MEMBER + end], JOINED_SLOT], J_ROW + ROW * r + 1 + 3 * end
-        slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]
+        slope, turning, to = (numbers[at], numbers[at + 1]), numbers[at + 2], J_TOTAL + 3 * end
+        numbers[to], numbers[to + 1] = momentum_later(
+            (numbers[to], numbers[to + 1]), impulse, slope
+        )
+        numbers[to + 2] = angular_momentum_later(numbers[to + 2], impulse, turning)
         if ends[J_NODE + end] >= 0:
             inverse_mass = bodies.properties[i, INVERSE_MASS]
             now, state = bodies.motion[i], bodies.substep_state[i]
@@ -50,20 +55,6 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
             state[SUBSTEP_START] += by_x
             state[SUBSTEP_START + 1] += by_y
             state[SUBSTEP_START + 2] += turn
-
-
-def note_joint_impulse(j: int, r: int, impulse: float, joints: Joints) -> None:
-    """Add the impulse of a row of a joint to those of the step."""
-    numbers = joints.numbers[j]
-    numbers[J_PULL + r] += impulse
-    numbers[J_GIVEN + r] += impulse
-    for end in range(ENDS_OF_JOINT):
-        at, to = J_ROW + ROW * r + 1 + 3 * end, J_TOTAL + 3 * end
-        slope, turning = (numbers[at], numbers[at + 1]), numbers[at + 2]
-        numbers[to], numbers[to + 1] = momentum_later(
-            (numbers[to], numbers[to + 1]), impulse, slope
-        )
-        numbers[to + 2] = angular_momentum_later(numbers[to + 2], impulse, turning)
 
 
 @inlined

@@ -45,6 +45,7 @@ from tamias2d.engine.tables import (
     JOINED_SLOT,
     JOINTS,
     JOINTS_APART,
+    M_CHOOSING,
     M_GOVERNED,
     M_HINGED,
     M_JOINT,
@@ -123,7 +124,8 @@ def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
 def activate_joined(world: World) -> None:
     """Make the bodies of mechanisms active, and note which mechanisms contacts touch.
 
-    Those with limits, motors or springs are solved as those that are touched, but once only.
+    Those with springs are solved as those that are touched, but once only; limits and motors are
+    chosen twice, too.
     """
     joints, bodies = world.joints, world.bodies
     awake = touched_ones = 0
@@ -133,6 +135,7 @@ def activate_joined(world: World) -> None:
             touched = 0
             for m in range(first + 1, last + 1):
                 touched += bodies.moved[joints.members[m, JOINED_SLOT]]
+            touched += joints.mechanisms[n, M_CHOOSING]
             alone = GOVERNED_ALONE if joints.mechanisms[n, M_GOVERNED] == 1 else FREE_OF_CONTACTS
             joints.mechanisms[n, M_STATUS] = IN_CONTACT if touched > 0 else alone
             awake += 1
