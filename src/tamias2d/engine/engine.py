@@ -34,6 +34,7 @@ from tamias2d.engine.tables import (
     INVERSE_INERTIA,
     INVERSE_MASS,
     JOINTS,
+    JOINTS_APART,
     LEAST_LEVEL,
     LIMITS,
     LIST_HOLDS,
@@ -184,6 +185,11 @@ class Engine(Store):
             if springs.networks[n, N_LOSES] > 0:
                 return int(springs.body[springs.networks[n, N_MEMBER]])
         return -1
+
+    @property
+    def joints_apart(self) -> bool:
+        """Whether a joint was more than slightly apart since it was asked which one."""
+        return bool(self.world.joints.counts[JOINTS_APART])
 
     @property
     def limits(self) -> int:

@@ -9,11 +9,10 @@ from tamias2d.engine.islands import update_islands
 from tamias2d.engine.joints.stages import (
     begin_joints,
     end_joints,
+    fit_touched,
     look_at_touched,
-    relax_in_turns,
     relax_joints,
     solve_joints,
-    unless_in_turns,
 )
 from tamias2d.engine.solver.angular_momentum import (
     add_moments,
@@ -205,11 +204,9 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     tree, tree_end = slabs[slab, S_TREE], slabs[slab + 1, S_TREE]
     solve_trees(True, tree, tree_end, substep, bodies, constraints, world.direct)
     block, block_end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
-    done = True
-    done = unless_in_turns(done, world)
     for left in range(constraints.counts[SWEEPS] - 1, -1, -1):
-        relax(block, block_end, bodies, constraints, substep, done and left == 0)
-    relax_in_turns(block, block_end, substep, world)
+        relax(block, block_end, bodies, constraints, substep, left == 0)
+    fit_touched(world)
 
 
 @inlined

@@ -757,7 +757,7 @@ _joint_counts = Columns()
 JOINTS = _joint_counts()
 MECHANISMS = _joint_counts()
 MECHANISMS_AWAKE = _joint_counts()  # in this step
-MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts
+MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts, or governed
 JOINTS_APART = _joint_counts()  # 1 if a joint was more than slightly apart, until it is asked
 
 _mechanisms = Columns()
@@ -768,9 +768,11 @@ M_MESHED = _mechanisms()  # 1 if it has so many loops that it is solved by itera
 M_TIED = _mechanisms()  # 1 if a joint ties it to what does not move
 M_DRIVEN = _mechanisms()  # 1 if a motor or a spring may give it energy
 M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
+M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
-ASLEEP, FREE_OF_CONTACTS, IN_CONTACT = range(3)
+# status: those of the second kind have no limits, motors and springs, those of the third have some
+ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
 
 _joint = Columns()  # whole numbers of a joint
 J_KIND = _joint()  # by the number in `generated.joint_rows`
@@ -805,7 +807,7 @@ J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
 J_GIVEN = _joint_numbers(3)  # N s, impulse of each row over this substep
 J_APART = _joint_numbers(3)  # m or rad, by how much each row was apart at most, until it is asked
 J_SLIGHT = _joint_numbers(3)  # m or rad, by how much each row may be apart without being looked at
-J_IMPULSE = _joint_numbers(3)  # N s, of each row as it is solved
+J_IMPULSE = _joint_numbers(3)  # N s, of each row by the last solution
 J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients
 J_TRIED = _joint_numbers(3)  # N s, residual over the matrix, about
@@ -848,7 +850,12 @@ H_LAW = _hinges()  # N m s, that these ask for
 H_OWED = _hinges(3)  # N s, N s, N m s
 H_NOTED = _hinges(2)  # m/s, rate at which the hinge parted before laws changed their state
 H_CHANGE = _hinges(3)  # m/s, m/s, rad/s
+H_IMPULSE = _hinges(2)  # N s, through the hinge by the last solution
 H_GIVEN = _hinges(2)  # N s, through the hinge since rows were written
+H_PULL = _hinges(2)  # N s, through the hinge over this part, before that
+H_TURN = _hinges()  # N m s, likewise, about the body
+H_FAR_TURN = _hinges()  # N m s, likewise, about the body above
+H_APART = _hinges(2)  # m, by how much the hinge was apart at most in this part
 
 _links = Columns(2)  # of a hinge in a net
 L_ARM_A = _links()  # m
@@ -883,7 +890,7 @@ class Joints(NamedTuple):
     numbers: Annotated[FloatRows, Sized("joints", _joint_numbers.width)]
     members: Annotated[RankRows, Sized("joined", _joined.width)]
     places: Annotated[FloatRows, Sized("joined", _places.width)]
-    turns: Annotated[FloatRows, Sized(3, "joined")]  # angle, rad, its cosine and sine, for lanes
+    turns: Annotated[FloatRows, Sized(3, "turned")]  # angle, rad, its cosine and sine, for lanes
     hinges: Annotated[FloatRows, Sized("joined", _hinges.width)]
     links: Annotated[FloatRows, Sized("joints", _links.width)]
     net_nodes: Annotated[FloatRows, Sized("joined", 8)]

@@ -40,6 +40,7 @@ class Capacities:
     networks: int = 1  # one more than networks of springs
     joints: int = 0
     joined: int = 0  # the plane, and bodies that joints hold
+    turned: int = 0  # the same, with whole lanes behind the last
     mechanisms: int = 1  # one more than mechanisms
     joint_sparse: int = 0
     apart_bodies: int = 1  # one more than rows that joints keep apart from others

@@ -25,8 +25,9 @@ Assembled by tamias2d.kernels from plain functions, which are to be edited in th
 """
 '''
 _BARE = 'error_model="numpy", _nrt=False'  # references to arrays are not counted: that takes longer
-_HELPER = f"@njit({_BARE}, no_cpython_wrapper=True, no_cfunc_wrapper=True)"
-_INLINED = _HELPER[:-1] + ", forceinline=True)"
+# numba hands `forceinline` down to what an inlined function calls, unless that says otherwise
+_HELPER = f"@njit({_BARE}, no_cpython_wrapper=True, no_cfunc_wrapper=True, forceinline=False)"
+_INLINED = _HELPER.replace("inline=False", "inline=True")
 _ENTRY = f'@njit("{{signature}}", cache=True, {_BARE}, nogil=True, no_cfunc_wrapper=True)'
 _SAME: dict[Any, Any] = {
     getattr(elementary, name): getattr(math, name)

@@ -8,16 +8,15 @@ from tamias2d.engine.joints.stages import (
     begin_joints,
     clear_of_joints,
     end_joints,
+    fit_touched,
     hold_tied,
     join_slabs,
     keep_joint_impulses,
     look_at_touched,
     note_mechanisms,
     note_places,
-    relax_in_turns,
     relax_joints,
     solve_joints,
-    unless_in_turns,
 )
 from tamias2d.engine.sleep import note_joined_support
 from tamias2d.engine.solver.support import charge_joined, support_joined
@@ -28,6 +27,7 @@ JOINT_STAGES = (
     look_at_touched,
     clear_of_joints,
     end_joints,
+    fit_touched,
     hold_tied,
     join_islands,
     join_slabs,
@@ -36,12 +36,10 @@ JOINT_STAGES = (
     note_joined_support,
     note_mechanisms,
     note_places,
-    relax_in_turns,
     relax_joints,
     solve_joints,
     charge_joined,
     support_joined,
-    unless_in_turns,
     unless_joined,
     without_kept_apart,
 )

@@ -19,6 +19,7 @@ from tamias2d.engine.tables import (
     J_ERROR,
     J_RESIDUAL,
     J_ROWS,
+    M_CHOOSING,
     M_GOVERNED,
     M_JOINT,
     Bodies,
@@ -37,7 +38,7 @@ def keep_tree_positions(
     if governed and not again:
         hang_tree(n, substep, bodies, joints)
     bring_tree_to_aims(n, substep, bodies, joints)
-    for _ in range(MOST_CHOICES if governed else 0):
+    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_CHOOSING] == 1 else 0):
         find_gap_errors(n, substep, bodies, joints)
         note_tree_rates(n, bodies, joints)
         if not choose_rows(n, substep, bodies, joints):

@@ -8,7 +8,7 @@ Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (198
 """
 
 from tamias2d.engine.joints.impulse import add_impulse
-from tamias2d.engine.joints.iterate import MESH_ACCURACY, MOST_ITERATIONS_OF_MESH
+from tamias2d.engine.joints.iterate import MESH_ACCURACY
 from tamias2d.engine.joints.linearise import place_members
 from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
 from tamias2d.engine.tables import (
@@ -18,6 +18,7 @@ from tamias2d.engine.tables import (
     J_APART,
     J_MEMBER,
     J_PULL,
+    J_SLIGHT,
     J_TOTAL,
     J_WARM,
     JOINED_SLOT,
@@ -67,6 +68,9 @@ from tamias2d.generated.hinge_tree import (
 from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
+
+LEAST_ITERATIONS, MOST_ITERATIONS_OF_NET = 4, 20  # what is left is made up for in later substeps
+LEFT_OPEN = 0.4  # of the gap that is looked at, in a substep
 
 
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -138,7 +142,7 @@ def bring_net_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joint
         _, _, gap = arms_of_link(j, joints)
         link[L_ERROR] = row_error(gap[0], link[L_AIM], substep)
         link[L_ERROR + 1] = row_error(gap[1], link[L_AIM + 1], substep)
-    solve_net(n, 0.0 if again else 1.0, bodies, joints)
+    solve_net(n, 0.0 if again else 1.0, substep, bodies, joints)
     if not again:
         for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
             link, numbers = joints.links[j], joints.numbers[j]
@@ -157,11 +161,14 @@ def fit_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
         link[L_ERROR], link[L_ERROR + 1] = change_of_link(j, joints)
-    solve_net(n, warm, bodies, joints)
+    solve_net(n, warm, 0.0, bodies, joints)
 
 
-def solve_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
-    """Give a net the impulses that take its errors away, nearly."""
+def solve_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Give a net the impulses that take its errors away, nearly.
+
+    It is enough if what is left parts no link by much in a substep, s; 0 if velocities count.
+    """
     first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
     clear_net(n, joints)
     for j in range(first, last):
@@ -174,8 +181,10 @@ def solve_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
         whole += note_what_is_left(j, joints)
     clear_net(n, joints)
     size, before = sweep_from_left(first, last, joints), 0.0
-    for _ in range(MOST_ITERATIONS_OF_MESH):
+    for k in range(MOST_ITERATIONS_OF_NET):
         if not size > MESH_ACCURACY * MESH_ACCURACY * whole:
+            break
+        if k >= LEAST_ITERATIONS and not parts_links(first, last, substep, joints):
             break
         clear_net(n, joints)
         sweep_back(first, last, size / before if before > 0.0 else 0.0, joints)
@@ -183,6 +192,16 @@ def solve_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
         curvature = sweep_on(first, last, joints)
         before, size = size, go_along(first, last, size, curvature, joints)
     apply_to_net(n, bodies, joints)
+
+
+def parts_links(first: int, last: int, substep: float, joints: Joints) -> bool:
+    """Return whether what is left of their errors parts links by much in a substep, s."""
+    for j in range(first, last):
+        link, numbers = joints.links[j], joints.numbers[j]
+        most = LEFT_OPEN * numbers[J_SLIGHT]
+        if substep * max(abs(link[L_MADE]), abs(link[L_MADE + 1])) > most:
+            return True
+    return False
 
 
 def clear_net(n: int, joints: Joints) -> None:

@@ -6,12 +6,20 @@ Source: Featherstone (2008), articulated bodies.
 
 from math import inf
 
-from tamias2d.engine.joints.hinge_tree import arms_of_hinge, first_besides, hung_by_law
+from tamias2d.engine.joints.hinge_tree import (
+    arms_of_hinge,
+    first_besides,
+    hung_by_law,
+    place_tree,
+    turn_tree,
+)
 from tamias2d.engine.joints.impulse import apply_joint_impulse
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, place_members
+from tamias2d.engine.joints.linearise import ENDS_OF_JOINT
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
     REMOVED_BY_JOINTS,
+    SLOWLY,
+    SOLVED_RATE,
     aim_joint,
     errors_of_joint,
     rate_of_row,
@@ -24,6 +32,7 @@ from tamias2d.engine.tables import (
     H_FAR_ARM,
     H_GAP,
     H_GIVEN,
+    H_IMPULSE,
     H_LAW,
     H_LEVER,
     H_MASS,
@@ -36,6 +45,7 @@ from tamias2d.engine.tables import (
     INVERSE_MASS,
     J_ERROR,
     J_FIRMNESS,
+    J_IMPULSE,
     J_LAW,
     J_NODE,
     J_ROW,
@@ -44,6 +54,7 @@ from tamias2d.engine.tables import (
     JOINED_HINGE,
     JOINED_SLOT,
     LAW_RATE,
+    M_CHOOSING,
     M_JOINT,
     MOTOR,
     SPIN,
@@ -100,17 +111,38 @@ def aim_tree(n: int, length: float, joints: Joints) -> None:
 def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Change the velocities of a tree so that a substep, s, brings its hinges where they are to be.
 
-    Arms turn meanwhile; where that matters, it is done again, as long as errors become less.
+    Arms turn meanwhile; where that matters, it is done again, and with the arms of the end where
+    errors do not become much less.
     """
-    before = inf
-    for _ in range(MOST_ITERATIONS_OF_JOINTS):
+    turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
+    first, before, turned = 0.0, inf, False
+    for k in range(MOST_ITERATIONS_OF_JOINTS):
         fastest, size = find_gap_errors(n, substep, bodies, joints)
-        if not size < before:
+        if k == 0:
+            first = size
+        if turned and not size < before:
+            take_solution_back(n, bodies, joints)
             return
+        if size <= SOLVED_RATE * SOLVED_RATE * first or not (turning or size < before):
+            return
+        turned = turning and size > SLOWLY * before
+        if turned:
+            turn_tree(n, substep, bodies, joints)
         before, turn = size, substep * fastest
         change_of_turn = substep * solve_hinges(n, bodies, joints)
         if not change_of_turn * (turn + change_of_turn) > SLIGHT_TURN:
             return
+
+
+def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the last solution from the motion of a tree: no solution is near."""
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    for m in range(first, last):
+        row = joints.hinges[m]
+        push_through(m, first, (-row[H_IMPULSE], -row[H_IMPULSE + 1]), bodies, joints)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            apply_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], bodies, joints)
 
 
 def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -144,8 +176,12 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> t
     Returns the fastest spin, and the sum of the squares of these rates.
     """
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    place_members(first, last, substep, bodies, joints)
+    place_tree(n, substep, bodies, joints)
     fastest = size = 0.0
+    if joints.members[first, JOINED_HINGE] < 0:
+        begin_errors(joints.hinges[first], 0.0, 0.0)
+        fastest = abs(bodies.motion[joints.members[first, JOINED_SLOT], SPIN])
+        first += 1
     for m in range(first, last):
         row = joints.hinges[m]
         _, _, gap = arms_of_hinge(m, joints)
@@ -157,7 +193,8 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> t
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         errors_of_joint(j, substep, bodies, joints)
         for r in range(joints.joints[j, J_ROWS]):
-            size += joints.numbers[j, J_ERROR + r] * joints.numbers[j, J_ERROR + r]
+            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
+                size += joints.numbers[j, J_ERROR + r] * joints.numbers[j, J_ERROR + r]
     return fastest, size
 
 
@@ -190,16 +227,12 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
         impulse = pass_down(m, hinges[members[m, JOINED_ABOVE]], joints)
         row = hinges[m]
         largest = max(largest, abs(row[H_CHANGE + 2]))
-        if members[m, JOINED_HINGE] >= 0:
-            row[H_GIVEN] += impulse[0]
-            row[H_GIVEN + 1] += impulse[1]
-            push_hinged(m, (row[H_ARM], row[H_ARM + 1]), impulse, bodies, joints)
-        if m > first:
-            away, far = (-impulse[0], -impulse[1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
-            push_hinged(members[m, JOINED_ABOVE], far, away, bodies, joints)
+        row[H_IMPULSE], row[H_IMPULSE + 1] = impulse[0], impulse[1]
+        push_through(m, first, impulse, bodies, joints)
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
-            apply_joint_impulse(j, r, impulse_besides(j, r, joints), bodies, joints)
+            joints.numbers[j, J_IMPULSE + r] = impulse_besides(j, r, joints)
+            apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
     return largest
 
 
@@ -250,6 +283,19 @@ def pass_down(m: int, above: Array, joints: Joints) -> Vector:
     mass_x, mass_y = (row[H_MASS], row[H_MASS + 1]), (row[H_MASS + 1], row[H_MASS + 2])
     hung, turned = (row[H_OWED], row[H_OWED + 1]), (row[H_MOMENT], row[H_MOMENT + 1])
     return hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, share, hung)
+
+
+@inlined
+def push_through(m: int, first: int, impulse: Vector, bodies: Bodies, joints: Joints) -> None:
+    """Give a member of a tree and the one above it the impulse through its hinge."""
+    row = joints.hinges[m]
+    if joints.members[m, JOINED_HINGE] >= 0:
+        row[H_GIVEN] += impulse[0]
+        row[H_GIVEN + 1] += impulse[1]
+        push_hinged(m, (row[H_ARM], row[H_ARM + 1]), impulse, bodies, joints)
+    if m > first:
+        away, far = (-impulse[0], -impulse[1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
+        push_hinged(joints.members[m, JOINED_ABOVE], far, away, bodies, joints)
 
 
 @inlined

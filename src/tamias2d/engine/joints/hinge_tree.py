@@ -6,19 +6,22 @@ Cost: cosine and sine and one division for each body. Source: Featherstone (2008
 bodies.
 """
 
-from tamias2d.engine.joints.impulse import add_impulse
 from tamias2d.engine.joints.linearise import (
     ENDS_OF_JOINT,
     firmness_by_law,
     firmness_of,
-    place_members,
+    move_members,
+    rows_where_placed,
+    turn_members,
     write_rows,
 )
 from tamias2d.engine.tables import (
     H_ANCHOR,
+    H_APART,
     H_ARM,
     H_FAR_ANCHOR,
     H_FAR_ARM,
+    H_FAR_TURN,
     H_FIRM,
     H_GAP,
     H_GIVEN,
@@ -29,8 +32,10 @@ from tamias2d.engine.tables import (
     H_NODE_INERTIA,
     H_NODE_MASS,
     H_NODE_MOMENT,
+    H_PULL,
     H_SHARE,
     H_SIDE,
+    H_TURN,
     H_YIELD,
     I_NODE,
     J_APART,
@@ -45,14 +50,13 @@ from tamias2d.engine.tables import (
     M_JOINT,
     NODE_INERTIA,
     NODE_MASS,
-    PLACE_COSINE,
-    PLACE_SINE,
     PLACE_X,
     PLACE_Y,
     Bodies,
     Joints,
 )
 from tamias2d.generated.hinge_tree import (
+    angular_momentum_hinged,
     arm_met,
     hinge_arm,
     hinge_gap,
@@ -62,6 +66,7 @@ from tamias2d.generated.hinge_tree import (
     hung_inertia,
     hung_mass,
     hung_moment,
+    momentum_hinged,
     turned_share,
     turning_yield,
 )
@@ -73,14 +78,36 @@ from tamias2d.state import Array, Vector
 
 def linearise_tree(n: int, bodies: Bodies, joints: Joints) -> None:
     """Write the rows of a tree where its bodies are, and what hangs on its hinges."""
-    store_hinge_impulses(n, joints)
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    place_members(first, last, 0.0, bodies, joints)
+    place_tree(n, 0.0, bodies, joints)
     for m in range(first, last):
-        write_hinge(m, joints)
+        row = joints.hinges[m]
+        turn_hinge(m, joints)
+        row[H_APART] = max(row[H_APART], abs(row[H_GAP]))
+        row[H_APART + 1] = max(row[H_APART + 1], abs(row[H_GAP + 1]))
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         write_rows(j, joints)
     hang_tree(n, 0.0, bodies, joints)
+
+
+def turn_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Let the rows of a tree be those where its members are placed, at the end of a substep, s."""
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        turn_hinge(m, joints)
+    for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        rows_where_placed(j, joints)
+    hang_tree(n, substep, bodies, joints)
+
+
+def place_tree(n: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
+    """Write where the members of a tree are, or will be so many seconds ahead.
+
+    Hinges read cosines and sines where these are found, and only other joints elsewhere.
+    """
+    first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
+    move_members(first, last, ahead, bodies, joints)
+    if first_besides(n, joints) < joints.mechanisms[n + 1, M_JOINT]:
+        turn_members(first, last, joints)
 
 
 def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -118,30 +145,38 @@ def first_besides(n: int, joints: Joints) -> int:
 @inlined
 def arms_of_hinge(m: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
     """Return the arms of a hinge, where bodies are placed, and by how much it is apart, m."""
-    row, place = joints.hinges[m], joints.places[m]
-    above = joints.places[joints.members[m, JOINED_ABOVE]]
+    row, place, above = joints.hinges[m], joints.places[m], joints.members[m, JOINED_ABOVE]
+    place_above, cosines, sines = joints.places[above], joints.turns[1], joints.turns[2]
     anchor, far_anchor = (
         (row[H_ANCHOR], row[H_ANCHOR + 1]),
         (row[H_FAR_ANCHOR], row[H_FAR_ANCHOR + 1]),
     )
-    arm = hinge_arm(anchor, place[PLACE_COSINE], place[PLACE_SINE])
-    far = hinge_arm(far_anchor, above[PLACE_COSINE], above[PLACE_SINE])
-    here, there = (place[PLACE_X], place[PLACE_Y]), (above[PLACE_X], above[PLACE_Y])
+    arm = hinge_arm(anchor, cosines[m], sines[m])
+    far = hinge_arm(far_anchor, cosines[above], sines[above])
+    here, there = (place[PLACE_X], place[PLACE_Y]), (place_above[PLACE_X], place_above[PLACE_Y])
     return arm, far, hinge_gap(here, arm, there, far)
 
 
 @inlined
-def write_hinge(m: int, joints: Joints) -> None:
+def turn_hinge(m: int, joints: Joints) -> None:
     """Write the hinge of a member where bodies are placed."""
     row = joints.hinges[m]
+    keep_given(row)
     arm, far, gap = arms_of_hinge(m, joints)
     row[H_ARM], row[H_ARM + 1] = arm[0], arm[1]
     row[H_FAR_ARM], row[H_FAR_ARM + 1] = arm_met(far, gap)
     row[H_GAP], row[H_GAP + 1] = gap[0], gap[1]
-    if joints.members[m, JOINED_HINGE] >= 0:
-        numbers = joints.numbers[joints.members[m, JOINED_HINGE]]
-        numbers[J_APART] = max(numbers[J_APART], abs(gap[0]))
-        numbers[J_APART + 1] = max(numbers[J_APART + 1], abs(gap[1]))
+
+
+@inlined
+def keep_given(row: Array) -> None:
+    """Add what went through a hinge since its row was written to what went through it before."""
+    given, away = (row[H_GIVEN], row[H_GIVEN + 1]), (-row[H_GIVEN], -row[H_GIVEN + 1])
+    arm, far = (row[H_ARM], row[H_ARM + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
+    row[H_PULL], row[H_PULL + 1] = momentum_hinged((row[H_PULL], row[H_PULL + 1]), given)
+    row[H_TURN] = angular_momentum_hinged(row[H_TURN], arm, given)
+    row[H_FAR_TURN] = angular_momentum_hinged(row[H_FAR_TURN], far, away)
+    row[H_GIVEN] = row[H_GIVEN + 1] = 0.0
 
 
 @inlined
@@ -225,15 +260,25 @@ def add_to_node_above(row: Array, above: Array) -> None:
 
 
 def store_hinge_impulses(n: int, joints: Joints) -> None:
-    """Add what went through the hinges of a tree since their rows were written to their joints."""
+    """Add what went through the hinges of a tree in a part, and how far apart they were."""
     for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
         row, j = joints.hinges[m], joints.members[m, JOINED_HINGE]
-        given, away = (row[H_GIVEN], row[H_GIVEN + 1]), (-row[H_GIVEN], -row[H_GIVEN + 1])
-        row[H_GIVEN] = row[H_GIVEN + 1] = 0.0
+        keep_given(row)
         if j >= 0:
-            numbers, is_b = joints.numbers[j], row[H_SIDE] > 0.0
-            numbers[J_PULL] += row[H_SIDE] * given[0]
-            numbers[J_PULL + 1] += row[H_SIDE] * given[1]
-            own, other = (J_TOTAL + 3, J_TOTAL) if is_b else (J_TOTAL, J_TOTAL + 3)
-            add_impulse(own, given, (row[H_ARM], row[H_ARM + 1]), numbers)
-            add_impulse(other, away, (row[H_FAR_ARM], row[H_FAR_ARM + 1]), numbers)
+            store_hinge(row, joints.numbers[j])
+        for k in range(H_PULL, H_APART + 2):
+            row[k] = 0.0
+
+
+@inlined
+def store_hinge(row: Array, numbers: Array) -> None:
+    """Add what went through a hinge to the numbers of its joint."""
+    side = row[H_SIDE]
+    own, other = (J_TOTAL + 3, J_TOTAL) if side > 0.0 else (J_TOTAL, J_TOTAL + 3)
+    for k in range(2):
+        numbers[J_PULL + k] += side * row[H_PULL + k]
+        numbers[own + k] += row[H_PULL + k]
+        numbers[other + k] -= row[H_PULL + k]
+        numbers[J_APART + k] = max(numbers[J_APART + k], row[H_APART + k])
+    numbers[own + 2] += row[H_TURN]
+    numbers[other + 2] += row[H_FAR_TURN]

@@ -75,6 +75,7 @@ from tamias2d.state import Array
 
 FIRM = 1e8  # firmness of a row, for each unit of its own mass
 ENDS_OF_JOINT = 3
+TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
 
 def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -88,11 +89,16 @@ def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
 
 def write_rows(j: int, joints: Joints) -> None:
     """Write the rows of a joint where its members are, and note by how much they are apart."""
+    rows_where_placed(j, joints)
+    note_apart(joints.joints[j], joints.numbers[j])
+
+
+def rows_where_placed(j: int, joints: Joints) -> None:
+    """Write the rows of a joint where its members are placed."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
     place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
     joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
-    note_apart(ends, numbers)
 
 
 def note_apart(ends: Integers, numbers: Array) -> None:
@@ -131,6 +137,12 @@ def firmness_by_law(firm: float, j: int, substep: float, joints: Joints) -> floa
 
 def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
     """Write where members are, or will be so many seconds ahead with the velocities they have."""
+    move_members(first, last, ahead, bodies, joints)
+    turn_members(first, last, joints)
+
+
+def move_members(first: int, last: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
+    """Write where members are, as above; cosines and sines stand by themselves."""
     angles = joints.turns[0]
     for m in range(first, last):
         i, place = joints.members[m, JOINED_SLOT], joints.places[m]
@@ -140,15 +152,21 @@ def place_members(first: int, last: int, ahead: float, bodies: Bodies, joints: J
         place[PLACE_ANGLE] = pose[ANGLE] + turn_later(now[DANGLE], now[SPIN], ahead)
         angles[m] = place[PLACE_ANGLE]
     turn_all(first, last, joints.turns[0], joints.turns[1], joints.turns[2])
+
+
+def turn_members(first: int, last: int, joints: Joints) -> None:
+    """Write cosines and sines where generated code takes them."""
     for m in range(first, last):
         place = joints.places[m]
         place[PLACE_COSINE], place[PLACE_SINE] = joints.turns[1, m], joints.turns[2, m]
 
 
 def turn_all(first: int, last: int, angles: Array, cosines: Array, sines: Array) -> None:
-    """Write the cosines and sines of some angles, in lanes."""
-    for m in range(first, last):
-        cosines[m], sines[m] = cosine_sine(angles[m])
+    """Write the cosines and sines of some angles, in whole lanes: others stay as they are."""
+    last = first + TURNED_TOGETHER * ((last - first - 1) // TURNED_TOGETHER + 1)
+    angle, cosine, sine = angles[first:last], cosines[first:last], sines[first:last]
+    for k in range(len(angle)):
+        cosine[k], sine[k] = cosine_sine(angle[k])
 
 
 def add_joint_row(r: int, ends: Integers, numbers: Array, joints: Joints) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from tamias2d.engine.joints.elimination import Elimination, eliminated
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
 from tamias2d.engine.joints.joint_row import JointRow
+from tamias2d.engine.joints.linearise import TURNED_TOGETHER
 from tamias2d.engine.store import Store
 from tamias2d.engine.tables import (
     ARRANGED,
@@ -30,6 +31,8 @@ from tamias2d.engine.tables import (
     JOINED_BODY,
     JOINED_HINGE,
     JOINTS,
+    LOWER_LIMIT,
+    M_CHOOSING,
     M_DRIVEN,
     M_GOVERNED,
     M_HINGED,
@@ -37,16 +40,19 @@ from tamias2d.engine.tables import (
     M_MESHED,
     M_TIED,
     MECHANISMS,
+    MOTOR,
     PIVOT_COUNT,
     PIVOT_FIRST,
     PIVOT_NODE,
     STANDS_STILL,
     UNUSED,
+    UPPER_LIMIT,
 )
 from tamias2d.generated.constraints import CONSTRAINTS
 from tamias2d.generated.joint_rows import KINDS, ROWS_OF_KIND
 from tamias2d.spec.constraint import ENDS
 
+CHOOSING = (LOWER_LIMIT, UPPER_LIMIT, MOTOR)  # laws of which it is chosen whether they hold
 LOOPED, FEW = 24, 1000  # entries of the fill list, for each joint and besides: more is a mesh
 
 
@@ -75,6 +81,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     store.resize(
         joints=len(rows),
         joined=len(member) + 1 if rows else 0,
+        turned=len(member) + 1 + TURNED_TOGETHER if rows else 0,
         mechanisms=len(mechanisms) + 1,
         joint_sparse=max(len(member), edges, fill, len(plans)) + 2 if rows else 0,
         apart=len(apart),
@@ -165,6 +172,7 @@ def _write_joints(
             joints.mechanisms[n, M_TIED] |= STANDS_STILL in nodes
             joints.mechanisms[n, M_DRIVEN] |= row.driven
             joints.mechanisms[n, M_GOVERNED] |= row.governed
+            joints.mechanisms[n, M_CHOOSING] |= row.law in CHOOSING
             joints.joints[j, J_LAW] = row.law
             joints.laws[j] = row.numbers
             joints.joints[j, J_MEMBER : J_MEMBER + 3] = own

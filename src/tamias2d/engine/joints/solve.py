@@ -6,11 +6,18 @@ known: momentum and angular momentum are those of the impulses.
 Cost: a visit to each joint and a substitution for each iteration.
 """
 
+from math import inf
+
 from tamias2d.engine.direct.cholesky import substitute
 from tamias2d.engine.joints.governed import choose_rows
 from tamias2d.engine.joints.impulse import apply_joint_impulse
 from tamias2d.engine.joints.iterate import change_of_rate, iterate_mesh
-from tamias2d.engine.joints.linearise import ENDS_OF_JOINT, factor_mechanism, place_members
+from tamias2d.engine.joints.linearise import (
+    ENDS_OF_JOINT,
+    factor_mechanism,
+    place_members,
+    rows_where_placed,
+)
 from tamias2d.engine.tables import (
     CHANGE,
     I_NODE,
@@ -32,6 +39,7 @@ from tamias2d.engine.tables import (
     LAW_RATE,
     LAW_STIFFNESS,
     LOWER_LIMIT,
+    M_CHOOSING,
     M_GOVERNED,
     M_JOINT,
     M_MESHED,
@@ -56,9 +64,10 @@ from tamias2d.generated.joint_step import (
 )
 
 REMOVED_BY_JOINTS = 0.2  # of the value of a row, in a substep of a whole step
-MOST_ITERATIONS_OF_JOINTS = 5
+MOST_ITERATIONS_OF_JOINTS = 12  # two to three are usual
+SLOWLY = 0.1  # by which share errors become less: else rows are found anew
 MOST_CHOICES = 4  # of the limits that hold, and of the motors that give the most
-SOLVED_RATE = 1e-4  # of the largest error of the first iteration: as good as solved
+SOLVED_RATE = 1e-7  # of the largest error of the first iteration: as good as solved
 
 
 def aim_joints(n: int, length: float, joints: Joints) -> None:
@@ -92,7 +101,7 @@ def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: 
     if joints.mechanisms[n, M_GOVERNED] == 1 and not again:
         factor_mechanism(n, substep, bodies, joints)
     bring_to_aims(n, again, substep, bodies, joints)
-    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_GOVERNED] == 1 else 0):
+    for _ in range(MOST_CHOICES if joints.mechanisms[n, M_CHOOSING] == 1 else 0):
         find_position_errors(n, substep, bodies, joints)
         note_rates(n, bodies, joints)
         if not choose_rows(n, substep, bodies, joints):
@@ -134,17 +143,36 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
         if not again:
             keep_impulses(n, joints)
         return
-    first = before = 0.0
+    turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
+    first, before, turned = 0.0, inf, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
         size = find_position_errors(n, substep, bodies, joints)
         if k == 0:
             first = size
-        elif not SOLVED_RATE * SOLVED_RATE * first < size < before:
+        if turned and not size < before:
+            take_impulses_back(n, bodies, joints)
             return
-        if size == 0.0:
+        if size <= SOLVED_RATE * SOLVED_RATE * first or not (turning or size < before):
             return
+        turned = turning and size > SLOWLY * before
+        if turned:
+            turn_rows(n, substep, bodies, joints)
         solve_joint_errors(n, bodies, joints)
         before = size
+
+
+def take_impulses_back(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the impulses of the last solution from a mechanism: no solution is near."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        for r in range(joints.joints[j, J_ROWS]):
+            apply_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], bodies, joints)
+
+
+def turn_rows(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Let the rows of a mechanism be those where its members are placed."""
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        rows_where_placed(j, joints)
+    factor_mechanism(n, substep, bodies, joints)
 
 
 def keep_velocities(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:

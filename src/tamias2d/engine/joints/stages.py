@@ -20,7 +20,6 @@ from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impuls
 from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.solver.energy import UNLIMITED
-from tamias2d.engine.solver.lanes import relax
 from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
 from tamias2d.engine.tables import (
@@ -28,6 +27,7 @@ from tamias2d.engine.tables import (
     ASLEEP,
     DRAG_FACTOR,
     FREE_OF_CONTACTS,
+    GOVERNED_ALONE,
     I_NODE,
     IMPULSE_RATIO,
     IN_CONTACT,
@@ -45,6 +45,7 @@ from tamias2d.engine.tables import (
     JOINED_SLOT,
     JOINTS,
     JOINTS_APART,
+    M_CHOOSING,
     M_GOVERNED,
     M_HINGED,
     M_JOINT,
@@ -76,8 +77,6 @@ from tamias2d.generated.joint_step import (
     kick_velocity_later,
     kick_velocity_start,
 )
-
-RELAXING_ROUNDS = 1  # of joints and contacts, when their velocities are relaxed, besides the first
 
 
 def clear_of_joints(clear: bool, world: World) -> bool:
@@ -125,7 +124,8 @@ def is_asleep(n: int, islands: Islands, joints: Joints) -> bool:
 def activate_joined(world: World) -> None:
     """Make the bodies of mechanisms active, and note which mechanisms contacts touch.
 
-    Those with limits, motors or springs are solved as those that are touched.
+    Those with springs are solved as those that are touched, but once only; limits and motors are
+    chosen twice, too.
     """
     joints, bodies = world.joints, world.bodies
     awake = touched_ones = 0
@@ -135,10 +135,11 @@ def activate_joined(world: World) -> None:
             touched = 0
             for m in range(first + 1, last + 1):
                 touched += bodies.moved[joints.members[m, JOINED_SLOT]]
-            touched += joints.mechanisms[n, M_GOVERNED]
-            joints.mechanisms[n, M_STATUS] = IN_CONTACT if touched > 0 else FREE_OF_CONTACTS
+            touched += joints.mechanisms[n, M_CHOOSING]
+            alone = GOVERNED_ALONE if joints.mechanisms[n, M_GOVERNED] == 1 else FREE_OF_CONTACTS
+            joints.mechanisms[n, M_STATUS] = IN_CONTACT if touched > 0 else alone
             awake += 1
-            touched_ones += touched > 0
+            touched_ones += joints.mechanisms[n, M_STATUS] != FREE_OF_CONTACTS
     joints.counts[MECHANISMS_AWAKE], joints.counts[MECHANISMS_TOUCHED] = awake, touched_ones
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
@@ -217,7 +218,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     length = min(substep * control.counts[SUBSTEPS] / control.settings[TIME_STEP], 1.0)
     for n in range(joints.counts[MECHANISMS]):
         status = joints.mechanisms[n, M_STATUS]
-        if status == IN_CONTACT or (status == FREE_OF_CONTACTS and not again):
+        if status == IN_CONTACT or (status != ASLEEP and not again):
             if not again:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
@@ -254,30 +255,18 @@ def relax_joints(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
             write_mechanism(n, bodies, joints)
-    fit_velocities(bodies, joints)
+    fit_velocities(GOVERNED_ALONE, bodies, joints)
 
 
-def unless_in_turns(done: bool, world: World) -> bool:
-    """Return whether contacts are relaxed once they are: not where `relax_in_turns` goes on."""
-    counts = world.joints.counts
-    return done and (counts[MECHANISMS_AWAKE] == 0 or counts[MECHANISMS_TOUCHED] == 0)
+def fit_touched(world: World) -> None:
+    """Let the velocities of touched mechanisms fit their rows again, after those of contacts."""
+    fit_velocities(IN_CONTACT, world.bodies, world.joints)
 
 
-def relax_in_turns(block: int, last: int, substep: float, world: World) -> None:
-    """Relax touched mechanisms and the contacts, in blocks of lanes, in turns: joints come last."""
-    joints, bodies = world.joints, world.bodies
-    if unless_in_turns(True, world):
-        return
-    for left in range(RELAXING_ROUNDS - 1, -1, -1):
-        fit_velocities(bodies, joints)
-        relax(block, last, bodies, world.constraints, substep, left == 0)
-    fit_velocities(bodies, joints)
-
-
-def fit_velocities(bodies: Bodies, joints: Joints) -> None:
-    """Take the rates of their rows from the velocities of touched mechanisms."""
+def fit_velocities(least: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of their rows from the velocities of mechanisms with at least a status."""
     for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] == IN_CONTACT:
+        if joints.mechanisms[n, M_STATUS] >= least:
             fit(n, 0.0, bodies, joints)
 
 
