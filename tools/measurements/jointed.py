@@ -474,7 +474,11 @@ class _Pymunk(Chipmunk):
 
 
 class _Energy:
-    """The most that the energy of a scene has risen in a step, as a share of all there was."""
+    """The most that the energy of a scene has risen in a step, as a share of all there was.
+
+    What does not move has none but by rounding: at least what gravity gives in a millionth of the
+    scene's size counts.
+    """
 
     def __init__(self, scene: Scene) -> None:
         moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
@@ -495,6 +499,8 @@ class _Energy:
         if self._before is None:
             self._before = moving + height
             self._start = height
+            extent = float(np.ptp(places[:, :2], axis=0).max())
+            self._size = 1e-6 * _G * float(self._mass.sum()) * extent
         self._size = max(self._size, moving, abs(height - self._start))
         rise = moving + height - self._before
         if self._size > 0:
