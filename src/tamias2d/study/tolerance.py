@@ -27,8 +27,8 @@ that most scenes show the order of the scheme."""
 _PLAIN, _SLOWED = 0.1, 10.0
 """The same of whole steps; where bodies are only slowed, and errors decay with their speed."""
 _ORDER_8, _IMPACTS = 3e-5, 1e-8
-"""Below these tolerances order 8 is cheaper than order 5: where bodies are only slowed, and where
-steps are short for impacts."""
+"""Below these tolerances order 8 is cheaper than order 5 where bodies are only slowed: where none
+meet, and where steps are short for impacts."""
 _HALVES = 3e-6
 """Below it halved steps are cheaper than a run at a tighter tolerance."""
 _LOOSEST = 0.3
@@ -120,7 +120,7 @@ def _unweighed(asked: _Asked) -> Run | None:
         if not (meet or slowed or scene.joints) and tolerance < _HALVES:
             return _halved(asked)
         loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
-        method = DormandPrince5 if (meet or slowed) and loose else Dop853
+        method = DormandPrince5 if slowed and loose else Dop853
         return _tighter(asked, method, (_SLOWED if slowed else _PLAIN) * tolerance)
     except SimulationError:  # of a loose run; the plan refuses what cannot be
         return None

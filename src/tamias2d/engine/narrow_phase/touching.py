@@ -29,6 +29,7 @@ from tamias2d.engine.tables import (
     NY,
     PART_SUBSTEPS,
     PART_TIME,
+    PIECE,
     POINT,
     POINT_COUNT,
     PRESSED_DEEP,
@@ -269,8 +270,10 @@ def speculative_margin(
     fast = unless_joined(fast, i, j, bodies)
     if fast:
         return 0.0
-    near = CLOSE * contact_extent(i, j, smaller, BETWEEN, bodies)
-    return near + (speed + turning if touched else speed) * time_step
+    extent = smaller
+    if max(shapes.kind[s], shapes.kind[t]) < PIECE:  # near pieces tell a thin shape its side
+        extent = contact_extent(i, j, smaller, BETWEEN, bodies)
+    return CLOSE * extent + (speed + turning if touched else speed) * time_step
 
 
 @inlined
