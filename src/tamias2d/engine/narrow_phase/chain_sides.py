@@ -14,6 +14,7 @@ from tamias2d.engine.tables import (
     END_COSINE,
     END_SINE,
     FEATURE,
+    IMPACT_NORMAL,
     KNOWN_SIDE,
     LEFT_HIGH,
     LEFT_LOW,
@@ -90,7 +91,8 @@ def has_touched(flags: Integers) -> bool:
 def note_touched(p: int, piece: int, sides: Integers, contacts: Contacts, shapes: Shapes) -> None:
     """Add the piece of a contact to those that its other shape touches from one side."""
     manifold = contacts.manifolds[p]
-    at = SIDE_NORMAL if contacts.flags[p, KNOWN_SIDE] == 1 else NX
+    at = IMPACT_NORMAL if contacts.flags[p, POINT_COUNT] == 0 else NX
+    at = SIDE_NORMAL if contacts.flags[p, KNOWN_SIDE] == 1 else at
     hx, hy = manifold[at], manifold[at + 1]
     if contacts.pairs[p, 0] != piece:
         hx, hy = -hx, -hy

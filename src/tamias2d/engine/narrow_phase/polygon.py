@@ -27,6 +27,7 @@ from tamias2d.engine.narrow_phase.separation import (
 from tamias2d.engine.tables import (
     CACHED_AXIS,
     FEATURE,
+    IMPACT_NORMAL,
     KNOWN_SIDE,
     MET_IN_FLIGHT,
     NX,
@@ -108,8 +109,10 @@ def held_normal(manifold: Array, flags: Integers) -> Vector:
     """Return the normal of a contact that tells the side, (0, 0) of others."""
     if flags[KNOWN_SIDE] == 1:
         return manifold[SIDE_NORMAL], manifold[SIDE_NORMAL + 1]
-    if touched(flags) and flags[FEATURE] != BESIDE:
+    if flags[POINT_COUNT] > 0 and flags[FEATURE] != BESIDE:
         return manifold[NX], manifold[NY]
+    if flags[POINT_COUNT] == 0 and touched(flags):
+        return manifold[IMPACT_NORMAL], manifold[IMPACT_NORMAL + 1]
     return 0.0, 0.0
 
 
