@@ -206,7 +206,6 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     block, block_end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
     for left in range(constraints.counts[SWEEPS] - 1, -1, -1):
         relax(block, block_end, bodies, constraints, substep, left == 0)
-    fit_touched(world)
 
 
 @inlined
@@ -215,6 +214,7 @@ def end_slab(slab: int, world: World, contacts: Contacts) -> None:
     bodies, touching, constraints = world.bodies, world.touching, world.constraints
     slabs = constraints.slabs
     first, last = slabs[slab, S_BODY], slabs[slab + 1, S_BODY]
+    fit_touched(world)
     end_joints(world)
     sum_step_energy(first, last, world.control, bodies, touching, constraints.energy)
     look_at_touched(world)

@@ -771,6 +771,7 @@ M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
+M_HALF = _mechanisms()  # 1 in the first substep of a step whose forces came half before it
 # status: those of the second kind have no limits, motors and springs, those of the third have some
 ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
 

@@ -36,6 +36,7 @@ from tamias2d.engine.tables import (
     L_SEARCH,
     L_TRIED,
     L_YIELD,
+    M_HALF,
     M_JOINT,
     N_CHANGE,
     N_INVERSE_INERTIA,
@@ -142,11 +143,13 @@ def bring_net_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joint
         _, _, gap = arms_of_link(j, joints)
         link[L_ERROR] = row_error(gap[0], link[L_AIM], substep)
         link[L_ERROR + 1] = row_error(gap[1], link[L_AIM + 1], substep)
-    solve_net(n, 0.0 if again else 1.0, substep, bodies, joints)
+    share = 0.5 if joints.mechanisms[n, M_HALF] == 1 else 1.0
+    solve_net(n, 0.0 if again else share, substep, bodies, joints)
     if not again:
         for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
             link, numbers = joints.links[j], joints.numbers[j]
-            numbers[J_WARM], numbers[J_WARM + 1] = link[L_IMPULSE], link[L_IMPULSE + 1]
+            numbers[J_WARM] = link[L_IMPULSE] / share
+            numbers[J_WARM + 1] = link[L_IMPULSE + 1] / share
 
 
 def fit_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:

@@ -152,10 +152,11 @@ def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
         begin_errors(joints.hinges[m], rate_x, rate_y)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         for r in range(joints.joints[j, J_ROWS]):
-            rate = rate_of_row(j, r, bodies, joints)
-            if joints.joints[j, J_LAW] == MOTOR:
-                rate = drive_error(rate, joints.laws[j, LAW_RATE])
-            joints.numbers[j, J_ERROR + r] = rate
+            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
+                rate = rate_of_row(j, r, bodies, joints)
+                if joints.joints[j, J_LAW] == MOTOR:
+                    rate = drive_error(rate, joints.laws[j, LAW_RATE])
+                joints.numbers[j, J_ERROR + r] = rate
     solve_hinges(n, bodies, joints)
 
 
@@ -211,6 +212,8 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
     besides, end = first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
+            if joints.numbers[j, J_FIRMNESS + r] == 0.0:  # it does not hold
+                continue
             if joints.joints[j, J_NODE] >= 0 and joints.joints[j, J_NODE + 1] >= 0:
                 owe_law(j, joints)
             else:
@@ -231,8 +234,10 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
         push_through(m, first, impulse, bodies, joints)
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_IMPULSE + r] = impulse_besides(j, r, joints)
-            apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
+            joints.numbers[j, J_IMPULSE + r] = 0.0
+            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
+                joints.numbers[j, J_IMPULSE + r] = impulse_besides(j, r, joints)
+                apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
     return largest
 
 

@@ -13,6 +13,7 @@ from tamias2d.engine.tables import (
     JOINED_SLOT,
     SPIN,
     SUBSTEP_START,
+    UNUSED,
     VX,
     VY,
     Bodies,
@@ -39,6 +40,8 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
     numbers[J_PULL + r] += impulse
     numbers[J_GIVEN + r] += impulse
     for end in range(ENDS_OF_JOINT):
+        if ends[J_NODE + end] == UNUSED:
+            continue
         i, at = joints.members[ends[J_MEMBER + end], JOINED_SLOT], J_ROW + ROW * r + 1 + 3 * end
         slope, turning, to = (numbers[at], numbers[at + 1]), numbers[at + 2], J_TOTAL + 3 * end
         numbers[to], numbers[to + 1] = momentum_later(

@@ -47,6 +47,7 @@ from tamias2d.engine.tables import (
     JOINTS_APART,
     M_CHOOSING,
     M_GOVERNED,
+    M_HALF,
     M_HINGED,
     M_JOINT,
     M_MESHED,
@@ -167,7 +168,8 @@ def begin_joints(substep: float, world: World) -> None:
             begin_rows(n, joints)
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
             write_mechanism(n, bodies, joints)
-            if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
+            joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS
+            if joints.mechanisms[n, M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
 
 
@@ -223,6 +225,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
             bring_to_end(n, again, substep, bodies, joints)
+            joints.mechanisms[n, M_HALF] = 0
 
 
 def aim_mechanism(n: int, length: float, joints: Joints) -> None:
