@@ -99,9 +99,10 @@ def notes(found: dict[str, Any]) -> list[str]:
     of = found["mechanisms"]
     return [
         "gain: the most that energy rose in a step, of all that gravity gave or motion had",
-        f"{of['count']} random mechanisms, seeds from {of['first']}: {of['apart']} were ever more than {_APART:g} of their "
-        f"reach apart, {of['untold']} of them without a warning; {of['risen']} gained more than "
-        f"1e-9 of their energy in a step, at most {of['gain']:.1e}",
+        f"{of['count']} random mechanisms, seeds from {of['first']}: {of['apart']} were ever more "
+        f"than {_APART:g} of their reach apart, {of['untold']} of them without a warning; "
+        f"{of['risen']} gained more than 1e-9 of their energy in a step, "
+        f"at most {of['gain']:.1e}",
     ]
 
 
@@ -368,7 +369,14 @@ def _mechanisms(count: int, first: int, seconds: int) -> dict[str, Any]:
         untold += most > _APART and not sim.warnings
         risen += seen.gain > 1e-9
         gain = max(gain, seen.gain)
-    return {"count": count, "first": first, "apart": apart, "untold": untold, "risen": risen, "gain": gain}
+    return {
+        "count": count,
+        "first": first,
+        "apart": apart,
+        "untold": untold,
+        "risen": risen,
+        "gain": gain,
+    }
 
 
 # -- programs

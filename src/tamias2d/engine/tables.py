@@ -873,6 +873,12 @@ L_TRIED = _links()  # N s, that direction
 L_RATE = _links()  # m/s, by which links that come later change it
 L_MADE = _links()  # N s, what a sweep makes of the direction
 L_GIVEN = _links()  # N s, since rows were written
+L_WARM = _links()  # N s, in the last substep
+L_PULL = _links()  # N s, over this part, before rows were written
+L_APART = _links()  # m, by how much it was apart at most in this part
+L_TURN_A = _links(1)  # N m s, over this part, before rows were written
+L_TURN_B = _links(1)  # N m s
+L_SLIGHT = _links(1)  # m, by how much it may be apart without being looked at
 
 _net_nodes = Columns()  # of a member of a net; nothing moves what stands still
 N_CHANGE = _net_nodes(3)  # m/s, m/s, rad/s

@@ -19,7 +19,6 @@ from tamias2d.engine.tables import (
     Bodies,
     Joints,
 )
-from tamias2d.generated.hinge_tree import angular_momentum_hinged, momentum_hinged
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
     angular_momentum_later,
@@ -27,8 +26,6 @@ from tamias2d.generated.joint_step import (
     momentum_later,
     velocity_later,
 )
-from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array, Vector
 
 
 def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: Joints) -> None:
@@ -58,10 +55,3 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
             state[SUBSTEP_START] += by_x
             state[SUBSTEP_START + 1] += by_y
             state[SUBSTEP_START + 2] += turn
-
-
-@inlined
-def add_impulse(at: int, impulse: Vector, arm: Vector, numbers: Array) -> None:
-    """Add an impulse at an arm to three totals of a joint: along both axes, and of turning."""
-    numbers[at], numbers[at + 1] = momentum_hinged((numbers[at], numbers[at + 1]), impulse)
-    numbers[at + 2] = angular_momentum_hinged(numbers[at + 2], arm, impulse)
