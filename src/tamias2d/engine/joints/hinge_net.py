@@ -77,8 +77,9 @@ from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-MOST_ITERATIONS_OF_NET = 20  # what is left is made up for in later substeps
+MOST_ITERATIONS_OF_NET = 40  # what is left is made up for in later substeps
 LEFT_OPEN = 0.05  # of the gap that is looked at, in a substep
+LEFT_APART = 0.5  # of the gap that is looked at: a net at rest then asks for no iterations
 
 
 def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -138,12 +139,13 @@ def write_link(j: int, joints: Joints) -> None:
 def aim_net(n: int, length: float, joints: Joints) -> None:
     """Note to which gaps a substep brings the links of a net; its length is as `aim_joints` says.
 
-    They are the gaps as they were just written.
+    They are the gaps as they were just written; slight ones are left as they are.
     """
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
-        link[L_AIM] = row_aim(link[L_GAP], REMOVED_BY_JOINTS * length)
-        link[L_AIM + 1] = row_aim(link[L_GAP + 1], REMOVED_BY_JOINTS * length)
+        for k in range(2):
+            seen = abs(link[L_GAP + k]) > LEFT_APART * link[L_SLIGHT]
+            link[L_AIM + k] = row_aim(link[L_GAP + k], REMOVED_BY_JOINTS * length if seen else 0.0)
 
 
 def bring_net_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
