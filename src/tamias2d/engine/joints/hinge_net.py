@@ -7,6 +7,8 @@ Cost: two visits to each link in an iteration.
 Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (1981), the product.
 """
 
+from math import inf
+
 from tamias2d.engine.joints.iterate import MESH_ACCURACY
 from tamias2d.engine.joints.linearise import place_members
 from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
@@ -83,15 +85,21 @@ LEFT_APART = 0.5  # of the gap that is looked at: a net at rest then asks for no
 
 
 def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Begin a part of a step: note how nodes yield, and the impulses of links to start from."""
+    """Begin a part of a step: note how nodes yield, and the impulses of links to start from.
+
+    How far links may be apart is that of the one that may least; 0 if none is looked at.
+    """
     for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
         node = joints.net_nodes[m]
         node[N_INVERSE_MASS] = bodies.properties[joints.members[m, JOINED_SLOT], INVERSE_MASS]
         node[N_INVERSE_INERTIA] = joints.places[m, HELD_INVERSE_INERTIA]
+    least = inf
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link, numbers = joints.links[j], joints.numbers[j]
         link[L_WARM], link[L_WARM + 1] = numbers[J_WARM], numbers[J_WARM + 1]
-        link[L_SLIGHT] = numbers[J_SLIGHT]
+        least = min(least, numbers[J_SLIGHT])
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        joints.links[j, L_SLIGHT] = least if least < inf else 0.0
 
 
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
