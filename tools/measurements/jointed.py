@@ -353,7 +353,7 @@ def _mechanisms(count: int, first: int, seconds: int) -> dict[str, Any]:
     gain = 0.0
     for seed in range(first, first + count):
         scene = random_mechanism(seed)
-        seen = _Energy(scene)
+        seen = Energy(scene)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", StepWarning)
             sim = Simulator(scene, time_step=_STEP)
@@ -483,7 +483,7 @@ class _Pymunk(Chipmunk):
                     self._space.add(pymunk.DampedRotarySpring(a, b, *own))
 
 
-class _Energy:
+class Energy:
     """The most that the energy of a scene has risen in a step, as a share of all there was.
 
     What does not move has none but by rounding: at least what gravity gives in a millionth of the
@@ -521,7 +521,7 @@ class _Energy:
 def _race(name: str, scene: Scene, seconds: int) -> list[dict[str, Any]]:
     """Return the row of each program; they step the scene in turns."""
     worlds = [made(scene, _STEP) for made in (_Own, _Box2D, _Pymunk)]
-    seen = [_Energy(scene) for _ in worlds]
+    seen = [Energy(scene) for _ in worlds]
     times: list[list[float]] = [[] for _ in worlds]
     apart: list[list[float]] = [[] for _ in worlds]
     for turn in range(math.ceil(seconds / (_TURN * _STEP))):
