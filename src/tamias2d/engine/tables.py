@@ -26,6 +26,7 @@ from tamias2d.kernels.arrays import (
     RankRows,
     Ranks,
 )
+from tamias2d.kernels.lanes import LANES
 
 Integers: TypeAlias = NDArray[Any]
 """An array of whole numbers of any width."""
@@ -148,6 +149,7 @@ _motion()  # unused: a half of a cache line is four numbers
 DX = _motion()  # m, displacement since the step began
 DY = _motion()  # m
 DANGLE = _motion()  # rad
+_motion()  # unused, too
 
 _properties = Columns()
 INVERSE_MASS = _properties()  # 1/kg
@@ -209,7 +211,7 @@ class Bodies(NamedTuple):
     """Bodies by slot; read by all stages."""
 
     pose: Annotated[FloatRows, Sized("slots", _pose.width)]
-    motion: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
+    motion: Annotated[FloatRows, Sized("slots", _motion.width)]  # a cache line
     load: Annotated[FloatRows, Sized("slots", 3)]  # N, N, N m
     properties: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
     kind: Annotated[Bytes, Sized("slots")]
@@ -449,7 +451,6 @@ class Touching(NamedTuple):
 
 # -- constraints
 
-LANES = 16  # contacts that are solved together
 COLOURS = 60
 
 _lanes = Columns(LANES)
@@ -495,18 +496,22 @@ FIRST_POINT, SECOND_POINT = _block(POINT_SIZE), _block(POINT_SIZE)
 FIRST_RESTITUTION, SECOND_RESTITUTION = _block(), _block()  # N s, impulses of restitution
 
 _scratch = Columns(LANES)  # the motion of the bodies of a block
-B_VX_A = _scratch()  # m/s
+B_VX_A = _scratch()  # m/s; columns of A as in `motion`
 B_VY_A = _scratch()
 B_SPIN_A = _scratch()  # rad/s
-B_VX_B = _scratch()
-B_VY_B = _scratch()
-B_SPIN_B = _scratch()
+_scratch()
 B_DX_A = _scratch()  # m, since the step began
 B_DY_A = _scratch()
 B_ANGLE_A = _scratch()  # rad
+_scratch()
+B_VX_B = _scratch()
+B_VY_B = _scratch()
+B_SPIN_B = _scratch()
+_scratch()
 B_DX_B = _scratch()
 B_DY_B = _scratch()
 B_ANGLE_B = _scratch()
+_scratch()
 PREFETCHED = _scratch(1)  # a sum that nothing reads: the compiler would leave out loads without use
 
 _energy_sums = Columns()  # J, over all bodies with contacts

@@ -20,12 +20,8 @@ from tamias2d.engine.tables import (
     B_VY_B,
     BODY_A,
     BODY_B,
-    DANGLE,
-    DX,
-    DY,
     FIRST_POINT,
     FIRST_RESTITUTION,
-    LANES,
     P_APPROACH,
     P_GAP,
     P_GAP_NOW,
@@ -55,9 +51,6 @@ from tamias2d.engine.tables import (
     R_RESTITUTION,
     SECOND_POINT,
     SECOND_RESTITUTION,
-    SPIN,
-    VX,
-    VY,
     Bodies,
     Constraints,
     Integers,
@@ -75,6 +68,7 @@ from tamias2d.generated.soft_contact import (
     velocity_a_after,
     velocity_b_after,
 )
+from tamias2d.kernels.lanes import LANES, both_above, load_all, load_few, store_few
 from tamias2d.state import Array, Vector
 
 OPEN = -1e-300  # m: a larger gap is one that closes, or has just closed
@@ -82,28 +76,20 @@ OPEN = -1e-300  # m: a larger gap is one that closes, or has just closed
 
 def load_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
     """Load the velocities of the bodies of a block into the scratch array."""
-    for m in range(LANES):
-        a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
-        scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m] = a[VX], a[VY], a[SPIN]
-        scratch[B_VX_B + m], scratch[B_VY_B + m], scratch[B_SPIN_B + m] = b[VX], b[VY], b[SPIN]
+    load_few(lane, BODY_A, motion, scratch, B_VX_A)
+    load_few(lane, BODY_B, motion, scratch, B_VX_B)
 
 
 def load_motions(lane: Integers, motion: Array, scratch: Array) -> None:
     """Load the velocities of the bodies of a block, and their displacements in the step."""
-    for m in range(LANES):
-        a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
-        scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m] = a[VX], a[VY], a[SPIN]
-        scratch[B_DX_A + m], scratch[B_DY_A + m], scratch[B_ANGLE_A + m] = a[DX], a[DY], a[DANGLE]
-        scratch[B_VX_B + m], scratch[B_VY_B + m], scratch[B_SPIN_B + m] = b[VX], b[VY], b[SPIN]
-        scratch[B_DX_B + m], scratch[B_DY_B + m], scratch[B_ANGLE_B + m] = b[DX], b[DY], b[DANGLE]
+    load_all(lane, BODY_A, motion, scratch, B_VX_A)
+    load_all(lane, BODY_B, motion, scratch, B_VX_B)
 
 
 def store_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
     """Store the velocities of the bodies of a block."""
-    for m in range(LANES):
-        a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
-        a[VX], a[VY], a[SPIN] = scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m]
-        b[VX], b[VY], b[SPIN] = scratch[B_VX_B + m], scratch[B_VY_B + m], scratch[B_SPIN_B + m]
+    store_few(lane, BODY_A, motion, scratch, B_VX_A)
+    store_few(lane, BODY_B, motion, scratch, B_VX_B)
 
 
 def apply_impulse(
@@ -264,12 +250,7 @@ def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest:
 
 def some_closed(at: int, closed: int, least: float, row: Array) -> bool:
     """Return whether a lane with a normal impulse has a gap, or a bounce, above the least."""
-    closed_lanes = 0
-    for m in range(LANES):
-        closed_lanes += (
-            1 if (row[closed + m] > least) & (row[at + P_NORMAL_IMPULSE + m] > 0.0) else 0
-        )
-    return closed_lanes > 0
+    return both_above(row, closed, least, at + P_NORMAL_IMPULSE, 0.0)
 
 
 def closed_friction_lanes(at: int, closed: int, least: float, row: Array, scratch: Array) -> None:
