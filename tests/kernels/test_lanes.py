@@ -8,25 +8,25 @@ from hypothesis import given, strategies as st
 from numba import njit
 
 from tamias2d.kernels import lane_code, lanes
-from tamias2d.kernels.lanes import ALL, LANES
+from tamias2d.kernels.lanes import LANES, ROW
 
 ROWS, LEAD = 40, 5
 SEEDS = st.integers(0, 2**32 - 1)
 
 
 @njit
-def load_few(places, first, rows, loaded, to):
-    lane_code.load_few(places, first, rows, loaded, to)
+def load_half(places, first, rows, loaded, to):
+    lane_code.load_half(places, first, rows, loaded, to)
 
 
 @njit
-def load_all(places, first, rows, loaded, to):
-    lane_code.load_all(places, first, rows, loaded, to)
+def load_rows(places, first, rows, loaded, to):
+    lane_code.load_rows(places, first, rows, loaded, to)
 
 
 @njit
-def store_few(places, first, rows, loaded, to):
-    lane_code.store_few(places, first, rows, loaded, to)
+def store_half(places, first, rows, loaded, to):
+    lane_code.store_half(places, first, rows, loaded, to)
 
 
 @njit
@@ -37,14 +37,14 @@ def both_above(row, a, least_a, b, least_b):
 def moved(move: Callable[..., None], seed: int) -> tuple[np.ndarray, np.ndarray]:
     """Return random rows and lanes, after some have been moved."""
     random = np.random.default_rng(seed)
-    rows = random.normal(size=(ROWS, ALL))
+    rows = random.normal(size=(ROWS, ROW))
     places = random.permutation(ROWS)[: LEAD + LANES].astype(np.uint32)
-    loaded = random.normal(size=LEAD + ALL * LANES)
+    loaded = random.normal(size=LEAD + ROW * LANES)
     move(places, LEAD, rows, loaded, LEAD)
     return rows, loaded
 
 
-@pytest.mark.parametrize("compiled", [load_few, load_all, store_few])
+@pytest.mark.parametrize("compiled", [load_half, load_rows, store_half])
 @given(seed=SEEDS)
 def test_rows_are_moved_as_by_the_plain_function(compiled: Callable[..., None], seed: int) -> None:
     plain = getattr(lanes, compiled.__name__)
@@ -55,12 +55,13 @@ def test_rows_are_moved_as_by_the_plain_function(compiled: Callable[..., None], 
 @given(seed=SEEDS)
 def test_all_that_is_loaded_is_stored_where_it_was(seed: int) -> None:
     random = np.random.default_rng(seed)
-    rows, loaded = random.normal(size=(ROWS, ALL)), np.zeros(ALL * LANES)
+    rows, loaded = random.normal(size=(ROWS, ROW)), np.zeros(ROW * LANES)
     places = random.permutation(ROWS)[:LANES].astype(np.uint32)
+    rows[:, lanes.USED] = 0.0
     before = rows.copy()
-    load_few(places, 0, rows, loaded, 0)
-    rows[places, : lanes.FEW] = 0.0
-    store_few(places, 0, rows, loaded, 0)
+    load_half(places, 0, rows, loaded, 0)
+    rows[places, : lanes.HALF] = 0.0
+    store_half(places, 0, rows, loaded, 0)
     assert np.array_equal(rows, before)
 
 

@@ -145,7 +145,7 @@ _motion = Columns()
 VX = _motion()  # m/s; these three are also the columns of a velocity alone
 VY = _motion()  # m/s
 SPIN = _motion()  # rad/s
-_motion()  # unused: a half of a cache line is four numbers
+_motion()  # unused: a half of a cache line is four numbers (`kernels.lanes`)
 DX = _motion()  # m, displacement since the step began
 DY = _motion()  # m
 DANGLE = _motion()  # rad
@@ -495,23 +495,19 @@ POINT_SIZE = _point.width
 FIRST_POINT, SECOND_POINT = _block(POINT_SIZE), _block(POINT_SIZE)
 FIRST_RESTITUTION, SECOND_RESTITUTION = _block(), _block()  # N s, impulses of restitution
 
-_scratch = Columns(LANES)  # the motion of the bodies of a block
-B_VX_A = _scratch()  # m/s; columns of A as in `motion`
+_scratch = Columns(LANES)  # the motion of the bodies of a block, of each the columns in use
+B_VX_A = _scratch()  # m/s
 B_VY_A = _scratch()
 B_SPIN_A = _scratch()  # rad/s
-_scratch()
 B_DX_A = _scratch()  # m, since the step began
 B_DY_A = _scratch()
 B_ANGLE_A = _scratch()  # rad
-_scratch()
 B_VX_B = _scratch()
 B_VY_B = _scratch()
 B_SPIN_B = _scratch()
-_scratch()
 B_DX_B = _scratch()
 B_DY_B = _scratch()
 B_ANGLE_B = _scratch()
-_scratch()
 PREFETCHED = _scratch(1)  # a sum that nothing reads: the compiler would leave out loads without use
 
 _energy_sums = Columns()  # J, over all bodies with contacts

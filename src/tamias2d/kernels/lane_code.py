@@ -10,30 +10,29 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 
-from tamias2d.kernels.lanes import ALL, FEW, LANES
+from tamias2d.kernels.lanes import HALF, LANES, ROW, USED
 
 _NUMBER, _PLACE = ir.DoubleType(), ir.IntType(64)
-_WIDTH = 8
-_EIGHT = ir.VectorType(_NUMBER, _WIDTH)
+_EIGHT = ir.VectorType(_NUMBER, ROW)
 _NUMBER_BYTES = 8
 Generator = Callable[..., Any]
 
 
 @intrinsic
-def load_few(_: Any, places: Any, first: Any, rows: Any, lanes: Any, to: Any) -> Any:
-    """See `lanes.load_few`."""
-    return types.void(places, first, rows, lanes, to), _loading(FEW)
+def load_half(_: Any, places: Any, first: Any, rows: Any, lanes: Any, to: Any) -> Any:
+    """See `lanes.load_half`."""
+    return types.void(places, first, rows, lanes, to), _loading(HALF)
 
 
 @intrinsic
-def load_all(_: Any, places: Any, first: Any, rows: Any, lanes: Any, to: Any) -> Any:
-    """See `lanes.load_all`."""
-    return types.void(places, first, rows, lanes, to), _loading(ALL)
+def load_rows(_: Any, places: Any, first: Any, rows: Any, lanes: Any, to: Any) -> Any:
+    """See `lanes.load_rows`."""
+    return types.void(places, first, rows, lanes, to), _loading(ROW)
 
 
 @intrinsic
-def store_few(_: Any, places: Any, first: Any, rows: Any, lanes: Any, to: Any) -> Any:
-    """See `lanes.store_few`."""
+def store_half(_: Any, places: Any, first: Any, rows: Any, lanes: Any, to: Any) -> Any:
+    """See `lanes.store_half`."""
     return types.void(places, first, rows, lanes, to), _store
 
 
@@ -73,7 +72,7 @@ class _Code:
     def places(self, n: int, first: Any, offset: int) -> list[Any]:
         """Return eight whole numbers of an array, without a sign."""
         start = self.builder.gep(self.array(n).data, [self.builder.add(first, _PLACE(offset))])
-        each = [self.builder.gep(start, [_PLACE(m)]) for m in range(_WIDTH)]
+        each = [self.builder.gep(start, [_PLACE(m)]) for m in range(ROW)]
         return [self.builder.zext(self.builder.load(at), _PLACE) for at in each]
 
     def load(self, address: Any) -> Any:
@@ -91,14 +90,15 @@ class _Code:
         return self.builder.bitcast(address, vector.as_pointer())
 
 
-def _loading(columns: int) -> Generator:
+def _loading(width: int) -> Generator:
     def load(context: Any, builder: Any, signature: Any, values: Any) -> Any:
         code = _Code(context, builder, signature, values)
         first, to = code.place(1), code.place(4)
-        for m in range(0, LANES, _WIDTH):
+        for m in range(0, LANES, ROW):
             places = code.places(0, first, m)
-            vectors = [code.load(code.row(2, place, columns)) for place in places]
-            for n, column in enumerate(_columns(code, vectors, columns)):
+            vectors = [code.load(code.row(2, place, width)) for place in places]
+            columns = _columns(code, vectors, width)
+            for n, column in enumerate(columns[k] for k in range(width) if k % HALF < USED):
                 code.store(column, code.eight(3, to, LANES * n + m))
         return context.get_dummy_value()
 
@@ -108,28 +108,29 @@ def _loading(columns: int) -> Generator:
 def _store(context: Any, builder: Any, signature: Any, values: Any) -> Any:
     code = _Code(context, builder, signature, values)
     first, to = code.place(1), code.place(4)
-    for m in range(0, LANES, _WIDTH):
-        columns = [code.load(code.eight(3, to, LANES * n + m)) for n in range(FEW)]
-        for place, row in zip(code.places(0, first, m), _rows(code, columns), strict=True):
-            code.store(row, code.row(2, place, FEW))
+    for m in range(0, LANES, ROW):
+        columns = [code.load(code.eight(3, to, LANES * n + m)) for n in range(USED)]
+        rows = _rows(code, [*columns, ir.Constant(_EIGHT, [0.0] * ROW)])
+        for place, row in zip(code.places(0, first, m), rows, strict=True):
+            code.store(row, code.row(2, place, HALF))
     return context.get_dummy_value()
 
 
 def _compare(context: Any, builder: Any, signature: Any, values: Any) -> Any:
     code = _Code(context, builder, signature, values)
     found = None
-    for m in range(0, LANES, _WIDTH):
+    for m in range(0, LANES, ROW):
         a = _above(code, code.load(code.eight(0, code.place(1), m)), values[2])
         b = _above(code, code.load(code.eight(0, code.place(3), m)), values[4])
         both = builder.and_(a, b)
         found = both if found is None else builder.or_(found, both)
-    bits = builder.bitcast(found, ir.IntType(_WIDTH))
-    return builder.icmp_unsigned("!=", bits, ir.IntType(_WIDTH)(0))
+    bits = builder.bitcast(found, ir.IntType(ROW))
+    return builder.icmp_unsigned("!=", bits, ir.IntType(ROW)(0))
 
 
 def _above(code: _Code, vector: Any, least: Any) -> Any:
     one = code.builder.insert_element(ir.Constant(_EIGHT, ir.Undefined), least, ir.IntType(32)(0))
-    return code.builder.fcmp_ordered(">", vector, code.chosen(one, one, [0] * _WIDTH))
+    return code.builder.fcmp_ordered(">", vector, code.chosen(one, one, [0] * ROW))
 
 
 def _columns(code: _Code, rows: list[Any], width: int) -> list[Any]:
@@ -139,18 +140,18 @@ def _columns(code: _Code, rows: list[Any], width: int) -> list[Any]:
     """
     pairs = _exchanged(code, rows, 1, width)
     quads = _exchanged(code, pairs, 2, width)
-    if width == ALL:
+    if width == ROW:
         return _exchanged(code, quads, 4, width)
-    return [code.chosen(quads[n], quads[n + FEW], list(range(_WIDTH))) for n in range(FEW)]
+    return [code.chosen(quads[n], quads[n + HALF], list(range(ROW))) for n in range(HALF)]
 
 
 def _rows(code: _Code, columns: list[Any]) -> list[Any]:
     """Return the eight rows of four columns."""
     halves = []
-    for start in (0, FEW):
-        numbers = list(range(start, start + FEW))
+    for start in (0, HALF):
+        numbers = list(range(start, start + HALF))
         parts = [code.chosen(column, column, numbers) for column in columns]
-        halves += _exchanged(code, _exchanged(code, parts, 1, FEW), 2, FEW)
+        halves += _exchanged(code, _exchanged(code, parts, 1, HALF), 2, HALF)
     return halves
 
 

@@ -11,28 +11,31 @@ from importlib.resources import files
 from tamias2d.kernels.arrays import FloatRows, Floats, Places
 
 LANES = 16
-FEW, ALL = 4, 8  # columns of a row of eight that are moved: the first ones, or all
+HALF, ROW = 4, 8  # numbers in a half of a row, and in a row
+USED = 3  # of each half; the last number is there so that a half is a vector
 
 
-def load_few(places: Places, first: int, rows: FloatRows, lanes: Floats, to: int) -> None:
-    """Load the first columns of the rows at `places[first:]`, column by column, to `lanes[to:]`."""
-    for n in range(FEW):
+def load_half(places: Places, first: int, rows: FloatRows, lanes: Floats, to: int) -> None:
+    """Load what the first halves of the rows at `places[first:]` use to the columns at `to`."""
+    for n in range(USED):
         for m in range(LANES):
             lanes[to + LANES * n + m] = rows[places[first + m], n]
 
 
-def load_all(places: Places, first: int, rows: FloatRows, lanes: Floats, to: int) -> None:
-    """Load the rows at `places[first:]`, column by column, to `lanes[to:]`."""
-    for n in range(ALL):
+def load_rows(places: Places, first: int, rows: FloatRows, lanes: Floats, to: int) -> None:
+    """Load what both halves of the rows at `places[first:]` use to the columns at `to`."""
+    for n in range(USED):
         for m in range(LANES):
             lanes[to + LANES * n + m] = rows[places[first + m], n]
+            lanes[to + LANES * (USED + n) + m] = rows[places[first + m], HALF + n]
 
 
-def store_few(places: Places, first: int, rows: FloatRows, lanes: Floats, to: int) -> None:
-    """Store what `load_few` has loaded; of a place that is there twice, the last lane's."""
+def store_half(places: Places, first: int, rows: FloatRows, lanes: Floats, to: int) -> None:
+    """Store what `load_half` loads, and 0 after it; of a row that is there twice, the last."""
     for m in range(LANES):
-        for n in range(FEW):
+        for n in range(USED):
             rows[places[first + m], n] = lanes[to + LANES * n + m]
+        rows[places[first + m], USED] = 0.0
 
 
 def both_above(row: Floats, a: int, least_a: float, b: int, least_b: float) -> bool:
@@ -40,7 +43,7 @@ def both_above(row: Floats, a: int, least_a: float, b: int, least_b: float) -> b
     return any(row[a + m] > least_a and row[b + m] > least_b for m in range(LANES))
 
 
-INTRINSICS = (load_few, load_all, store_few, both_above)
+INTRINSICS = (load_half, load_rows, store_half, both_above)
 """What the compiler is given by `lane_code` instead, by the same name."""
 
 
