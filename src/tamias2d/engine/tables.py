@@ -26,6 +26,7 @@ from tamias2d.kernels.arrays import (
     RankRows,
     Ranks,
 )
+from tamias2d.kernels.lanes import LANES
 
 Integers: TypeAlias = NDArray[Any]
 """An array of whole numbers of any width."""
@@ -144,10 +145,11 @@ _motion = Columns()
 VX = _motion()  # m/s; these three are also the columns of a velocity alone
 VY = _motion()  # m/s
 SPIN = _motion()  # rad/s
-_motion()  # unused: a half of a cache line is four numbers
+_motion()  # unused: a half of a cache line is four numbers (`kernels.lanes`)
 DX = _motion()  # m, displacement since the step began
 DY = _motion()  # m
 DANGLE = _motion()  # rad
+_motion()  # unused, too
 
 _properties = Columns()
 INVERSE_MASS = _properties()  # 1/kg
@@ -209,7 +211,7 @@ class Bodies(NamedTuple):
     """Bodies by slot; read by all stages."""
 
     pose: Annotated[FloatRows, Sized("slots", _pose.width)]
-    motion: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
+    motion: Annotated[FloatRows, Sized("slots", _motion.width)]  # a cache line
     load: Annotated[FloatRows, Sized("slots", 3)]  # N, N, N m
     properties: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
     kind: Annotated[Bytes, Sized("slots")]
@@ -449,7 +451,6 @@ class Touching(NamedTuple):
 
 # -- constraints
 
-LANES = 16  # contacts that are solved together
 COLOURS = 60
 
 _lanes = Columns(LANES)
@@ -494,16 +495,16 @@ POINT_SIZE = _point.width
 FIRST_POINT, SECOND_POINT = _block(POINT_SIZE), _block(POINT_SIZE)
 FIRST_RESTITUTION, SECOND_RESTITUTION = _block(), _block()  # N s, impulses of restitution
 
-_scratch = Columns(LANES)  # the motion of the bodies of a block
+_scratch = Columns(LANES)  # the motion of the bodies of a block, of each the columns in use
 B_VX_A = _scratch()  # m/s
 B_VY_A = _scratch()
 B_SPIN_A = _scratch()  # rad/s
-B_VX_B = _scratch()
-B_VY_B = _scratch()
-B_SPIN_B = _scratch()
 B_DX_A = _scratch()  # m, since the step began
 B_DY_A = _scratch()
 B_ANGLE_A = _scratch()  # rad
+B_VX_B = _scratch()
+B_VY_B = _scratch()
+B_SPIN_B = _scratch()
 B_DX_B = _scratch()
 B_DY_B = _scratch()
 B_ANGLE_B = _scratch()

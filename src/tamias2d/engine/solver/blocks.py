@@ -15,7 +15,6 @@ from tamias2d.engine.tables import (
     FILLED,
     INVERSE_INERTIA,
     INVERSE_MASS,
-    LANES,
     NEXT_LANE,
     POINT_SIZE,
     POINTS,
@@ -43,6 +42,7 @@ from tamias2d.engine.tables import (
     Touching,
 )
 from tamias2d.engine.thickness import contact_extent
+from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array
 
 ALLOWED = 0.005  # of the extent: overlap for which no preload is learnt

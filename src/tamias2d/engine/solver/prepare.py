@@ -9,7 +9,6 @@ from tamias2d.engine.tables import (
     FORESEEN,
     GAP,
     IMPULSE_RATIO,
-    LANES,
     NORMAL_IMPULSE,
     NX,
     NY,
@@ -73,6 +72,7 @@ from tamias2d.generated.soft_contact import (
     turning_arm,
 )
 from tamias2d.kernels.assembled import inlined
+from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array, Vector
 
 FIRMER = 2.0  # frequency of a contact with a body that does not move freely, to that of others
