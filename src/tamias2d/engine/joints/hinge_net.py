@@ -11,7 +11,6 @@ from math import inf
 
 from tamias2d.engine.joints.iterate import MESH_ACCURACY
 from tamias2d.engine.joints.linearise import place_members
-from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
 from tamias2d.engine.tables import (
     HELD_INVERSE_INERTIA,
     I_NODE,
@@ -79,9 +78,9 @@ from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-MOST_ITERATIONS_OF_NET = 40  # what is left is made up for in later substeps
+MOST_ITERATIONS_OF_NET = 20  # what is left is made up for in later substeps
 LEFT_OPEN = 0.05  # of the gap that is looked at, in a substep
-LEFT_APART = 0.5  # of the gap that is looked at: a net at rest then asks for no iterations
+REMOVED_BY_NET = 0.05  # of a gap, in a substep of a whole step: of one not looked at, what is left
 
 
 def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -147,13 +146,12 @@ def write_link(j: int, joints: Joints) -> None:
 def aim_net(n: int, length: float, joints: Joints) -> None:
     """Note to which gaps a substep brings the links of a net; its length is as `aim_joints` says.
 
-    They are the gaps as they were just written; slight ones are left as they are.
+    They are the gaps as they were just written.
     """
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
-        for k in range(2):
-            seen = abs(link[L_GAP + k]) > LEFT_APART * link[L_SLIGHT]
-            link[L_AIM + k] = row_aim(link[L_GAP + k], REMOVED_BY_JOINTS * length if seen else 0.0)
+        link[L_AIM] = row_aim(link[L_GAP], REMOVED_BY_NET * length)
+        link[L_AIM + 1] = row_aim(link[L_GAP + 1], REMOVED_BY_NET * length)
 
 
 def bring_net_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
