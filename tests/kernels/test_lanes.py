@@ -10,7 +10,7 @@ from numba import njit
 from tamias2d.kernels import lane_code, lanes
 from tamias2d.kernels.lanes import LANES, ROW
 
-ROWS, LEAD = 40, 5
+ROWS, LEAD, COLUMN = 40, 5, 3
 SEEDS = st.integers(0, 2**32 - 1)
 
 
@@ -25,6 +25,11 @@ def load_rows(places, first, rows, loaded, to):
 
 
 @njit
+def load_part(places, first, rows, loaded, to):
+    lane_code.load_part(places, first, rows, COLUMN, loaded, to)
+
+
+@njit
 def store_half(places, first, rows, loaded, to):
     lane_code.store_half(places, first, rows, loaded, to)
 
@@ -34,28 +39,36 @@ def both_above(row, a, least_a, b, least_b):
     return lane_code.both_above(row, a, least_a, b, least_b)
 
 
+def plain_part(places, first, rows, loaded, to):
+    lanes.load_part(places, first, rows, COLUMN, loaded, to)
+
+
+PLAIN = {load_part: plain_part} | {
+    compiled: getattr(lanes, compiled.__name__) for compiled in (load_half, load_rows, store_half)
+}
+
+
 def moved(move: Callable[..., None], seed: int) -> tuple[np.ndarray, np.ndarray]:
     """Return random rows and lanes, after some have been moved."""
     random = np.random.default_rng(seed)
-    rows = random.normal(size=(ROWS, ROW))
+    rows = random.normal(size=(ROWS, COLUMN + ROW))
     places = random.permutation(ROWS)[: LEAD + LANES].astype(np.uint32)
     loaded = random.normal(size=LEAD + ROW * LANES)
     move(places, LEAD, rows, loaded, LEAD)
     return rows, loaded
 
 
-@pytest.mark.parametrize("compiled", [load_half, load_rows, store_half])
+@pytest.mark.parametrize("compiled", PLAIN)
 @given(seed=SEEDS)
 def test_rows_are_moved_as_by_the_plain_function(compiled: Callable[..., None], seed: int) -> None:
-    plain = getattr(lanes, compiled.__name__)
-    for ours, theirs in zip(moved(compiled, seed), moved(plain, seed), strict=True):
+    for ours, theirs in zip(moved(compiled, seed), moved(PLAIN[compiled], seed), strict=True):
         assert np.array_equal(ours, theirs)
 
 
 @given(seed=SEEDS)
 def test_all_that_is_loaded_is_stored_where_it_was(seed: int) -> None:
     random = np.random.default_rng(seed)
-    rows, loaded = random.normal(size=(ROWS, ROW)), np.zeros(ROW * LANES)
+    rows, loaded = random.normal(size=(ROWS, COLUMN + ROW)), np.zeros(ROW * LANES)
     places = random.permutation(ROWS)[:LANES].astype(np.uint32)
     rows[:, lanes.USED] = 0.0
     before = rows.copy()

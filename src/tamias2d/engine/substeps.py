@@ -161,7 +161,7 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
     if constraints.counts[LANES_FILLED] == 0:
         clear_lanes(block, block_end, len(bodies.kind) - 1, blocks, lanes)
         fill_lanes(contact, contact_end, bodies, world.shapes, contacts, touching, constraints)
-    fill_blocks(contact, contact_end, world.control, bodies, contacts, touching, constraints)
+    fill_blocks(block, block_end, world.control, bodies, contacts, constraints)
     prepare_blocks(block, block_end, substep, blocks, lanes)
     prepare_trees(slabs[slab, S_TREE], slabs[slab + 1, S_TREE], bodies, constraints, world.direct)
     warm_start(block, block_end, bodies, constraints)

@@ -456,6 +456,7 @@ COLOURS = 60
 _lanes = Columns(LANES)
 BODY_A = _lanes()  # slot of the body of each lane
 BODY_B = _lanes()
+LANE_CONTACT = _lanes()  # on the contact list; 0 of a lane without
 FILLED = _lanes(1)  # lanes that hold a contact
 POINTS = _lanes(1)  # of each contact of the block
 
@@ -508,6 +509,15 @@ B_SPIN_B = _scratch()
 B_DX_B = _scratch()
 B_DY_B = _scratch()
 B_ANGLE_B = _scratch()
+F_NX = _scratch()  # eight columns as in `manifolds`, from the first one on
+F_NY = _scratch()
+F_FIRST_POINT = _scratch(6 * LANES)
+_scratch(2 * LANES)  # the same from the column `POINT` on
+F_SECOND_POINT = _scratch(6 * LANES)
+F_SPAN_X = _scratch()  # m, from the centre of A to that of B
+F_SPAN_Y = _scratch()
+# columns of a point from F_FIRST_POINT or F_SECOND_POINT on
+F_X, F_Y, F_GAP, F_NORMAL_IMPULSE, F_TANGENT_IMPULSE, F_PRELOAD = range(0, 6 * LANES, LANES)
 PREFETCHED = _scratch(1)  # a sum that nothing reads: the compiler would leave out loads without use
 
 _energy_sums = Columns()  # J, over all bodies with contacts

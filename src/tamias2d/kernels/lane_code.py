@@ -31,6 +31,12 @@ def load_rows(_: Any, places: Any, first: Any, rows: Any, lanes: Any, to: Any) -
 
 
 @intrinsic
+def load_part(_: Any, places: Any, first: Any, rows: Any, column: Any, lanes: Any, to: Any) -> Any:
+    """See `lanes.load_part`."""
+    return types.void(places, first, rows, column, lanes, to), _load_part
+
+
+@intrinsic
 def store_half(_: Any, places: Any, first: Any, rows: Any, lanes: Any, to: Any) -> Any:
     """See `lanes.store_half`."""
     return types.void(places, first, rows, lanes, to), _store
@@ -62,11 +68,12 @@ class _Code:
         at = self.builder.add(first, _PLACE(offset))
         return self._as_vector(self.builder.gep(self.array(n).data, [at]), _EIGHT)
 
-    def row(self, n: int, place: Any, width: int) -> Any:
-        """Return the address of the first numbers of a row."""
+    def row(self, n: int, place: Any, width: int, column: Any = None) -> Any:
+        """Return the address of numbers of a row: the first ones, or those from a column on."""
         rows = self.array(n)
+        first = rows.data if column is None else self.builder.gep(rows.data, [column])
         bytes_before = self.builder.mul(place, self.builder.extract_value(rows.strides, 0))
-        at = self.builder.add(self.builder.ptrtoint(rows.data, _PLACE), bytes_before)
+        at = self.builder.add(self.builder.ptrtoint(first, _PLACE), bytes_before)
         return self.builder.inttoptr(at, ir.VectorType(_NUMBER, width).as_pointer())
 
     def places(self, n: int, first: Any, offset: int) -> list[Any]:
@@ -103,6 +110,17 @@ def _loading(width: int) -> Generator:
         return context.get_dummy_value()
 
     return load
+
+
+def _load_part(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+    code = _Code(context, builder, signature, values)
+    first, column, to = code.place(1), code.place(3), code.place(5)
+    for m in range(0, LANES, ROW):
+        places = code.places(0, first, m)
+        vectors = [code.load(code.row(2, place, ROW, column)) for place in places]
+        for n, loaded in enumerate(_columns(code, vectors, ROW)):
+            code.store(loaded, code.eight(4, to, LANES * n + m))
+    return context.get_dummy_value()
 
 
 def _store(context: Any, builder: Any, signature: Any, values: Any) -> Any:

@@ -30,6 +30,15 @@ def load_rows(places: Places, first: int, rows: FloatRows, lanes: Floats, to: in
             lanes[to + LANES * (USED + n) + m] = rows[places[first + m], HALF + n]
 
 
+def load_part(
+    places: Places, first: int, rows: FloatRows, column: int, lanes: Floats, to: int
+) -> None:
+    """Load eight numbers of the rows at `places[first:]`, from a column on, to columns at `to`."""
+    for n in range(ROW):
+        for m in range(LANES):
+            lanes[to + LANES * n + m] = rows[places[first + m], column + n]
+
+
 def store_half(places: Places, first: int, rows: FloatRows, lanes: Floats, to: int) -> None:
     """Store what `load_half` loads, and 0 after it; of a row that is there twice, the last."""
     for m in range(LANES):
@@ -43,7 +52,7 @@ def both_above(row: Floats, a: int, least_a: float, b: int, least_b: float) -> b
     return any(row[a + m] > least_a and row[b + m] > least_b for m in range(LANES))
 
 
-INTRINSICS = (load_half, load_rows, store_half, both_above)
+INTRINSICS = (load_half, load_rows, load_part, store_half, both_above)
 """What the compiler is given by `lane_code` instead, by the same name."""
 
 
