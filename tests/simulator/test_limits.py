@@ -208,3 +208,20 @@ def test_gravity_that_outruns_the_shortest_parts_of_a_step_is_told(pull: float) 
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         calm.step()
+
+
+def test_a_sensor_stays_one_after_a_step_that_was_refused() -> None:
+    sim = ground()
+    sim.gravity = 0.0, 0.0
+    gate = t2.Box(width=1.0, height=1.0)
+    sim.add_static(gate, position=(0.0, 15.0), sensor=True, restitution=0.5)
+    ball = sim.add(t2.Disc(radius=0.2), mass=1.0, position=(-0.6, 15.0), restitution=0.5)
+    light = sim.add(t2.Disc(radius=0.1), mass=1e-300, position=(3.0, 0.2), restitution=1.0)
+    sim.velocity[ball] = 1.0, 0.0
+    sim.step(3)
+    sim.force[light] = 1e70, -1e70
+    with pytest.raises(t2.InputError, match="cannot hold"):
+        sim.step()
+    sim.force[light] = 0.0
+    sim.step(60)
+    assert sim.velocity[ball].tolist() == [1.0, 0.0]

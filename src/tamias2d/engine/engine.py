@@ -24,9 +24,11 @@ from tamias2d.engine.tables import (
     AT_START,
     BOUNDING_RADIUS,
     CLEAR,
+    CONTACTS,
     DONE,
     DYNAMIC,
     FINEST,
+    FIRST_RUN,
     FRICTION,
     GRAVITY_X,
     GRAVITY_Y,
@@ -413,7 +415,8 @@ class Engine(Store):
         counts = world.control.counts
         counts[STAGE] = AT_START
         counts[TICK] = counts[RETAKEN] = counts[LEAST_LEVEL] = 0
-        world.broad_phase.counts[NEXT_LEVEL] = 0
+        broad_phase = world.broad_phase.counts
+        broad_phase[NEXT_LEVEL] = broad_phase[CONTACTS] = broad_phase[FIRST_RUN] = 0
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
             *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),
