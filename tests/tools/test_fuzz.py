@@ -22,7 +22,7 @@ SEEDS = {
 FOUND = (
     ("sequences", 3_502_565),
     *(("scenes", seed) for seed in (269, 7_002_818, 3_501_452, 4_034_557, 4_035_833)),
-    *(("files", seed) for seed in (2_029_520, 2_060_850, 2_065_891)),
+    *(("files", seed) for seed in (8_005_959, 9_037_432, 2_029_520, 2_060_850, 2_065_891)),
 )
 """Cases that broke something once."""
 
