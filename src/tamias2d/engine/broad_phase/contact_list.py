@@ -7,7 +7,9 @@ found. The list stands in one of two buffers; a new one is made in the other. Co
 
 from tamias2d.engine.tables import (
     ARRANGED,
+    AXIS_CACHE,
     BUFFER,
+    CACHED_AXIS,
     CONTACTS,
     FIRST_RUN,
     ISLANDS_KNOWN,
@@ -161,7 +163,10 @@ def keep_new_candidates(total: int, broad_phase: BroadPhase, contacts: Contacts)
 
 
 def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
-    """Copy a contact; its manifold only if it has points, touched, will, or knows its side."""
+    """Copy a contact; its manifold only if it has points, touched, will, or knows its side.
+
+    Of others the cached axis is kept: to find those of a crowd costs more than all else here.
+    """
     for k in range(4):
         following.pairs[new, k] = contacts.pairs[old, k]
     touches = contacts.flags[old, TOUCHES] + contacts.flags[old, LOCATED] != 0
@@ -174,6 +179,16 @@ def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) ->
     else:
         clear_flags(new, following.flags)
         following.flags[new, SENSES] = contacts.flags[old, SENSES]
+        if contacts.flags[old, CACHED_AXIS] != 0:
+            copy_axis(old, contacts, following, new)
+
+
+def copy_axis(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
+    """Copy the cached axis of a contact."""
+    for k in range(2):
+        following.flags[new, CACHED_AXIS + k] = contacts.flags[old, CACHED_AXIS + k]
+    for k in range(4):
+        following.manifolds[new, AXIS_CACHE + k] = contacts.manifolds[old, AXIS_CACHE + k]
 
 
 def begin_contact(
