@@ -17,8 +17,13 @@ from tamias2d.engine.joints.hinge_net import (
     store_links,
 )
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
-from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impulses
-from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
+from tamias2d.engine.joints.hinge_tree import hang_tree, linearise_tree, store_hinge_impulses
+from tamias2d.engine.joints.linearise import (
+    factor_mechanism,
+    linearise,
+    note_node_masses,
+    place_members,
+)
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
 from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.slabs import list_all
@@ -255,19 +260,21 @@ def bring_to_end(n: int, again: bool, substep: float, bodies: Bodies, joints: Jo
 
 
 def relax_joints(world: World) -> None:
-    """Find the rows where bodies are, and let the velocities of touched mechanisms fit them."""
+    """Find the rows of mechanisms where bodies are."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
             write_mechanism(n, bodies, joints)
-    fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], bodies, joints)
 
 
 def fit_touched(world: World) -> None:
-    """Let the velocities of touched mechanisms fit their rows again, after those of contacts."""
-    fit_velocities(IN_CONTACT, world.control.settings[SUBSTEP], world.bodies, world.joints)
+    """Let the velocities of touched and of governed mechanisms fit their rows as a step ends.
+
+    Nothing is lost in the substeps before: what they do not fit, the next solution takes away.
+    """
+    fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], world.bodies, world.joints)
 
 
 def fit_velocities(least: int, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -280,14 +287,19 @@ def fit_velocities(least: int, substep: float, bodies: Bodies, joints: Joints) -
 def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a mechanism; `warm` is for meshes.
 
-    What is left in a net parts it little in a substep, s.
+    What is left in a net parts it little in a substep, s. Springs do not count.
     """
     hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    governed = joints.mechanisms[n, M_GOVERNED] == 1
     if hinged and meshed:
         fit_net(n, warm, substep, bodies, joints)
     elif hinged:
+        if governed:
+            hang_tree(n, 0.0, bodies, joints)
         fit_tree(n, bodies, joints)
     else:
+        if governed:
+            factor_mechanism(n, 0.0, bodies, joints)
         keep_velocities(n, warm, bodies, joints)
 
 
