@@ -13,7 +13,6 @@ from tamias2d.engine.tables import (
     H_FAR_ANCHOR,
     I_NODE,
     M_IN_BLOCK,
-    STATIC,
     T_ANCHOR_X,
     T_ANCHOR_Y,
     T_FAR_ANCHOR_X,
@@ -25,7 +24,7 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.kernels.lanes import LANES
 
-FEWEST_TREES = 5  # of a block: fewer take no longer by themselves
+FEWEST_TREES = 8  # of a block: fewer take no longer by themselves
 
 Shape = tuple[int, ...]
 """Of each body of a tree the place of the one on which it hangs; -1 of what does not move, and -2
@@ -33,12 +32,12 @@ of a root on nothing."""
 
 
 def equal_trees(
-    store: Store, trees: Sequence[HingeTree | None], rows: Sequence[JointRow]
+    trees: Sequence[HingeTree | None], rows: Sequence[JointRow]
 ) -> list[tuple[Shape, list[int]]]:
     """Return blocks: what their trees are like, and the numbers of these."""
     found: dict[Shape, list[int]] = {}
     for n, tree in enumerate(trees):
-        shape = _shape(store, tree, rows) if tree else None
+        shape = _shape(tree, rows) if tree else None
         if shape:
             found.setdefault(shape, []).append(n)
     blocks = [
@@ -49,8 +48,8 @@ def equal_trees(
     return [block for block in blocks if len(block[1]) >= FEWEST_TREES]
 
 
-def _shape(store: Store, tree: HingeTree, rows: Sequence[JointRow]) -> Shape | None:
-    """Return what a tree is like; None if more than hinges hold it, or it hangs on what moves."""
+def _shape(tree: HingeTree, rows: Sequence[JointRow]) -> Shape | None:
+    """Return what a tree is like; None if more than the hinges of its bodies hold it."""
     if len(tree.joints) > sum(hinge is not None for hinge in tree.hinges):
         return None
     place = {body: k for k, body in enumerate(tree.bodies)}
@@ -60,8 +59,6 @@ def _shape(store: Store, tree: HingeTree, rows: Sequence[JointRow]) -> Shape | N
             shape.append(-2)
             continue
         (above,) = {end for end in rows[hinge].ends[:2] if end != body}
-        if above is not None and above not in place and store.world.state.kind[above] != STATIC:
-            return None
         shape.append(-1 if above is None else place.get(above, -1))
     return tuple(shape)
 

@@ -76,7 +76,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
         else _plan(store, [member[body] - 1 for body in own], [rows[k] for k in mechanism], member)
         for own, mechanism, tree in zip(nodes, mechanisms, trees, strict=True)
     ]
-    blocks = equal_trees(store, trees, rows)
+    blocks = equal_trees(trees, rows)
     edges = sum(len(plan.edges) for plan in plans)
     fill = sum(map(len, (own for plan in plans for own in plan.fill)))
     apart = sorted({pair for row in rows if row.apart for pair in _pairs_of(row)})

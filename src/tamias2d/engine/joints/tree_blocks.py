@@ -12,6 +12,7 @@ from tamias2d.engine.joints.solve import (
     SOLVED_RATE,
 )
 from tamias2d.engine.joints.tree_lanes import (
+    add_passed,
     aim_lanes,
     all_lanes,
     begin_lanes,
@@ -24,10 +25,10 @@ from tamias2d.engine.joints.tree_lanes import (
     note_apart_lanes,
     owe_lanes,
     owe_nothing,
+    pass_impulses,
+    pass_lanes,
     pass_lanes_down,
-    pass_lanes_up,
     place_lanes,
-    push_lanes_above,
     push_own_lanes,
     rates_of_lanes,
     some_lanes,
@@ -66,6 +67,7 @@ from tamias2d.engine.tables import (
     T_LARGEST,
     T_MASS,
     T_MECHANISM,
+    T_OWED_X,
     T_POSE_ANGLE,
     T_POSE_X,
     T_POSE_Y,
@@ -73,8 +75,10 @@ from tamias2d.engine.tables import (
     T_PULL_Y,
     T_SIZE,
     T_SIZE_FIRST,
+    T_START_X,
     T_TIED,
     T_TURN,
+    T_VX,
     TREE_BLOCKS,
     Bodies,
     Joints,
@@ -259,7 +263,8 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
         owe_nothing(rows[r])
     for r in range(last - 1, first + 1, -1):
         owe_lanes(rows[r])
-        pass_lanes_up(rows[r], rows[joints.tree_above[r]])
+        pass_lanes(rows[r])
+        add_passed(T_OWED_X, rows[r], rows[joints.tree_above[r]])
     owe_lanes(rows[first + 1])
     if hinge > first + 1:
         let_lanes_go(rows[first + 1])
@@ -276,7 +281,10 @@ def push_block(b: int, chosen: int, sign: float, bodies: Bodies, joints: Joints)
     for r in range(first_hinge(b, joints), last):
         push_own_lanes(chosen, sign, lanes, rows[r])
         if r > first + 1:
-            push_lanes_above(chosen, sign, lanes, rows[r], rows[joints.tree_above[r]])
+            above = rows[joints.tree_above[r]]
+            pass_impulses(chosen, sign, lanes, rows[r], above)
+            add_passed(T_VX, rows[r], above)
+            add_passed(T_START_X, rows[r], above)
     for r in range(first + 1, last):
         store_node(joints.tree_slots[r], bodies, rows[r])
 

@@ -57,6 +57,9 @@ from tamias2d.engine.tables import (
     T_OWED_TURN,
     T_OWED_X,
     T_OWED_Y,
+    T_PASSED_TURN,
+    T_PASSED_X,
+    T_PASSED_Y,
     T_POSE_ANGLE,
     T_POSE_X,
     T_POSE_Y,
@@ -75,7 +78,7 @@ from tamias2d.engine.tables import (
     T_Y,
     T_YIELD,
     Bodies,
-    Places,
+    Integers,
 )
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
@@ -109,13 +112,13 @@ from tamias2d.kernels.lanes import LANES, load_part, load_rows, store_half
 from tamias2d.state import Array
 
 
-def load_node(slots: Places, bodies: Bodies, row: Array) -> None:
+def load_node(slots: Integers, bodies: Bodies, row: Array) -> None:
     """Load how the bodies of a row move, and how they did as the substep began."""
     load_rows(slots, 0, bodies.motion, row, T_VX)
     load_part(slots, 0, bodies.substep_state, SUBSTEP_START, row, T_START_X)
 
 
-def store_node(slots: Places, bodies: Bodies, row: Array) -> None:
+def store_node(slots: Integers, bodies: Bodies, row: Array) -> None:
     """Store what impulses have made of that."""
     store_half(slots, 0, bodies.motion, row, T_VX)
     for m in range(LANES):
@@ -272,8 +275,8 @@ def owe_lanes(row: Array) -> None:
         row[T_OWED_TURN + m] = turning
 
 
-def pass_lanes_up(row: Array, above: Array) -> None:
-    """Let the nodes above owe what those of a row do, and what the errors of hinges ask for."""
+def pass_lanes(row: Array) -> None:
+    """Find what the nodes above are to owe for those of a row, and for the errors of hinges."""
     for m in range(LANES):
         hung = (row[T_OWED_X + m], row[T_OWED_Y + m])
         error = (row[T_ERROR_X + m], row[T_ERROR_Y + m])
@@ -282,12 +285,19 @@ def pass_lanes_up(row: Array, above: Array) -> None:
         mass_x = (row[T_HUNG_XX + m], row[T_HUNG_XY + m])
         mass_y = (row[T_HUNG_XY + m], row[T_HUNG_YY + m])
         passed = momentum_passed(hung, error, mass_x, mass_y)
-        turning = angular_momentum_passed(
+        row[T_PASSED_X + m], row[T_PASSED_Y + m] = passed
+        row[T_PASSED_TURN + m] = angular_momentum_passed(
             passed, row[T_OWED_TURN + m], error, turned, 0.0, far, 0.0
         )
-        above[T_OWED_X + m] += passed[0]
-        above[T_OWED_Y + m] += passed[1]
-        above[T_OWED_TURN + m] += turning
+
+
+def add_passed(to: int, row: Array, above: Array) -> None:
+    """Add what the nodes of a row pass on to three columns of those above.
+
+    It stands by itself: else lanes would be taken one by one.
+    """
+    for m in range(3 * LANES):
+        above[to + m] += row[T_PASSED_X + m]
 
 
 def let_lanes_go(row: Array) -> None:
@@ -344,22 +354,20 @@ def push_own_lanes(chosen: int, sign: float, lanes: Array, row: Array) -> None:
         row[T_START_SPIN + m] = row[T_START_SPIN + m] + turn if pushed else row[T_START_SPIN + m]
 
 
-def push_lanes_above(chosen: int, sign: float, lanes: Array, row: Array, above: Array) -> None:
-    """Give the bodies above those of a row the impulses through these hinges, too."""
+def pass_impulses(chosen: int, sign: float, lanes: Array, row: Array, above: Array) -> None:
+    """Find what the impulses through the hinges of a row do to the bodies above.
+
+    Where nothing is pushed, that is a zero which leaves one of either sign as it is.
+    """
     for m in range(LANES):
         pushed = lanes[chosen + m] > 0.0
         impulse = (-(sign * row[T_IMPULSE_X + m]), -(sign * row[T_IMPULSE_Y + m]))
         far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
         by_x, by_y = velocity_hinged((0.0, 0.0), impulse, above[T_INVERSE_MASS + m])
         turn = angular_velocity_hinged(0.0, far, impulse, above[T_HELD_INVERSE_INERTIA + m])
-        above[T_VX + m] = above[T_VX + m] + by_x if pushed else above[T_VX + m]
-        above[T_VY + m] = above[T_VY + m] + by_y if pushed else above[T_VY + m]
-        above[T_SPIN + m] = above[T_SPIN + m] + turn if pushed else above[T_SPIN + m]
-        above[T_START_X + m] = above[T_START_X + m] + by_x if pushed else above[T_START_X + m]
-        above[T_START_Y + m] = above[T_START_Y + m] + by_y if pushed else above[T_START_Y + m]
-        above[T_START_SPIN + m] = (
-            above[T_START_SPIN + m] + turn if pushed else above[T_START_SPIN + m]
-        )
+        row[T_PASSED_X + m] = by_x if pushed else -0.0
+        row[T_PASSED_Y + m] = by_y if pushed else -0.0
+        row[T_PASSED_TURN + m] = turn if pushed else -0.0
 
 
 def some_lanes(chosen: int, lanes: Array) -> bool:
