@@ -1,6 +1,7 @@
 """Trees of hinges that are solved side by side move as they do by themselves, to the bit (IM15)."""
 
 import random
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -131,3 +132,16 @@ def test_a_tree_that_comes_to_eight_or_goes_again_moves_on() -> None:
     sim.step(3)
     assert sim._engine.world.joints.counts[TREE_BLOCKS] == 0
     assert sim.reactions.separation.max() < 1e-3
+
+
+def test_saved_and_restored_they_go_on_alike(tmp_path: Path) -> None:
+    sim = Simulator(many_trees(30.0))
+    sim.step(20)
+    sim.remove_joint(sim.joints[4])  # of the second chain
+    sim.step(20)
+    sim.save(tmp_path / "trees.npz")
+    twin = Simulator.restore(tmp_path / "trees.npz")
+    sim.step(40)
+    twin.step(40)
+    assert sim.digest() == twin.digest()
+    assert sim._engine.world.joints.counts[TREE_BLOCKS] == 2
