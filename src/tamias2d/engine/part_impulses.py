@@ -13,7 +13,6 @@ from tamias2d.engine.tables import (
     NX,
     NY,
     POINT,
-    POINT_COUNT,
     PUSH,
     PX,
     PY,
@@ -47,15 +46,12 @@ def add_up_impulses(count: int, contacts: Contacts) -> None:
     for p in range(count):
         manifold = contacts.manifolds[p]
         if contacts.flags[p, TOUCHES] & IS_TOUCHING:
-            first, second = manifold[TOTAL_IMPULSE], manifold[TOTAL_IMPULSE + POINT]
-            if contacts.flags[p, POINT_COUNT] > 0:
-                first, second = (first + second) * manifold[NX], (first + second) * manifold[NY]
-            manifold[PUSH] += first
-            manifold[PUSH + 1] += second
+            manifold[PUSH] += manifold[TOTAL_IMPULSE]
+            manifold[PUSH + 1] += manifold[TOTAL_IMPULSE + POINT]
             manifold[TOTAL_IMPULSE] = manifold[TOTAL_IMPULSE + POINT] = 0.0
 
 
-def take_impulses_back(first: bool, count: int, contacts: Contacts) -> None:
+def forget_impulses_of_part(first: bool, count: int, contacts: Contacts) -> None:
     """Let contacts not have touched in a part that is taken again, the first one of a step or not.
 
     In it a sensor is found again, if it was not met in an earlier one.
@@ -72,14 +68,15 @@ def take_impulses_back(first: bool, count: int, contacts: Contacts) -> None:
 def store_impulse_of_part(
     n: int, total: float, pose: Array, manifold: Array, flags: Integers
 ) -> None:
-    """Store the impulse of a point over a part of a step, N s: the next part may part the bodies.
+    """Add the impulse of a point over a part of a step, N s: the next part may part the bodies.
 
     Where a pair was pushed is told of its last push.
     """
     to = POINT * n
     if flags[TOUCHES] & IS_TOUCHING == 0:
         forget_impulses_of(manifold)
-    manifold[TOTAL_IMPULSE + to] = total
+    manifold[TOTAL_IMPULSE] += total * manifold[NX]
+    manifold[TOTAL_IMPULSE + POINT] += total * manifold[NY]
     if total > 0.0:
         flags[TOUCHES] |= IS_TOUCHING
         manifold[IMPACT_NORMAL], manifold[IMPACT_NORMAL + 1] = manifold[NX], manifold[NY]

@@ -16,7 +16,7 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
 )
 from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.part_impulses import add_up_impulses, forget_impulses, take_impulses_back
+from tamias2d.engine.part_impulses import add_up_impulses, forget_impulses, forget_impulses_of_part
 from tamias2d.engine.tables import (
     AT_START,
     CONTACTS,
@@ -121,7 +121,7 @@ def retake_part(world: World, contacts: Contacts) -> None:
         for n in range(3):
             bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
             bodies.motion[i, DX + n] = 0.0
-    take_impulses_back(counts[TICK] == 0, broad_phase.counts[CONTACTS], contacts)
+    forget_impulses_of_part(counts[TICK] == 0, broad_phase.counts[CONTACTS], contacts)
     broad_phase.counts[NEXT_LEVEL] = counts[LEAST_LEVEL] = counts[LEVEL] + 1
     counts[RETAKEN], counts[STAGE] = 1, AT_START
 

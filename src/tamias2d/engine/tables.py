@@ -366,7 +366,7 @@ GAP = _manifolds()  # m
 NORMAL_IMPULSE = _manifolds()  # N s, of the last substep
 TANGENT_IMPULSE = _manifolds()  # N s
 PRELOAD = _manifolds()  # m
-TOTAL_IMPULSE = _manifolds()  # N s, along the normal in the last step
+TOTAL_IMPULSE = _manifolds()  # N s, along the normal in the last step; see `part_impulses`
 WORLD_POINT = _manifolds(2)  # m, where it was
 AXIS_CACHE = _manifolds(4)  # cached separating axis
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
@@ -603,6 +603,7 @@ DAMPED_SHARE = _energy()  # of the motion that differs from REFERENCE; 1 where n
 IS_HELD = _energy()  # 1 if the island touches something that does not move freely, or cannot turn
 GIVEN = _energy()  # kg m^2/s, what contacts have given an island that nothing holds
 ENERGY_PUSHED = _energy()  # J, of its bodies that contacts have pushed
+IS_PUSHED = _energy()  # 1 if contacts of a body tell an impulse, or a joint holds it
 KEPT_WAY = _energy()  # share of its way in this step that an island with joints keeps
 
 _islands = Columns()

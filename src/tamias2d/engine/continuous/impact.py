@@ -217,6 +217,7 @@ def record_impact(
     i: int,
     now: float,
     sense: float,
+    in_parts: bool,
     bodies: Bodies,
     manifold: Array,
     recorded: Array,
@@ -230,10 +231,11 @@ def record_impact(
     if not met:
         flags[TOUCHES] |= IS_TOUCHING
         forget_impulses_of(recorded)
-    if flags[POINT_COUNT] > 0:
+    if flags[POINT_COUNT] == 0:
+        flags[TOUCHES] |= MET_IN_FLIGHT
+    elif not in_parts:
         recorded[TOTAL_IMPULSE] += impulse
         return
-    flags[TOUCHES] |= MET_IN_FLIGHT
     recorded[TOTAL_IMPULSE] += sense * impulse * manifold[NX]
     recorded[TOTAL_IMPULSE + POINT] += sense * impulse * manifold[NY]
     if not met:

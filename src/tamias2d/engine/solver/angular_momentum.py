@@ -28,6 +28,7 @@ from tamias2d.engine.tables import (
     GIVEN,
     INVERSE_INERTIA,
     IS_HELD,
+    IS_PUSHED,
     ISLAND_MASS,
     MOMENT_AHEAD,
     MOMENT_OF_INERTIA,
@@ -187,7 +188,8 @@ def keep_angular_momentum(
 
 def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     """Return whether contacts have pushed a body, of an island that nothing holds."""
-    free = islands.energy[i, IS_HELD] == 0.0
+    row = islands.energy[i]
+    free = (row[IS_HELD] == 0.0) & (row[IS_PUSHED] == 1.0)
     return bool((bodies.kind[i] == DYNAMIC) & (bodies.moved[i] == MOVED) & free)
 
 
