@@ -28,7 +28,6 @@ from tamias2d.engine.tables import (
     GIVEN,
     INVERSE_INERTIA,
     IS_HELD,
-    IS_PUSHED,
     ISLAND_MASS,
     MOMENT_AHEAD,
     MOMENT_OF_INERTIA,
@@ -188,8 +187,7 @@ def keep_angular_momentum(
 
 def is_pushed_and_free(i: int, bodies: Bodies, islands: Islands) -> bool:
     """Return whether contacts have pushed a body, of an island that nothing holds."""
-    row = islands.energy[i]
-    free = (row[IS_HELD] == 0.0) & (row[IS_PUSHED] == 1.0)
+    free = islands.energy[i, IS_HELD] == 0.0
     return bool((bodies.kind[i] == DYNAMIC) & (bodies.moved[i] == MOVED) & free)
 
 

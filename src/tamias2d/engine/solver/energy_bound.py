@@ -14,7 +14,6 @@ from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
 from tamias2d.engine.solver.island_damping import (
     choose_islands_to_damp,
     damp_islands,
-    mark_pushed,
     sum_island_motions,
 )
 from tamias2d.engine.solver.support import (
@@ -115,10 +114,8 @@ def bound_energy(
         keep_shares(bodies, touching, constraints, islands)
         keep_impulse_shares(bodies, constraints, islands)
     if constraints.counts[FREE_ISLANDS] > 0:
-        mark_pushed(bodies, touching, constraints, islands)
         keep_angular_momentum(bodies, touching, constraints, islands)
     if choose_islands_to_damp(bodies, touching, constraints, islands):
-        mark_pushed(bodies, touching, constraints, islands)
         sum_island_motions(bodies, touching, constraints, islands)
         damp_islands(bodies, touching, constraints, islands)
 

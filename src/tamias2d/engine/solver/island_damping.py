@@ -1,7 +1,7 @@
 """Damping: islands with too much energy come nearer to moving as one (DD37).
 
-What was pushed in a free island comes nearer to its rigid motion, with its momentum and angular
-momentum, an island with a support to the motion of that. Cost: some visits to each body.
+A free island comes nearer to its rigid motion, with its momentum and angular momentum, an island
+with a support to the motion of that. Cost: some visits to each body.
 """
 
 from tamias2d.engine.solver.energy import GRACE, mass_and_inertia
@@ -9,30 +9,20 @@ from tamias2d.engine.solver.support import FREE, SUPPORTED_BY_MORE, is_root, ref
 from tamias2d.engine.tables import (
     ACTIVE,
     ANGULAR_MOMENTUM,
-    BLOCKS,
-    BODY_A,
-    BODY_B,
     DAMPED_SHARE,
     DX,
     DY,
     DYNAMIC,
     ENERGY_BOUND,
     ENERGY_KEPT,
-    FILLED,
-    IS_PUSHED,
     ISLAND_MASS,
-    JOINED,
     MOMENT_OF_INERTIA,
     MOMENT_X,
     MOMENT_Y,
     MOMENTUM_X,
     MOMENTUM_Y,
-    P_TOTAL_IMPULSE,
-    POINT_SIZE,
-    POINTS,
     REFERENCE,
     ROOT,
-    SHARED,
     SPIN,
     SUPPORT,
     VX,
@@ -81,25 +71,6 @@ def choose_islands_to_damp(
     return some
 
 
-def mark_pushed(
-    bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
-) -> None:
-    """Mark the bodies that contacts or joints have pushed: others keep their velocities (P14)."""
-    for k in range(constraints.counts[ACTIVE]):
-        i = touching.active[k]
-        islands.energy[i, IS_PUSHED] = bodies.properties[i, JOINED]
-    lanes = constraints.lanes
-    for b in range(constraints.counts[BLOCKS]):
-        row = constraints.blocks[b]
-        for m in range(lanes[b, FILLED]):
-            total = 0.0
-            for n in range(lanes[b, POINTS]):
-                total += row[SHARED + n * POINT_SIZE + P_TOTAL_IMPULSE + m]
-            if total > 0.0:
-                islands.energy[lanes[b, BODY_A + m], IS_PUSHED] = 1.0
-                islands.energy[lanes[b, BODY_B + m], IS_PUSHED] = 1.0
-
-
 def sum_island_motions(
     bodies: Bodies, touching: Touching, constraints: Constraints, islands: Islands
 ) -> None:
@@ -113,10 +84,7 @@ def sum_island_motions(
         i = touching.active[k]
         row = islands.energy[islands.links[i, ROOT]]
         if bodies.kind[i] == DYNAMIC and row[DAMPED_SHARE] != 1.0 and row[SUPPORT] == FREE:
-            if islands.energy[i, IS_PUSHED] == 1.0:
-                sum_body_motion(i, islands.links[i, ROOT], bodies, row)
-            else:
-                leave_out(i, bodies, row)
+            sum_body_motion(i, islands.links[i, ROOT], bodies, row)
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
         if is_root(i, bodies, islands) and islands.energy[i, DAMPED_SHARE] != 1.0:
@@ -129,16 +97,6 @@ def sum_body_motion(i: int, root: int, bodies: Bodies, row: Array) -> None:
     now, place = bodies.motion[i], place_from(root, i, bodies)
     velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
     add_to_island(mass, inertia, place, velocity, now[SPIN], row)
-
-
-def leave_out(i: int, bodies: Bodies, row: Array) -> None:
-    """Take the energy of a body that nothing has pushed from that of its island, J."""
-    mass, inertia = mass_and_inertia(i, bodies.properties)
-    now = bodies.motion[i]
-    velocity = velocity_seen((now[VX], now[VY]), (row[REFERENCE], row[REFERENCE + 1]))
-    energy = kinetic_energy(mass, velocity, inertia, now[SPIN])
-    row[ENERGY_KEPT] -= energy
-    row[ENERGY_BOUND] -= energy
 
 
 def add_to_island(
@@ -161,11 +119,9 @@ def add_to_island(
 
 def find_rigid_motion(row: Array) -> None:
     """Make the rigid motion of an island its reference; write the factor of all other motion."""
-    least, mass = 0.0, row[ISLAND_MASS]
-    if row[SUPPORT] == FREE and mass == 0.0:
-        row[DAMPED_SHARE] = 1.0
-        return
+    least = 0.0
     if row[SUPPORT] == FREE:
+        mass = row[ISLAND_MASS]
         place = position_island((row[MOMENT_X], row[MOMENT_Y]), mass)
         velocity = velocity_island((row[MOMENTUM_X], row[MOMENTUM_Y]), mass)
         inertia = inertia_island(row[MOMENT_OF_INERTIA], mass, place)
@@ -189,10 +145,8 @@ def damp_islands(
     for k in range(constraints.counts[ACTIVE]):
         i = touching.active[k]
         if bodies.kind[i] == DYNAMIC:
-            row = islands.energy[islands.links[i, ROOT]]
-            pushed = row[SUPPORT] != FREE or islands.energy[i, IS_PUSHED] == 1.0
-            factor = row[DAMPED_SHARE]
-            if factor < 1.0 and pushed:
+            factor = islands.energy[islands.links[i, ROOT], DAMPED_SHARE]
+            if factor < 1.0:
                 velocity, spin = motion_as_one(i, bodies, islands)
                 now = bodies.motion[i]
                 now[VX], now[VY] = velocity_damped((now[VX], now[VY]), velocity, factor)
