@@ -43,8 +43,8 @@ def bullets(lines: Iterable[str]) -> str:
     return "\n".join(f"* {line}" for line in lines) + "\n"
 
 
-def as_markdown(text: str) -> str:
-    """Plain text in which nothing but `code` and *emphasis* is markup."""
-    halves = text.split("`")
-    halves[::2] = [re.sub(r"([_$<>{}\[\]|#])", r"\\\1", half) for half in halves[::2]]
+def as_markdown(text: str, *, in_code: bool = False) -> str:
+    """Plain text in which nothing but `code`, in which it may begin, and *emphasis* is markup."""
+    halves, first = text.split("`"), int(in_code)
+    halves[first::2] = [re.sub(r"([_$<>{}\[\]|#])", r"\\\1", half) for half in halves[first::2]]
     return "`".join(halves)
