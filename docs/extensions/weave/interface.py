@@ -99,7 +99,7 @@ def _arguments(args: ast.arguments) -> Iterator[str]:
 def described(node: Named | ast.Module) -> str:
     """A docstring as Markdown; the lines of a section such as `Raises:` become a list."""
     lines = (ast.get_docstring(node) or "").splitlines()
-    marks = accumulate((line.count("`") for line in lines), initial=0)
+    marks = accumulate((len(re.findall("`+", line)) for line in lines), initial=0)
     return "\n".join(_line(line, in_code=n % 2 == 1) for line, n in zip(lines, marks, strict=False))
 
 
