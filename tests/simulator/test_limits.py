@@ -63,6 +63,21 @@ def test_values_are_refused_before_a_step(view: str, value: float, says: str) ->
     assert (sim.position == before).all()
 
 
+def test_a_batch_ends_where_steps_one_by_one_would() -> None:
+    """A body that flies out of reach is refused by the step after, in a batch, too."""
+    batch, single = ground(), ground()
+    for sim in (batch, single):
+        sim.position[1] = 0.0, 0.5
+        sim.velocity[1] = 0.0, 0.0
+        fast = {"position": (3, 3), "velocity": (1e19, 0.0), "restitution": 0.0}
+        sim.add(t2.Disc(radius=0.1), mass=1.0, **fast)
+    single.step()
+    for sim in (single, batch):
+        with pytest.raises(t2.InputError, match=r"position\[2\] of body 2: .* must be within 1.1e"):
+            sim.step(20)
+    assert (batch.position == single.position).all()
+
+
 @pytest.mark.parametrize(
     ("view", "value"),
     [("angular_velocity", 1e90), ("torque", 1e90), ("velocity", 1e90), ("force", 1e100)],

@@ -7,7 +7,9 @@ found. The list stands in one of two buffers; a new one is made in the other. Co
 
 from tamias2d.engine.tables import (
     ARRANGED,
+    AXIS_CACHE,
     BUFFER,
+    CACHED_AXIS,
     CONTACTS,
     FIRST_RUN,
     ISLANDS_KNOWN,
@@ -171,7 +173,8 @@ def copy_contact(
 ) -> None:
     """Copy a contact; its manifold only if it has points, touched, will, or knows its side.
 
-    In a step in parts, and after an impact in flight, the columns of a second point tell of it.
+    In a step in parts, and after an impact in flight, the columns of a second point tell of it. Of
+    others the cached axis is kept: to find those of a crowd costs more than all else here.
     """
     for k in range(4):
         following.pairs[new, k] = contacts.pairs[old, k]
@@ -186,6 +189,16 @@ def copy_contact(
     else:
         clear_flags(new, following.flags)
         following.flags[new, SENSES] = contacts.flags[old, SENSES]
+        if contacts.flags[old, CACHED_AXIS] != 0:
+            copy_axis(old, contacts, following, new)
+
+
+def copy_axis(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
+    """Copy the cached axis of a contact."""
+    for k in range(2):
+        following.flags[new, CACHED_AXIS + k] = contacts.flags[old, CACHED_AXIS + k]
+    for k in range(4):
+        following.manifolds[new, AXIS_CACHE + k] = contacts.manifolds[old, AXIS_CACHE + k]
 
 
 def begin_contact(
