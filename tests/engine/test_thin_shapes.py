@@ -37,3 +37,8 @@ def test_a_segment_comes_to_rest_on_a_segment(tilt: float, height: float) -> Non
     sim.step(300)
     assert abs(sim.position[1, 1]) < 1e-2
     assert abs(sim.velocity[1]).max() < 1e-3
+
+
+def test_a_segment_that_falls_flat_on_a_long_free_one_stays_above() -> None:
+    """Where they meet, rounding at an arm of 200 m hides the gap, and with it the side."""
+    assert not stepped(throw(922_401))
