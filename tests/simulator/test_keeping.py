@@ -91,7 +91,7 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     sim, path = lively(5), tmp_path / "game.npz"
     with pytest.raises(t2.RecordingError, match="a simulator is saved as"):
         sim.save(tmp_path / "game.zip")
-    with pytest.raises(t2.RecordingError, match="there is no directory .* Make it first"):
+    with pytest.raises(t2.RecordingError, match=r"there is no directory .* Make it first"):
         sim.save(tmp_path / "nowhere" / "game.npz")
     with pytest.raises(t2.RecordingError, match="no such file"):
         t2.Simulator.restore(path)
