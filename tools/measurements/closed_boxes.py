@@ -9,6 +9,7 @@ import math
 import random
 import warnings
 from argparse import ArgumentParser
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,9 +18,10 @@ from rich.console import Console
 from rich.progress import track
 
 import tamias2d as t2
+from tamias2d.scene import Shape
 from tamias2d.state import Array
 
-WALLS = ("segments", "boards", "half-planes", "loop", "frame")
+WALLS = ("segments", "boards", "half-planes", "loop", "frame", "driven frame")
 ENDS = ("overlap", "just meet")  # at corners; half-planes overlap, and the sides of a loop meet
 BODIES = ("disc", "box", "capsule", "polygon", "segment", "needle")
 SECONDS = 3.0
@@ -39,9 +41,13 @@ class ClosedBox:
     time_step: float  # s
     scene: t2.Scene
 
-    def outside(self, position: Array) -> int:
-        """Return how many bodies are beyond the walls."""
-        farthest = np.abs(position[-len(self.reach) :]).max(axis=1)
+    def outside(self, position: Array, orientation: Array) -> int:
+        """Return how many bodies are beyond the walls, given all poses."""
+        driven = self.walls.startswith("driven")
+        middle, turn = (position[0], orientation[0]) if driven else (np.zeros(2), 0.0)
+        c, s = math.cos(turn), math.sin(turn)
+        away = (position[-len(self.reach) :] - middle) @ np.array([[c, -s], [s, c]])
+        farthest = np.abs(away).max(axis=1)
         return int((farthest > self.half + self.thickness + SOFT * self.reach).sum())
 
 
@@ -115,7 +121,7 @@ def leaks(box: ClosedBox) -> bool | None:
         warnings.simplefilter("ignore", t2.StepWarning)
         for _ in range(math.ceil(SECONDS / box.time_step)):
             sim.step()
-            if box.outside(sim.position):
+            if box.outside(sim.position, sim.orientation):
                 return bool(sim.warnings)
     return None
 
@@ -126,13 +132,16 @@ def closed_box(seed: int, most: int) -> ClosedBox:
     walls, half = chance.choice(WALLS), 10.0 ** chance.uniform(-1.0, 1.5)
     ends = "overlap" if walls == "half-planes" else "just meet" if walls == "loop" else ""
     ends = ends or chance.choice(ENDS)
-    thin = walls in ("segments", "half-planes", "loop")
+    thin = walls not in ("boards", "frame", "driven frame")
     thickness = 0.0 if thin else half * 10.0 ** chance.uniform(-9.0, -1.0)
     surface = _surface(chance)
     gravity = chance.choice((0.0, 9.81))
     scene = t2.Scene(gravity=(0.0, -gravity))
     longer = half * chance.uniform(0.01, 1.0) if ends == "overlap" else 0.0
-    _add_walls(scene, walls, half, thickness, longer, surface)
+    if walls in ("segments", "boards", "half-planes"):
+        _add_walls(scene, walls, half, thickness, longer, surface)
+    else:
+        _add_container(scene, walls, _container(walls, half, thickness, longer), chance, surface)
     side = math.ceil(math.sqrt(chance.choice((1, 3, chance.randint(2, most)))))
     cell = 1.9 * half / side
     count = min(side * side, most)
@@ -175,31 +184,55 @@ def _add_walls(
     surface: dict[str, Any],
 ) -> None:
     """Add walls whose inner sides are so far from the origin, and which are longer by so much."""
-    corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
+    for shape, place, turn in _sides(half, thickness, longer):
+        if walls == "half-planes":
+            inwards = (-place[0] / half, -place[1] / half)
+            scene.add_static(t2.HalfPlane(normal=inwards, offset=-half), **surface)
+        else:
+            scene.add_static(shape, position=place, orientation=turn, **surface)
+
+
+def _add_container(
+    scene: t2.Scene, walls: str, shape: Shape, chance: random.Random, surface: dict[str, Any]
+) -> None:
+    """Add walls that are one body, which stands, or is driven at up to 3 m/s and 3 rad/s."""
+    if walls.startswith("driven"):
+        scene.add_kinematic(
+            shape,
+            position=(0.0, 0.0),
+            velocity=(chance.uniform(-3.0, 3.0), chance.uniform(-3.0, 3.0)),
+            angular_velocity=chance.uniform(-3.0, 3.0),
+            **surface,
+        )
+    else:
+        scene.add_static(shape, position=(0.0, 0.0), **surface)
+
+
+def _container(walls: str, half: float, thickness: float, longer: float) -> Shape:
     if walls == "loop":
-        scene.add_static(t2.Chain(vertices=corners, loop=True), position=(0.0, 0.0), **surface)
-        return
-    middle = half + 0.5 * thickness
-    parts = []
+        corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
+        return t2.Chain(vertices=corners, loop=True)
+    sides = _sides(half, thickness, longer)
+    return t2.Compound(
+        parts=[t2.Part(shape=side, position=at, orientation=turn) for side, at, turn in sides]
+    )
+
+
+def _sides(
+    half: float, thickness: float, longer: float
+) -> Iterator[tuple[t2.Box | t2.Segment, tuple[float, float], float]]:
+    """Yield the four sides of a box: their shapes, places and orientations."""
+    middle, length = half + 0.5 * thickness, 2.0 * (half + thickness + longer)
     for k in range(4):
         turn = k * math.pi / 2
-        out = (round(math.cos(turn)), round(math.sin(turn)))
-        place = (middle * out[0], middle * out[1])
-        length = 2.0 * (half + thickness + longer)
-        shape = t2.Box(width=thickness, height=length) if thickness else t2.Segment(length=length)
-        along = turn if thickness else turn + math.pi / 2
-        if walls == "half-planes":
-            inwards = (float(-out[0]), float(-out[1]))
-            scene.add_static(t2.HalfPlane(normal=inwards, offset=-half), **surface)
-        elif walls == "frame":
-            parts.append(t2.Part(shape=shape, position=place, orientation=along))
+        place = (middle * round(math.cos(turn)), middle * round(math.sin(turn)))
+        if thickness:
+            yield t2.Box(width=thickness, height=length), place, turn
         else:
-            scene.add_static(shape, position=place, orientation=along, **surface)
-    if parts:
-        scene.add_static(t2.Compound(parts=parts), position=(0.0, 0.0), **surface)
+            yield t2.Segment(length=length), place, turn + math.pi / 2
 
 
-def _body(kind: str, radius: float) -> t2.scene.Shape:
+def _body(kind: str, radius: float) -> Shape:
     """Return a shape within a circle of this radius, m."""
     if kind == "box":
         return t2.Box(width=1.2 * radius, height=0.8 * radius)
