@@ -1,8 +1,7 @@
 """Closed boxes of random walls, in which crowds and bullets fly about: does any body get out?
 
 Each box has a seed: its walls, its bodies, their speeds and surfaces are drawn from it. A body is
-out if its centre of mass is ever beyond the outer side of the walls. What weighs too much for a
-step presses small bodies into walls, which is told by a warning.
+out if it is ever wholly beyond the outer side of the walls: contacts yield under a load.
 """
 
 import math
@@ -25,7 +24,6 @@ WALLS = ("segments", "boards", "half-planes", "loop", "frame", "driven frame")
 ENDS = ("overlap", "just meet")  # at corners; half-planes overlap, and the sides of a loop meet
 BODIES = ("disc", "box", "capsule", "polygon", "segment", "needle")
 SECONDS = 3.0
-SOFT = 0.2  # of its radius: how far a body may be pressed in, which is not out
 
 
 @dataclass(frozen=True)
@@ -48,7 +46,7 @@ class ClosedBox:
         c, s = math.cos(turn), math.sin(turn)
         away = (position[-len(self.reach) :] - middle) @ np.array([[c, -s], [s, c]])
         farthest = np.abs(away).max(axis=1)
-        return int((farthest > self.half + self.thickness + SOFT * self.reach).sum())
+        return int((farthest > self.half + self.thickness + self.reach).sum())
 
 
 def options(parser: ArgumentParser) -> None:
