@@ -87,9 +87,10 @@ NETWORKS = st.builds(
 
 @settings(max_examples=60, deadline=None)
 @given(NETWORKS)
+@example(Network(seed=9874, bodies=6, stiffest=1e8, mass_ratio=1.0))
 @example(Network(seed=1, bodies=3, stiffest=1e8, mass_ratio=1.0, damping=1.0, loose=True))
 def test_networks_held_at_centres_conserve_what_they_must(network: Network) -> None:
-    """Momentum and angular momentum to rounding; energy to what the solution leaves, 1e-9.
+    """Momentum and angular momentum to rounding; energy to what the solution leaves.
 
     A network that could not be solved in the shortest parts went through substeps, which is warned
     of, and does not keep its energy.
@@ -100,7 +101,9 @@ def test_networks_held_at_centres_conserve_what_they_must(network: Network) -> N
     heavy = sum(body.mass for body in scene.bodies)
     momentum = math.sqrt(2.0 * heavy * first.energy)
     fastest = math.sqrt(2.0 * first.energy / min(body.mass for body in scene.bodies))
-    far = max(10.0 * network.bodies, fastest * sim.time_step)  # springs of 1e8 N/m throw them so
+    way = fastest * sim.time_step
+    far = max(10.0 * network.bodies, way)  # springs of 1e8 N/m throw them so
+    pulls = len(scene.springs) * math.sqrt(2.0 * network.stiffest * first.energy)
     before = first.energy
     for _ in range(30):
         sim.step()
@@ -112,7 +115,8 @@ def test_networks_held_at_centres_conserve_what_they_must(network: Network) -> N
         assert abs(now.angular_momentum - first.angular_momentum) <= 1e-9 * momentum * far
         if network.damping == 0.0:
             assert now.energy == pytest.approx(first.energy, rel=1e-7)
-        assert now.energy <= before * (1.0 + 1e-8)
+        left = 1e-11 * sim.parts * way * pulls  # N m: each spring pulls along that share of the way
+        assert now.energy <= before * (1.0 + 1e-12) + left
         before = now.energy
 
 
