@@ -4,6 +4,7 @@ A row holds the same node of all trees of a block; the first row is what their r
 get the same bits as trees that are solved by themselves.
 """
 
+from tamias2d.engine.joints.hinge_tree import gone_through
 from tamias2d.engine.rotation import cosine_sine
 from tamias2d.engine.tables import (
     SUBSTEP_START,
@@ -82,7 +83,6 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
-    angular_momentum_hinged,
     angular_momentum_passed,
     angular_velocity_hinged,
     arm_met,
@@ -97,7 +97,6 @@ from tamias2d.generated.hinge_tree import (
     hung_inertia,
     hung_mass,
     hung_moment,
-    momentum_hinged,
     momentum_hung,
     momentum_passed,
     root_change,
@@ -108,8 +107,9 @@ from tamias2d.generated.hinge_tree import (
 )
 from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.generated.soft_contact import shift_later, turn_later
+from tamias2d.kernels.assembled import inlined
 from tamias2d.kernels.lanes import LANES, load_part, load_rows, store_half
-from tamias2d.state import Array
+from tamias2d.state import Array, Vector
 
 
 def load_node(slots: Integers, bodies: Bodies, row: Array) -> None:
@@ -145,27 +145,32 @@ def keep_given_lanes(chosen: int, lanes: Array, row: Array) -> None:
         given = (row[T_GIVEN_X + m], row[T_GIVEN_Y + m])
         arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
         far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
-        pull_x, pull_y = momentum_hinged((row[T_PULL_X + m], row[T_PULL_Y + m]), given)
-        turn = angular_momentum_hinged(row[T_TURN + m], arm, given)
-        far_turn = angular_momentum_hinged(row[T_FAR_TURN + m], far, (-given[0], -given[1]))
-        row[T_PULL_X + m] = pull_x if kept else row[T_PULL_X + m]
-        row[T_PULL_Y + m] = pull_y if kept else row[T_PULL_Y + m]
+        pull, turn = (row[T_PULL_X + m], row[T_PULL_Y + m]), row[T_TURN + m]
+        pull, turn, far_turn = gone_through(pull, turn, row[T_FAR_TURN + m], given, arm, far)
+        row[T_PULL_X + m] = pull[0] if kept else row[T_PULL_X + m]
+        row[T_PULL_Y + m] = pull[1] if kept else row[T_PULL_Y + m]
         row[T_TURN + m] = turn if kept else row[T_TURN + m]
         row[T_FAR_TURN + m] = far_turn if kept else row[T_FAR_TURN + m]
         row[T_GIVEN_X + m] = 0.0 if kept else given[0]
         row[T_GIVEN_Y + m] = 0.0 if kept else given[1]
 
 
+@inlined
+def arms_of_lane(m: int, row: Array, above: Array) -> tuple[Vector, Vector, Vector]:
+    """Return the arms of a hinge in a lane, where bodies are placed, and how far it is apart, m."""
+    anchor = (row[T_ANCHOR_X + m], row[T_ANCHOR_Y + m])
+    far_anchor = (row[T_FAR_ANCHOR_X + m], row[T_FAR_ANCHOR_Y + m])
+    arm = hinge_arm(anchor, row[T_COSINE + m], row[T_SINE + m])
+    far = hinge_arm(far_anchor, above[T_COSINE + m], above[T_SINE + m])
+    here, there = (row[T_X + m], row[T_Y + m]), (above[T_X + m], above[T_Y + m])
+    return arm, far, hinge_gap(here, arm, there, far)
+
+
 def turn_lanes(chosen: int, lanes: Array, row: Array, above: Array) -> None:
     """Write the hinges of a row where bodies are placed, in lanes whose number is not 0."""
     for m in range(LANES):
         turns = lanes[chosen + m] > 0.0
-        anchor = (row[T_ANCHOR_X + m], row[T_ANCHOR_Y + m])
-        far_anchor = (row[T_FAR_ANCHOR_X + m], row[T_FAR_ANCHOR_Y + m])
-        arm = hinge_arm(anchor, row[T_COSINE + m], row[T_SINE + m])
-        far = hinge_arm(far_anchor, above[T_COSINE + m], above[T_SINE + m])
-        here, there = (row[T_X + m], row[T_Y + m]), (above[T_X + m], above[T_Y + m])
-        gap = hinge_gap(here, arm, there, far)
+        arm, far, gap = arms_of_lane(m, row, above)
         met = arm_met(far, gap)
         row[T_ARM_X + m] = arm[0] if turns else row[T_ARM_X + m]
         row[T_ARM_Y + m] = arm[1] if turns else row[T_ARM_Y + m]
@@ -202,13 +207,8 @@ def hang_lanes(row: Array, above: Array) -> None:
     for m in range(LANES):
         mass_x = (row[T_NODE_XX + m], row[T_NODE_XY + m])
         mass_y = (row[T_NODE_XY + m], row[T_NODE_YY + m])
-        moment, arm = (
-            (row[T_NODE_MOMENT_X + m], row[T_NODE_MOMENT_Y + m]),
-            (
-                row[T_ARM_X + m],
-                row[T_ARM_Y + m],
-            ),
-        )
+        moment = (row[T_NODE_MOMENT_X + m], row[T_NODE_MOMENT_Y + m])
+        arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
         turned = hinge_moment(mass_x, mass_y, moment, arm)
         inertia = hinge_inertia(moment, row[T_NODE_INERTIA + m], turned, arm)
         yielding = turning_yield(inertia, 0.0)
@@ -232,12 +232,7 @@ def hang_lanes(row: Array, above: Array) -> None:
 def gap_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Array) -> None:
     """Write the rates that the hinges of a row have too much to get to their aims."""
     for m in range(LANES):
-        anchor = (row[T_ANCHOR_X + m], row[T_ANCHOR_Y + m])
-        far_anchor = (row[T_FAR_ANCHOR_X + m], row[T_FAR_ANCHOR_Y + m])
-        arm = hinge_arm(anchor, row[T_COSINE + m], row[T_SINE + m])
-        far = hinge_arm(far_anchor, above[T_COSINE + m], above[T_SINE + m])
-        here, there = (row[T_X + m], row[T_Y + m]), (above[T_X + m], above[T_Y + m])
-        gap = hinge_gap(here, arm, there, far)
+        _, _, gap = arms_of_lane(m, row, above)
         error_x = row_error(gap[0], row[T_AIM_X + m], substep)
         error_y = row_error(gap[1], row[T_AIM_Y + m], substep)
         row[T_ERROR_X + m], row[T_ERROR_Y + m] = error_x, error_y
@@ -247,13 +242,8 @@ def gap_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Array) 
 def rates_of_lanes(row: Array, above: Array) -> None:
     """Write the rates at which the hinges of a row part."""
     for m in range(LANES):
-        arm, far = (
-            (row[T_ARM_X + m], row[T_ARM_Y + m]),
-            (
-                row[T_FAR_ARM_X + m],
-                row[T_FAR_ARM_Y + m],
-            ),
-        )
+        arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
+        far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
         here = point_velocity((row[T_VX + m], row[T_VY + m]), row[T_SPIN + m], arm)
         there = point_velocity((above[T_VX + m], above[T_VY + m]), above[T_SPIN + m], far)
         row[T_ERROR_X + m], row[T_ERROR_Y + m] = here[0] - there[0], here[1] - there[1]
@@ -312,10 +302,7 @@ def let_lanes_go(row: Array) -> None:
 def pass_lanes_down(lanes: Array, row: Array, above: Array) -> None:
     """Find how the velocities of a row's bodies change, and the impulses through their hinges."""
     for m in range(LANES):
-        by, spin_above = (
-            (above[T_CHANGE_X + m], above[T_CHANGE_Y + m]),
-            above[T_CHANGE_SPIN + m],
-        )
+        by, spin_above = (above[T_CHANGE_X + m], above[T_CHANGE_Y + m]), above[T_CHANGE_SPIN + m]
         far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
         error = (row[T_ERROR_X + m], row[T_ERROR_Y + m])
         at_hinge = hinge_change(by, spin_above, far, error)
