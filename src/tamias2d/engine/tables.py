@@ -835,6 +835,7 @@ JOINED_BODY = _joined()  # row of the body
 JOINED_SLOT = _joined()  # its slot in this step
 JOINED_ABOVE = _joined()  # member on which it hangs in a tree of hinges; 0 for the plane
 JOINED_HINGE = _joined()  # the joint by which it hangs, or -1
+JOINED_SPRING = _joined()  # the spring of the angle of that, of a tree in a block, or -1
 
 _places = Columns()  # of a member, as generated code takes it
 PLACE_X = _places()  # m
@@ -875,9 +876,10 @@ H_TURN = _hinges()  # N m s, likewise, about the body
 H_FAR_TURN = _hinges()  # N m s, likewise, about the body above
 H_APART = _hinges(2)  # m, by how much the hinge was apart at most in this part
 
-_tree_blocks = Columns()  # of equal trees that hinges alone make
+_tree_blocks = Columns()  # of equal trees of hinges
 T_FIRST = _tree_blocks()  # row of what their roots hang on; those of nodes follow
 T_TIED = _tree_blocks()  # 1 if that is something
+T_SPRUNG = _tree_blocks()  # 1 if springs govern the angles of hinges
 T_MECHANISM = _tree_blocks(LANES)  # the tree of each lane, or -1
 
 _block_lanes = Columns(LANES)  # of a block
@@ -912,8 +914,19 @@ T_START_X = _tree_lanes()  # velocity as the substep began
 T_START_Y = _tree_lanes()
 T_START_SPIN = _tree_lanes()
 _tree_lanes(5 * LANES)  # unused: `load_part` writes eight
+T_JOINT_ANGLE = _tree_lanes()  # rad, at which a spring is at rest
+T_STIFFNESS = _tree_lanes()  # N m/rad, of the spring; 0 if there is none
+T_DAMPING = _tree_lanes()  # N m s
+T_LAW_SIDE = _tree_lanes()  # 1 if the body is B of the spring, -1 if it is A, 0 if there is none
+T_TURNING = _tree_lanes()  # turning slope of the spring at the body
+T_FAR_TURNING = _tree_lanes()  # the same at the body above
+T_FIRMNESS = _tree_lanes()  # kg m^2, of the spring
+T_LAW_ERROR = _tree_lanes()  # rad/s, that it has not answered yet
+T_LAW_IMPULSE = _tree_lanes()  # N m s, of the spring by the last solution
+T_LAW_GIVEN = _tree_lanes()  # N m s, of the spring over this substep
 T_X = _tree_lanes()  # where the body is placed
 T_Y = _tree_lanes()
+T_ANGLE = _tree_lanes()
 T_COSINE = _tree_lanes()
 T_SINE = _tree_lanes()
 T_ARM_X = _tree_lanes()
@@ -940,6 +953,9 @@ T_HUNG_YY = _tree_lanes()
 T_LEVER_X = _tree_lanes()
 T_LEVER_Y = _tree_lanes()
 T_YIELD = _tree_lanes()
+T_FIRM = _tree_lanes()
+T_SHARE = _tree_lanes()
+T_LAW = _tree_lanes()
 T_OWED_X = _tree_lanes()
 T_OWED_Y = _tree_lanes()
 T_OWED_TURN = _tree_lanes()
@@ -959,6 +975,7 @@ T_TURN = _tree_lanes()
 T_FAR_TURN = _tree_lanes()
 T_APART_X = _tree_lanes()
 T_APART_Y = _tree_lanes()
+T_LAW_PULL = _tree_lanes()  # N m s, of the spring
 
 _links = Columns(2)  # of a hinge in a net
 L_ARM_A = _links()  # m

@@ -241,7 +241,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     if not again:
         aim_blocks(length, joints)
     least = IN_CONTACT if again else FREE_OF_CONTACTS
-    bring_blocks_to_aims(least, IN_CONTACT, substep, bodies, joints)
+    bring_blocks_to_aims(least, again, substep, bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
         status = joints.mechanisms[n, M_STATUS]
         if joints.mechanisms[n, M_IN_BLOCK] == 1:

@@ -11,6 +11,16 @@ from tamias2d.engine.joints.solve import (
     SLOWLY,
     SOLVED_RATE,
 )
+from tamias2d.engine.joints.spring_lanes import (
+    add_turns,
+    begin_springs_of_lanes,
+    firm_lanes,
+    owe_springs,
+    pass_turns,
+    spring_errors_of_lanes,
+    spring_impulses_of_lanes,
+    turn_own_lanes,
+)
 from tamias2d.engine.joints.tree_lanes import (
     add_passed,
     aim_lanes,
@@ -45,9 +55,16 @@ from tamias2d.engine.tables import (
     H_TURN,
     HELD_INVERSE_INERTIA,
     I_NODE,
+    IN_CONTACT,
     INVERSE_MASS,
+    J_MEMBER,
+    J_PULL,
+    J_TOTAL,
     JOINED_ABOVE,
     JOINED_SLOT,
+    JOINED_SPRING,
+    LAW_DAMPING,
+    LAW_STIFFNESS,
     M_STATUS,
     NODE_INERTIA,
     NODE_MASS,
@@ -57,14 +74,19 @@ from tamias2d.engine.tables import (
     T_APART_Y,
     T_BACK,
     T_BEFORE,
+    T_DAMPING,
     T_EACH,
     T_FAR_TURN,
+    T_FAR_TURNING,
     T_FIRST,
     T_GIVEN_X,
     T_HELD_INVERSE_INERTIA,
     T_INERTIA,
     T_INVERSE_MASS,
+    T_JOINT_ANGLE,
     T_LARGEST,
+    T_LAW_PULL,
+    T_LAW_SIDE,
     T_MASS,
     T_MECHANISM,
     T_OWED_X,
@@ -75,9 +97,12 @@ from tamias2d.engine.tables import (
     T_PULL_Y,
     T_SIZE,
     T_SIZE_FIRST,
+    T_SPRUNG,
     T_START_X,
+    T_STIFFNESS,
     T_TIED,
     T_TURN,
+    T_TURNING,
     T_VX,
     TREE_BLOCKS,
     Bodies,
@@ -85,6 +110,7 @@ from tamias2d.engine.tables import (
     X,
     Y,
 )
+from tamias2d.generated.joint_step import angular_momentum_later
 from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array
 
@@ -99,6 +125,10 @@ def begin_blocks(bodies: Bodies, joints: Joints) -> None:
             awake = n >= 0 and joints.mechanisms[n, M_STATUS] != ASLEEP
             for r in range(first, last):
                 begin_lane(m, r, awake, n, r - first, bodies, joints)
+                if awake and r > first + 1:
+                    begin_spring(
+                        m, joints.sparse[n, I_NODE] + r - first, joints.tree_lanes[r], joints
+                    )
         write_block(b, bodies, joints)
 
 
@@ -124,8 +154,19 @@ def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, join
     pose = bodies.pose[i]
     row[T_POSE_X + m], row[T_POSE_Y + m] = pose[X], pose[Y]
     row[T_POSE_ANGLE + m] = pose[ANGLE]
-    for c in range(T_GIVEN_X, T_APART_Y + LANES, LANES):
+    row[T_STIFFNESS + m] = row[T_DAMPING + m] = row[T_LAW_SIDE + m] = 0.0
+    for c in range(T_GIVEN_X, T_LAW_PULL + LANES, LANES):
         row[c + m] = 0.0
+
+
+def begin_spring(m: int, member: int, row: Array, joints: Joints) -> None:
+    """Note the spring of the hinge on which a member hangs, in a lane of its row."""
+    j = joints.members[member, JOINED_SPRING]
+    if j >= 0:
+        row[T_JOINT_ANGLE + m] = joints.given[j, 0]
+        row[T_STIFFNESS + m] = joints.laws[j, LAW_STIFFNESS]
+        row[T_DAMPING + m] = joints.laws[j, LAW_DAMPING]
+        row[T_LAW_SIDE + m] = 1.0 if joints.joints[j, J_MEMBER + 1] == member else -1.0
 
 
 def write_blocks(bodies: Bodies, joints: Joints) -> None:
@@ -135,10 +176,15 @@ def write_blocks(bodies: Bodies, joints: Joints) -> None:
 
 
 def write_block(b: int, bodies: Bodies, joints: Joints) -> None:
-    """Write the hinges of a block where its bodies are, and what hangs on them."""
+    """Write the hinges of a block where its bodies are, and what hangs on them.
+
+    That is found later for a sprung one, where a substep is known.
+    """
     place_block(b, 0.0, bodies, joints)
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
     turn_block(b, T_EACH, joints)
+    if joints.tree_blocks[b, T_SPRUNG] == 0:
+        hang_block(b, 0.0, joints)
     for r in range(first + 1, last):
         note_apart_lanes(joints.tree_lanes[r])
 
@@ -152,30 +198,53 @@ def place_block(b: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
 
 
 def turn_block(b: int, chosen: int, joints: Joints) -> None:
-    """Write the hinges of a block where its bodies are placed, in some lanes, and what hangs."""
+    """Write the hinges of a block where its bodies are placed, in some lanes."""
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
     lanes = joints.tree_lanes
     for r in range(first + 1, last):
         keep_given_lanes(chosen, joints.block_lanes[b], lanes[r])
         turn_lanes(chosen, joints.block_lanes[b], lanes[r], lanes[joints.tree_above[r]])
+
+
+def hang_block(b: int, substep: float, joints: Joints) -> None:
+    """Find what hangs on the hinges of a block; springs count through a substep, s, as there."""
+    first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+    lanes = joints.tree_lanes
     for r in range(first, last):
         begin_lanes(lanes[r])
+    for r in range(first_sprung(b, joints), last):
+        firm_lanes(substep, lanes[r], lanes[joints.tree_above[r]])
     for r in range(last - 1, first, -1):
         hang_lanes(lanes[r], lanes[joints.tree_above[r]])
+
+
+def first_sprung(b: int, joints: Joints) -> int:
+    """Return the first row of a block whose hinges may have springs; where there are none, its end.
+
+    All after it may, too.
+    """
+    if joints.tree_blocks[b, T_SPRUNG] == 1:
+        return int(joints.tree_blocks[b, T_FIRST] + 2)
+    return int(joints.tree_blocks[b + 1, T_FIRST])
 
 
 def aim_blocks(length: float, joints: Joints) -> None:
     """Note to which gaps a substep brings the hinges of blocks, as `aim_tree` does."""
     for r in range(joints.tree_blocks[joints.counts[TREE_BLOCKS], T_FIRST]):
         aim_lanes(REMOVED_BY_JOINTS * length, joints.tree_lanes[r])
+    for b in range(joints.counts[TREE_BLOCKS]):
+        for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+            begin_springs_of_lanes(joints.tree_lanes[r])
 
 
 def bring_blocks_to_aims(
-    least: int, most: int, substep: float, bodies: Bodies, joints: Joints
+    least: int, again: bool, substep: float, bodies: Bodies, joints: Joints
 ) -> None:
-    """Bring trees of some statuses to the aims of their hinges, as `bring_tree_to_aims` does."""
+    """Bring trees of at least a status to what hinges aim at, as `keep_tree_positions` does."""
     for b in range(joints.counts[TREE_BLOCKS]):
-        if has_status(b, least, most, joints):
+        if has_status(b, least, IN_CONTACT, joints):
+            if joints.tree_blocks[b, T_SPRUNG] == 1 and not again:
+                hang_block(b, substep, joints)
             bring_block_to_aims(b, substep, bodies, joints)
 
 
@@ -189,6 +258,7 @@ def bring_block_to_aims(b: int, substep: float, bodies: Bodies, joints: Joints) 
             push_block(b, T_BACK, -1.0, bodies, joints)
         if some_lanes(T_AGAIN, lanes):
             turn_block(b, T_AGAIN, joints)
+            hang_block(b, substep, joints)
         if not some_lanes(T_ACTIVE, lanes):
             return
         solve_block(b, bodies, joints)
@@ -236,6 +306,8 @@ def find_errors_of_block(b: int, substep: float, bodies: Bodies, joints: Joints)
     all_lanes(T_SIZE, 0.0, lanes)
     for r in range(first_hinge(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
         gap_errors_of_lanes(substep, lanes, rows[r], rows[joints.tree_above[r]])
+    for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+        spring_errors_of_lanes(substep, lanes, rows[r], rows[joints.tree_above[r]])
 
 
 def first_hinge(b: int, joints: Joints) -> int:
@@ -248,6 +320,8 @@ def fit_blocks(least: int, most: int, bodies: Bodies, joints: Joints) -> None:
     for b in range(joints.counts[TREE_BLOCKS]):
         if has_status(b, least, most, joints):
             first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+            if joints.tree_blocks[b, T_SPRUNG] == 1:
+                hang_block(b, 0.0, joints)
             for r in range(first, last):
                 load_node(joints.tree_slots[r], bodies, joints.tree_lanes[r])
             for r in range(first_hinge(b, joints), last):
@@ -261,6 +335,8 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
     rows, lanes, hinge = joints.tree_lanes, joints.block_lanes[b], first_hinge(b, joints)
     for r in range(first, last):
         owe_nothing(rows[r])
+    for r in range(first_sprung(b, joints), last):
+        owe_springs(rows[r])
     for r in range(last - 1, first + 1, -1):
         owe_lanes(rows[r])
         pass_lanes(rows[r])
@@ -271,6 +347,8 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
     all_lanes(T_LARGEST, 0.0, lanes)
     for r in range(first + 1, last):
         pass_lanes_down(lanes, rows[r], rows[joints.tree_above[r]])
+    for r in range(first_sprung(b, joints), last):
+        spring_impulses_of_lanes(rows[r], rows[joints.tree_above[r]])
     push_block(b, T_ACTIVE, 1.0, bodies, joints)
 
 
@@ -285,6 +363,11 @@ def push_block(b: int, chosen: int, sign: float, bodies: Bodies, joints: Joints)
             pass_impulses(chosen, sign, lanes, rows[r], above)
             add_passed(T_VX, rows[r], above)
             add_passed(T_START_X, rows[r], above)
+    for r in range(first_sprung(b, joints), last):
+        above = rows[joints.tree_above[r]]
+        turn_own_lanes(chosen, sign, lanes, rows[r])
+        pass_turns(chosen, sign, lanes, rows[r], above)
+        add_turns(rows[r], above)
     for r in range(first + 1, last):
         store_node(joints.tree_slots[r], bodies, rows[r])
 
@@ -300,8 +383,11 @@ def store_blocks(joints: Joints) -> None:
             if n < 0 or joints.mechanisms[n, M_STATUS] == ASLEEP:
                 continue
             for r in range(first + 1, last):
-                hinge = joints.hinges[joints.sparse[n, I_NODE] + r - first]
-                store_lane(m, joints.tree_lanes[r], hinge)
+                member = joints.sparse[n, I_NODE] + r - first
+                store_lane(m, joints.tree_lanes[r], joints.hinges[member])
+                if joints.members[member, JOINED_SPRING] >= 0:
+                    numbers = joints.numbers[joints.members[member, JOINED_SPRING]]
+                    store_spring(m, joints.tree_lanes[r], numbers)
             store_hinge_impulses(n, joints)
 
 
@@ -311,3 +397,13 @@ def store_lane(m: int, row: Array, hinge: Array) -> None:
     hinge[H_PULL], hinge[H_PULL + 1] = row[T_PULL_X + m], row[T_PULL_Y + m]
     hinge[H_TURN], hinge[H_FAR_TURN] = row[T_TURN + m], row[T_FAR_TURN + m]
     hinge[H_APART], hinge[H_APART + 1] = row[T_APART_X + m], row[T_APART_Y + m]
+
+
+def store_spring(m: int, row: Array, numbers: Array) -> None:
+    """Let the numbers of a spring have what its lane has."""
+    pull, own = row[T_LAW_PULL + m], row[T_LAW_SIDE + m] > 0.0
+    turning, far = row[T_TURNING + m], row[T_FAR_TURNING + m]
+    numbers[J_PULL] = pull
+    to = J_TOTAL + 2
+    numbers[to] = angular_momentum_later(numbers[to], pull, far if own else turning)
+    numbers[to + 3] = angular_momentum_later(numbers[to + 3], pull, turning if own else far)

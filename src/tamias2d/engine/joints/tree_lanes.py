@@ -13,6 +13,7 @@ from tamias2d.engine.tables import (
     T_AIM_Y,
     T_ANCHOR_X,
     T_ANCHOR_Y,
+    T_ANGLE,
     T_APART_X,
     T_APART_Y,
     T_ARM_X,
@@ -31,6 +32,7 @@ from tamias2d.engine.tables import (
     T_FAR_ARM_X,
     T_FAR_ARM_Y,
     T_FAR_TURN,
+    T_FIRM,
     T_GAP_X,
     T_GAP_Y,
     T_GIVEN_X,
@@ -44,6 +46,7 @@ from tamias2d.engine.tables import (
     T_INERTIA,
     T_INVERSE_MASS,
     T_LARGEST,
+    T_LAW,
     T_LEVER_X,
     T_LEVER_Y,
     T_MASS,
@@ -66,6 +69,7 @@ from tamias2d.engine.tables import (
     T_POSE_Y,
     T_PULL_X,
     T_PULL_Y,
+    T_SHARE,
     T_SINE,
     T_SIZE,
     T_SPIN,
@@ -102,6 +106,7 @@ from tamias2d.generated.hinge_tree import (
     root_change,
     spin_change,
     turn_owed,
+    turned_share,
     turning_yield,
     velocity_hinged,
 )
@@ -135,6 +140,7 @@ def place_lanes(ahead: float, row: Array) -> None:
         by_x, by_y = shift_later(shift, velocity, ahead)
         row[T_X + m], row[T_Y + m] = row[T_POSE_X + m] + by_x, row[T_POSE_Y + m] + by_y
         angle = row[T_POSE_ANGLE + m] + turn_later(row[T_DANGLE + m], row[T_SPIN + m], ahead)
+        row[T_ANGLE + m] = angle
         row[T_COSINE + m], row[T_SINE + m] = cosine_sine(angle)
 
 
@@ -211,22 +217,24 @@ def hang_lanes(row: Array, above: Array) -> None:
         arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
         turned = hinge_moment(mass_x, mass_y, moment, arm)
         inertia = hinge_inertia(moment, row[T_NODE_INERTIA + m], turned, arm)
-        yielding = turning_yield(inertia, 0.0)
+        firm = row[T_FIRM + m]
+        yielding = turning_yield(inertia, firm)
         yielding = yielding if row[T_INERTIA + m] > 0.0 else 0.0
+        share = turned_share(firm, yielding)
         lever = hinge_lever(turned, yielding)
         hung_x, hung_y = hung_mass(mass_x, lever[0], turned), hung_mass(mass_y, lever[1], turned)
         row[T_YIELD + m], row[T_LEVER_X + m], row[T_LEVER_Y + m] = yielding, lever[0], lever[1]
-        row[T_MOMENT_X + m], row[T_MOMENT_Y + m] = turned[0], turned[1]
+        row[T_MOMENT_X + m], row[T_MOMENT_Y + m], row[T_SHARE + m] = turned[0], turned[1], share
         row[T_HUNG_XX + m], row[T_HUNG_XY + m], row[T_HUNG_YY + m] = hung_x[0], hung_x[1], hung_y[1]
         far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
         hung_y = (hung_x[1], hung_y[1])
-        passed = hung_moment(hung_x, hung_y, turned, 0.0, far)
+        passed = hung_moment(hung_x, hung_y, turned, share, far)
         above[T_NODE_XX + m] += hung_x[0]
         above[T_NODE_XY + m] += hung_x[1]
         above[T_NODE_YY + m] += hung_y[1]
         above[T_NODE_MOMENT_X + m] += passed[0]
         above[T_NODE_MOMENT_Y + m] += passed[1]
-        above[T_NODE_INERTIA + m] += hung_inertia(passed, turned, inertia, 0.0, far)
+        above[T_NODE_INERTIA + m] += hung_inertia(passed, turned, inertia, share, far)
 
 
 def gap_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Array) -> None:
@@ -259,7 +267,7 @@ def owe_lanes(row: Array) -> None:
     """Find what the nodes of a row owe at their hinges."""
     for m in range(LANES):
         owed, arm = (row[T_OWED_X + m], row[T_OWED_Y + m]), (row[T_ARM_X + m], row[T_ARM_Y + m])
-        turning = turn_owed(row[T_OWED_TURN + m], owed, arm, 0.0)
+        turning = turn_owed(row[T_OWED_TURN + m], owed, arm, row[T_LAW + m])
         hung = momentum_hung(owed, turning, (row[T_LEVER_X + m], row[T_LEVER_Y + m]))
         row[T_OWED_X + m], row[T_OWED_Y + m] = hung
         row[T_OWED_TURN + m] = turning
@@ -277,7 +285,7 @@ def pass_lanes(row: Array) -> None:
         passed = momentum_passed(hung, error, mass_x, mass_y)
         row[T_PASSED_X + m], row[T_PASSED_Y + m] = passed
         row[T_PASSED_TURN + m] = angular_momentum_passed(
-            passed, row[T_OWED_TURN + m], error, turned, 0.0, far, 0.0
+            passed, row[T_OWED_TURN + m], error, turned, row[T_SHARE + m], far, row[T_LAW + m]
         )
 
 
@@ -307,8 +315,8 @@ def pass_lanes_down(lanes: Array, row: Array, above: Array) -> None:
         error = (row[T_ERROR_X + m], row[T_ERROR_Y + m])
         at_hinge = hinge_change(by, spin_above, far, error)
         lever, arm = (row[T_LEVER_X + m], row[T_LEVER_Y + m]), (row[T_ARM_X + m], row[T_ARM_Y + m])
-        turning = row[T_OWED_TURN + m]
-        turn = spin_change(spin_above, 0.0, at_hinge, lever, turning, row[T_YIELD + m])
+        turning, share = row[T_OWED_TURN + m], row[T_SHARE + m]
+        turn = spin_change(spin_above, share, at_hinge, lever, turning, row[T_YIELD + m])
         own = change(at_hinge, turn, arm)
         row[T_CHANGE_X + m], row[T_CHANGE_Y + m] = own
         row[T_CHANGE_SPIN + m] = turn
@@ -316,7 +324,7 @@ def pass_lanes_down(lanes: Array, row: Array, above: Array) -> None:
         mass_y = (row[T_HUNG_XY + m], row[T_HUNG_YY + m])
         hung = (row[T_OWED_X + m], row[T_OWED_Y + m])
         turned = (row[T_MOMENT_X + m], row[T_MOMENT_Y + m])
-        impulse = hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, 0.0, hung)
+        impulse = hinge_impulse(at_hinge, spin_above, mass_x, mass_y, turned, share, hung)
         row[T_IMPULSE_X + m], row[T_IMPULSE_Y + m] = impulse
     for m in range(LANES):
         turn, spin = abs(row[T_CHANGE_SPIN + m]), abs(row[T_SPIN + m])
