@@ -180,30 +180,26 @@ def write_block(b: int, bodies: Bodies, joints: Joints) -> None:
 
     That is found later for a sprung one, where a substep is known.
     """
-    place_block(b, 0.0, bodies, joints)
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
-    turn_block(b, T_EACH, joints)
+    lanes, rows = joints.block_lanes[b], joints.tree_lanes
+    for r in range(first, last):
+        load_node(joints.tree_slots[r], bodies, rows[r])
+        place_lanes(0.0, rows[r])
+        if r > first:
+            keep_given_lanes(T_EACH, lanes, rows[r])
+            turn_lanes(T_EACH, lanes, rows[r], rows[joints.tree_above[r]])
+            note_apart_lanes(rows[r])
     if joints.tree_blocks[b, T_SPRUNG] == 0:
         hang_block(b, 0.0, joints)
-    for r in range(first + 1, last):
-        note_apart_lanes(joints.tree_lanes[r])
 
 
-def place_block(b: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
-    """Write where the bodies of a block are, or will be so many seconds ahead."""
-    for r in range(joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]):
-        row = joints.tree_lanes[r]
-        load_node(joints.tree_slots[r], bodies, row)
-        place_lanes(ahead, row)
-
-
-def turn_block(b: int, chosen: int, joints: Joints) -> None:
-    """Write the hinges of a block where its bodies are placed, in some lanes."""
+def turn_block(b: int, joints: Joints) -> None:
+    """Write the hinges of a block where its bodies are placed, in lanes that are solved again."""
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
-    lanes = joints.tree_lanes
+    lanes, rows = joints.block_lanes[b], joints.tree_lanes
     for r in range(first + 1, last):
-        keep_given_lanes(chosen, joints.block_lanes[b], lanes[r])
-        turn_lanes(chosen, joints.block_lanes[b], lanes[r], lanes[joints.tree_above[r]])
+        keep_given_lanes(T_AGAIN, lanes, rows[r])
+        turn_lanes(T_AGAIN, lanes, rows[r], rows[joints.tree_above[r]])
 
 
 def hang_block(b: int, substep: float, joints: Joints) -> None:
@@ -255,9 +251,9 @@ def bring_block_to_aims(b: int, substep: float, bodies: Bodies, joints: Joints) 
         find_errors_of_block(b, substep, bodies, joints)
         look_at_errors(k == 0, lanes)
         if some_lanes(T_BACK, lanes):
-            push_block(b, T_BACK, -1.0, bodies, joints)
+            take_block_back(b, bodies, joints)
         if some_lanes(T_AGAIN, lanes):
-            turn_block(b, T_AGAIN, joints)
+            turn_block(b, joints)
             hang_block(b, substep, joints)
         if not some_lanes(T_ACTIVE, lanes):
             return
@@ -301,12 +297,15 @@ def look_at_errors(begins: bool, lanes: Array) -> None:
 
 def find_errors_of_block(b: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Write the rates that the hinges of a block have too much to get to their aims."""
-    place_block(b, substep, bodies, joints)
-    lanes, rows = joints.block_lanes[b], joints.tree_lanes
+    first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+    lanes, rows, hinge = joints.block_lanes[b], joints.tree_lanes, first_hinge(b, joints)
     all_lanes(T_SIZE, 0.0, lanes)
-    for r in range(first_hinge(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
-        gap_errors_of_lanes(substep, lanes, rows[r], rows[joints.tree_above[r]])
-    for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+    for r in range(first, last):
+        load_node(joints.tree_slots[r], bodies, rows[r])
+        place_lanes(substep, rows[r])
+        if r >= hinge:
+            gap_errors_of_lanes(substep, lanes, rows[r], rows[joints.tree_above[r]])
+    for r in range(first_sprung(b, joints), last):
         spring_errors_of_lanes(substep, lanes, rows[r], rows[joints.tree_above[r]])
 
 
@@ -347,29 +346,47 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
     all_lanes(T_LARGEST, 0.0, lanes)
     for r in range(first + 1, last):
         pass_lanes_down(lanes, rows[r], rows[joints.tree_above[r]])
+        if r >= hinge:
+            push_row(b, r, T_ACTIVE, 1.0, joints)
     for r in range(first_sprung(b, joints), last):
         spring_impulses_of_lanes(rows[r], rows[joints.tree_above[r]])
-    push_block(b, T_ACTIVE, 1.0, bodies, joints)
+    turn_by_springs(b, T_ACTIVE, 1.0, joints)
+    store_block(b, bodies, joints)
 
 
-def push_block(b: int, chosen: int, sign: float, bodies: Bodies, joints: Joints) -> None:
-    """Give some trees of a block the impulses that were found, or take these back."""
-    first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+def take_block_back(b: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the last solution from the motion of trees: no solution is near."""
+    for r in range(first_hinge(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+        push_row(b, r, T_BACK, -1.0, joints)
+    turn_by_springs(b, T_BACK, -1.0, joints)
+    store_block(b, bodies, joints)
+
+
+def push_row(b: int, r: int, chosen: int, sign: float, joints: Joints) -> None:
+    """Give bodies of a row, and those above, the impulses through hinges, or take these back."""
+    row, lanes = joints.tree_lanes[r], joints.block_lanes[b]
+    push_own_lanes(chosen, sign, lanes, row)
+    if r > joints.tree_blocks[b, T_FIRST] + 1:
+        above = joints.tree_lanes[joints.tree_above[r]]
+        pass_impulses(chosen, sign, lanes, row, above)
+        add_passed(T_VX, row, above)
+        add_passed(T_START_X, row, above)
+
+
+def turn_by_springs(b: int, chosen: int, sign: float, joints: Joints) -> None:
+    """Give bodies of a block the angular impulses of springs, or take these back."""
     rows, lanes = joints.tree_lanes, joints.block_lanes[b]
-    for r in range(first_hinge(b, joints), last):
-        push_own_lanes(chosen, sign, lanes, rows[r])
-        if r > first + 1:
-            above = rows[joints.tree_above[r]]
-            pass_impulses(chosen, sign, lanes, rows[r], above)
-            add_passed(T_VX, rows[r], above)
-            add_passed(T_START_X, rows[r], above)
-    for r in range(first_sprung(b, joints), last):
+    for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
         above = rows[joints.tree_above[r]]
         turn_own_lanes(chosen, sign, lanes, rows[r])
         pass_turns(chosen, sign, lanes, rows[r], above)
         add_turns(rows[r], above)
-    for r in range(first + 1, last):
-        store_node(joints.tree_slots[r], bodies, rows[r])
+
+
+def store_block(b: int, bodies: Bodies, joints: Joints) -> None:
+    """Store how the bodies of a block move."""
+    for r in range(joints.tree_blocks[b, T_FIRST] + 1, joints.tree_blocks[b + 1, T_FIRST]):
+        store_node(joints.tree_slots[r], bodies, joints.tree_lanes[r])
 
 
 def store_blocks(joints: Joints) -> None:
