@@ -36,16 +36,19 @@ from tamias2d.generated.joint_step import (
     spring_error,
     spring_firmness,
 )
+from tamias2d.kernels.assembled import separate
 from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array
 
 
+@separate
 def begin_springs_of_lanes(row: Array) -> None:
     """Begin a substep, in which the springs of a row have given nothing yet."""
     for m in range(LANES):
         row[T_LAW_GIVEN + m] = 0.0
 
 
+@separate
 def firm_lanes(substep: float, row: Array, above: Array) -> None:
     """Find how firm the springs of a row are in a substep, s; a body may not turn."""
     for m in range(LANES):
@@ -61,6 +64,7 @@ def firm_lanes(substep: float, row: Array, above: Array) -> None:
         row[T_FIRMNESS + m], row[T_FIRM + m] = firm, coupled_inertia(turning, turning, firm)
 
 
+@separate
 def spring_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Array) -> None:
     """Write the rates that the springs of a row have not answered yet."""
     for m in range(LANES):
@@ -77,6 +81,7 @@ def spring_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Arra
         lanes[T_SIZE + m] = lanes[T_SIZE + m] + error * error
 
 
+@separate
 def owe_springs(row: Array) -> None:
     """Note what the springs of a row ask for about their hinges."""
     for m in range(LANES):
@@ -84,6 +89,7 @@ def owe_springs(row: Array) -> None:
         row[T_LAW + m] = 0.0 + law_impulse(row[T_FIRMNESS + m], turned)
 
 
+@separate
 def spring_impulses_of_lanes(row: Array, above: Array) -> None:
     """Find the angular impulses of the springs of a row."""
     for m in range(LANES):
@@ -95,10 +101,11 @@ def spring_impulses_of_lanes(row: Array, above: Array) -> None:
         row[T_LAW_IMPULSE + m] = impulse if firm > 0.0 else 0.0
 
 
-def turn_own_lanes(chosen: int, sign: float, lanes: Array, row: Array) -> None:
+@separate
+def turn_own_lanes(chosen: Array, sign: float, row: Array) -> None:
     """Give the bodies of a row the angular impulses of their springs, or take these back."""
     for m in range(LANES):
-        pushed = (lanes[chosen + m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
+        pushed = (chosen[m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
         impulse, held = sign * row[T_LAW_IMPULSE + m], row[T_HELD_INVERSE_INERTIA + m]
         pull, given = row[T_LAW_PULL + m] + impulse, row[T_LAW_GIVEN + m] + impulse
         turn = angular_velocity_later(0.0, impulse, row[T_TURNING + m], held)
@@ -108,18 +115,20 @@ def turn_own_lanes(chosen: int, sign: float, lanes: Array, row: Array) -> None:
         row[T_START_SPIN + m] = row[T_START_SPIN + m] + turn if pushed else row[T_START_SPIN + m]
 
 
-def pass_turns(chosen: int, sign: float, lanes: Array, row: Array, above: Array) -> None:
+@separate
+def pass_turns(chosen: Array, sign: float, row: Array, above: Array) -> None:
     """Find what the angular impulses of the springs of a row do to the bodies above.
 
     Where nothing is turned, that is a zero which leaves one of either sign as it is.
     """
     for m in range(LANES):
-        pushed = (lanes[chosen + m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
+        pushed = (chosen[m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
         impulse, held = sign * row[T_LAW_IMPULSE + m], above[T_HELD_INVERSE_INERTIA + m]
         turn = angular_velocity_later(0.0, impulse, row[T_FAR_TURNING + m], held)
         row[T_PASSED_TURN + m] = turn if pushed else -0.0
 
 
+@separate
 def add_turns(row: Array, above: Array) -> None:
     """Add them to the spins of these, now and as the substep began."""
     for m in range(LANES):

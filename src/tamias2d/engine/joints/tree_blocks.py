@@ -22,7 +22,8 @@ from tamias2d.engine.joints.spring_lanes import (
     turn_own_lanes,
 )
 from tamias2d.engine.joints.tree_lanes import (
-    add_passed,
+    add_owed,
+    add_pushed,
     aim_lanes,
     all_lanes,
     begin_lanes,
@@ -89,7 +90,6 @@ from tamias2d.engine.tables import (
     T_LAW_SIDE,
     T_MASS,
     T_MECHANISM,
-    T_OWED_X,
     T_POSE_ANGLE,
     T_POSE_X,
     T_POSE_Y,
@@ -98,12 +98,10 @@ from tamias2d.engine.tables import (
     T_SIZE,
     T_SIZE_FIRST,
     T_SPRUNG,
-    T_START_X,
     T_STIFFNESS,
     T_TIED,
     T_TURN,
     T_TURNING,
-    T_VX,
     TREE_BLOCKS,
     Bodies,
     Joints,
@@ -181,13 +179,13 @@ def write_block(b: int, bodies: Bodies, joints: Joints) -> None:
     That is found later for a sprung one, where a substep is known.
     """
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
-    lanes, rows = joints.block_lanes[b], joints.tree_lanes
+    each, rows = joints.block_lanes[b, T_EACH : T_EACH + LANES], joints.tree_lanes
     for r in range(first, last):
         load_node(joints.tree_slots[r], bodies, rows[r])
         place_lanes(0.0, rows[r])
         if r > first:
-            keep_given_lanes(T_EACH, lanes, rows[r])
-            turn_lanes(T_EACH, lanes, rows[r], rows[joints.tree_above[r]])
+            keep_given_lanes(each, rows[r])
+            turn_lanes(each, rows[r], rows[joints.tree_above[r]])
             note_apart_lanes(rows[r])
     if joints.tree_blocks[b, T_SPRUNG] == 0:
         hang_block(b, 0.0, joints)
@@ -196,10 +194,10 @@ def write_block(b: int, bodies: Bodies, joints: Joints) -> None:
 def turn_block(b: int, joints: Joints) -> None:
     """Write the hinges of a block where its bodies are placed, in lanes that are solved again."""
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
-    lanes, rows = joints.block_lanes[b], joints.tree_lanes
+    again, rows = joints.block_lanes[b, T_AGAIN : T_AGAIN + LANES], joints.tree_lanes
     for r in range(first + 1, last):
-        keep_given_lanes(T_AGAIN, lanes, rows[r])
-        turn_lanes(T_AGAIN, lanes, rows[r], rows[joints.tree_above[r]])
+        keep_given_lanes(again, rows[r])
+        turn_lanes(again, rows[r], rows[joints.tree_above[r]])
 
 
 def hang_block(b: int, substep: float, joints: Joints) -> None:
@@ -339,7 +337,7 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
     for r in range(last - 1, first + 1, -1):
         owe_lanes(rows[r])
         pass_lanes(rows[r])
-        add_passed(T_OWED_X, rows[r], rows[joints.tree_above[r]])
+        add_owed(rows[r], rows[joints.tree_above[r]])
     owe_lanes(rows[first + 1])
     if hinge > first + 1:
         let_lanes_go(rows[first + 1])
@@ -364,22 +362,21 @@ def take_block_back(b: int, bodies: Bodies, joints: Joints) -> None:
 
 def push_row(b: int, r: int, chosen: int, sign: float, joints: Joints) -> None:
     """Give bodies of a row, and those above, the impulses through hinges, or take these back."""
-    row, lanes = joints.tree_lanes[r], joints.block_lanes[b]
-    push_own_lanes(chosen, sign, lanes, row)
+    row, pushed = joints.tree_lanes[r], joints.block_lanes[b, chosen : chosen + LANES]
+    push_own_lanes(pushed, sign, row)
     if r > joints.tree_blocks[b, T_FIRST] + 1:
         above = joints.tree_lanes[joints.tree_above[r]]
-        pass_impulses(chosen, sign, lanes, row, above)
-        add_passed(T_VX, row, above)
-        add_passed(T_START_X, row, above)
+        pass_impulses(pushed, sign, row, above)
+        add_pushed(row, above)
 
 
 def turn_by_springs(b: int, chosen: int, sign: float, joints: Joints) -> None:
     """Give bodies of a block the angular impulses of springs, or take these back."""
-    rows, lanes = joints.tree_lanes, joints.block_lanes[b]
+    rows, turned = joints.tree_lanes, joints.block_lanes[b, chosen : chosen + LANES]
     for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
         above = rows[joints.tree_above[r]]
-        turn_own_lanes(chosen, sign, lanes, rows[r])
-        pass_turns(chosen, sign, lanes, rows[r], above)
+        turn_own_lanes(turned, sign, rows[r])
+        pass_turns(turned, sign, rows[r], above)
         add_turns(rows[r], above)
 
 
@@ -394,7 +391,8 @@ def store_blocks(joints: Joints) -> None:
     for b in range(joints.counts[TREE_BLOCKS]):
         first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
         for r in range(first + 1, last):
-            keep_given_lanes(T_EACH, joints.block_lanes[b], joints.tree_lanes[r])
+            each = joints.block_lanes[b, T_EACH : T_EACH + LANES]
+            keep_given_lanes(each, joints.tree_lanes[r])
         for m in range(LANES):
             n = joints.tree_blocks[b, T_MECHANISM + m]
             if n < 0 or joints.mechanisms[n, M_STATUS] == ASLEEP:

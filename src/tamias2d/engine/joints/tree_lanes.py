@@ -112,7 +112,7 @@ from tamias2d.generated.hinge_tree import (
 )
 from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.generated.soft_contact import shift_later, turn_later
-from tamias2d.kernels.assembled import inlined
+from tamias2d.kernels.assembled import inlined, separate
 from tamias2d.kernels.lanes import LANES, load_part, load_rows, store_half
 from tamias2d.state import Array, Vector
 
@@ -133,6 +133,7 @@ def store_node(slots: Integers, bodies: Bodies, row: Array) -> None:
         state[SUBSTEP_START + 2] = row[T_START_SPIN + m]
 
 
+@separate
 def place_lanes(ahead: float, row: Array) -> None:
     """Write where the bodies of a row are, or will be so many seconds ahead."""
     for m in range(LANES):
@@ -144,10 +145,11 @@ def place_lanes(ahead: float, row: Array) -> None:
         row[T_COSINE + m], row[T_SINE + m] = cosine_sine(angle)
 
 
-def keep_given_lanes(chosen: int, lanes: Array, row: Array) -> None:
+@separate
+def keep_given_lanes(chosen: Array, row: Array) -> None:
     """Add what went through hinges since they were written to what did before, in some lanes."""
     for m in range(LANES):
-        kept = lanes[chosen + m] > 0.0
+        kept = chosen[m] > 0.0
         given = (row[T_GIVEN_X + m], row[T_GIVEN_Y + m])
         arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
         far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
@@ -172,10 +174,11 @@ def arms_of_lane(m: int, row: Array, above: Array) -> tuple[Vector, Vector, Vect
     return arm, far, hinge_gap(here, arm, there, far)
 
 
-def turn_lanes(chosen: int, lanes: Array, row: Array, above: Array) -> None:
+@separate
+def turn_lanes(chosen: Array, row: Array, above: Array) -> None:
     """Write the hinges of a row where bodies are placed, in lanes whose number is not 0."""
     for m in range(LANES):
-        turns = lanes[chosen + m] > 0.0
+        turns = chosen[m] > 0.0
         arm, far, gap = arms_of_lane(m, row, above)
         met = arm_met(far, gap)
         row[T_ARM_X + m] = arm[0] if turns else row[T_ARM_X + m]
@@ -186,6 +189,7 @@ def turn_lanes(chosen: int, lanes: Array, row: Array, above: Array) -> None:
         row[T_GAP_Y + m] = gap[1] if turns else row[T_GAP_Y + m]
 
 
+@separate
 def note_apart_lanes(row: Array) -> None:
     """Note by how much the hinges of a row are apart, if that is more than before."""
     for m in range(LANES):
@@ -193,6 +197,7 @@ def note_apart_lanes(row: Array) -> None:
         row[T_APART_Y + m] = max(row[T_APART_Y + m], abs(row[T_GAP_Y + m]))
 
 
+@separate
 def aim_lanes(removed: float, row: Array) -> None:
     """Note to which gaps a substep brings the hinges of a row."""
     for m in range(LANES):
@@ -200,6 +205,7 @@ def aim_lanes(removed: float, row: Array) -> None:
         row[T_AIM_Y + m] = row_aim(row[T_GAP_Y + m], removed)
 
 
+@separate
 def begin_lanes(row: Array) -> None:
     """Let the nodes of a row be their bodies alone, as yet."""
     for m in range(LANES):
@@ -208,6 +214,7 @@ def begin_lanes(row: Array) -> None:
         row[T_NODE_INERTIA + m] = row[T_INERTIA + m]
 
 
+@separate
 def hang_lanes(row: Array, above: Array) -> None:
     """Find what the nodes of a row are for their hinges, and add it to the nodes above."""
     for m in range(LANES):
@@ -237,6 +244,7 @@ def hang_lanes(row: Array, above: Array) -> None:
         above[T_NODE_INERTIA + m] += hung_inertia(passed, turned, inertia, share, far)
 
 
+@separate
 def gap_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Array) -> None:
     """Write the rates that the hinges of a row have too much to get to their aims."""
     for m in range(LANES):
@@ -247,6 +255,7 @@ def gap_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Array) 
         lanes[T_SIZE + m] = lanes[T_SIZE + m] + (error_x * error_x + error_y * error_y)
 
 
+@separate
 def rates_of_lanes(row: Array, above: Array) -> None:
     """Write the rates at which the hinges of a row part."""
     for m in range(LANES):
@@ -263,6 +272,7 @@ def owe_nothing(row: Array) -> None:
         row[T_OWED_X + m] = row[T_OWED_Y + m] = row[T_OWED_TURN + m] = 0.0
 
 
+@separate
 def owe_lanes(row: Array) -> None:
     """Find what the nodes of a row owe at their hinges."""
     for m in range(LANES):
@@ -273,6 +283,7 @@ def owe_lanes(row: Array) -> None:
         row[T_OWED_TURN + m] = turning
 
 
+@separate
 def pass_lanes(row: Array) -> None:
     """Find what the nodes above are to owe for those of a row, and for the errors of hinges."""
     for m in range(LANES):
@@ -289,15 +300,14 @@ def pass_lanes(row: Array) -> None:
         )
 
 
-def add_passed(to: int, row: Array, above: Array) -> None:
-    """Add what the nodes of a row pass on to three columns of those above.
-
-    It stands by itself: else lanes would be taken one by one.
-    """
+@separate
+def add_owed(row: Array, above: Array) -> None:
+    """Let the nodes above owe what those of a row pass on."""
     for m in range(3 * LANES):
-        above[to + m] += row[T_PASSED_X + m]
+        above[T_OWED_X + m] += row[T_PASSED_X + m]
 
 
+@separate
 def let_lanes_go(row: Array) -> None:
     """Let roots that nothing ties move so that no impulse goes through their hinges."""
     for m in range(LANES):
@@ -307,6 +317,7 @@ def let_lanes_go(row: Array) -> None:
         row[T_ERROR_X + m], row[T_ERROR_Y + m] = -by_x, -by_y
 
 
+@separate
 def pass_lanes_down(lanes: Array, row: Array, above: Array) -> None:
     """Find how the velocities of a row's bodies change, and the impulses through their hinges."""
     for m in range(LANES):
@@ -331,10 +342,11 @@ def pass_lanes_down(lanes: Array, row: Array, above: Array) -> None:
         lanes[T_LARGEST + m] = max(lanes[T_LARGEST + m], turn * (spin + turn))
 
 
-def push_own_lanes(chosen: int, sign: float, lanes: Array, row: Array) -> None:
+@separate
+def push_own_lanes(chosen: Array, sign: float, row: Array) -> None:
     """Give the bodies of a row the impulses through their hinges, or take these back."""
     for m in range(LANES):
-        pushed = lanes[chosen + m] > 0.0
+        pushed = chosen[m] > 0.0
         impulse = (sign * row[T_IMPULSE_X + m], sign * row[T_IMPULSE_Y + m])
         row[T_GIVEN_X + m] = row[T_GIVEN_X + m] + impulse[0] if pushed else row[T_GIVEN_X + m]
         row[T_GIVEN_Y + m] = row[T_GIVEN_Y + m] + impulse[1] if pushed else row[T_GIVEN_Y + m]
@@ -349,13 +361,14 @@ def push_own_lanes(chosen: int, sign: float, lanes: Array, row: Array) -> None:
         row[T_START_SPIN + m] = row[T_START_SPIN + m] + turn if pushed else row[T_START_SPIN + m]
 
 
-def pass_impulses(chosen: int, sign: float, lanes: Array, row: Array, above: Array) -> None:
+@separate
+def pass_impulses(chosen: Array, sign: float, row: Array, above: Array) -> None:
     """Find what the impulses through the hinges of a row do to the bodies above.
 
     Where nothing is pushed, that is a zero which leaves one of either sign as it is.
     """
     for m in range(LANES):
-        pushed = lanes[chosen + m] > 0.0
+        pushed = chosen[m] > 0.0
         impulse = (-(sign * row[T_IMPULSE_X + m]), -(sign * row[T_IMPULSE_Y + m]))
         far = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
         by_x, by_y = velocity_hinged((0.0, 0.0), impulse, above[T_INVERSE_MASS + m])
@@ -363,6 +376,14 @@ def pass_impulses(chosen: int, sign: float, lanes: Array, row: Array, above: Arr
         row[T_PASSED_X + m] = by_x if pushed else -0.0
         row[T_PASSED_Y + m] = by_y if pushed else -0.0
         row[T_PASSED_TURN + m] = turn if pushed else -0.0
+
+
+@separate
+def add_pushed(row: Array, above: Array) -> None:
+    """Add that to the velocities of these bodies, now and as the substep began."""
+    for m in range(3 * LANES):
+        above[T_VX + m] += row[T_PASSED_X + m]
+        above[T_START_X + m] += row[T_PASSED_X + m]
 
 
 def some_lanes(chosen: int, lanes: Array) -> bool:
