@@ -10,7 +10,7 @@ Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (198
 from math import inf
 
 from tamias2d.engine.joints.iterate import MESH_ACCURACY
-from tamias2d.engine.joints.linearise import place_members
+from tamias2d.engine.joints.linearise import move_members
 from tamias2d.engine.tables import (
     HELD_INVERSE_INERTIA,
     I_NODE,
@@ -46,8 +46,6 @@ from tamias2d.engine.tables import (
     N_CHANGE,
     N_INVERSE_INERTIA,
     N_INVERSE_MASS,
-    PLACE_COSINE,
-    PLACE_SINE,
     PLACE_X,
     PLACE_Y,
     SPIN,
@@ -103,7 +101,7 @@ def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
     """Write the links of a net where its bodies are."""
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    place_members(first, last, 0.0, bodies, joints)
+    move_members(first, last, 0.0, bodies, joints)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         write_link(j, joints)
 
@@ -112,9 +110,10 @@ def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
 def arms_of_link(j: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
     """Return the arms of a link at A and B, where these are placed, and by how much it is apart."""
     given, ends = joints.given[j], joints.joints[j]
-    a, b = joints.places[ends[J_MEMBER]], joints.places[ends[J_MEMBER + 1]]
-    arm_a = hinge_arm((given[0], given[1]), a[PLACE_COSINE], a[PLACE_SINE])
-    arm_b = hinge_arm((given[2], given[3]), b[PLACE_COSINE], b[PLACE_SINE])
+    m, k, cosines, sines = ends[J_MEMBER], ends[J_MEMBER + 1], joints.turns[1], joints.turns[2]
+    a, b = joints.places[m], joints.places[k]
+    arm_a = hinge_arm((given[0], given[1]), cosines[m], sines[m])
+    arm_b = hinge_arm((given[2], given[3]), cosines[k], sines[k])
     at_a, at_b = (a[PLACE_X], a[PLACE_Y]), (b[PLACE_X], b[PLACE_Y])
     return arm_a, arm_b, hinge_gap(at_b, arm_b, at_a, arm_a)
 
@@ -151,7 +150,7 @@ def bring_net_to_aims(
     is left is made up for in the next substep.
     """
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    place_members(first, last, substep, bodies, joints)
+    move_members(first, last, substep, bodies, joints)
     clear_net(n, joints)
     share = 0.5 if joints.mechanisms[n, M_HALF] == 1 else 1.0
     warm, removed = 0.0 if again else share, REMOVED_BY_NET * length

@@ -102,30 +102,24 @@ def spring_impulses_of_lanes(row: Array, above: Array) -> None:
 
 
 @separate
-def turn_own_lanes(chosen: Array, sign: float, row: Array) -> None:
-    """Give the bodies of a row the angular impulses of their springs, or take these back."""
+def turn_lanes_by_springs(chosen: Array, sign: float, row: Array, above: Array) -> None:
+    """Give the bodies of a row the angular impulses of their springs, or take these back.
+
+    What that does to the bodies above is noted: where nothing is turned, a zero which leaves one of
+    either sign as it is.
+    """
     for m in range(LANES):
-        pushed = (chosen[m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
+        turned = (chosen[m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
         impulse, held = sign * row[T_LAW_IMPULSE + m], row[T_HELD_INVERSE_INERTIA + m]
         pull, given = row[T_LAW_PULL + m] + impulse, row[T_LAW_GIVEN + m] + impulse
         turn = angular_velocity_later(0.0, impulse, row[T_TURNING + m], held)
-        row[T_LAW_PULL + m] = pull if pushed else row[T_LAW_PULL + m]
-        row[T_LAW_GIVEN + m] = given if pushed else row[T_LAW_GIVEN + m]
-        row[T_SPIN + m] = row[T_SPIN + m] + turn if pushed else row[T_SPIN + m]
-        row[T_START_SPIN + m] = row[T_START_SPIN + m] + turn if pushed else row[T_START_SPIN + m]
-
-
-@separate
-def pass_turns(chosen: Array, sign: float, row: Array, above: Array) -> None:
-    """Find what the angular impulses of the springs of a row do to the bodies above.
-
-    Where nothing is turned, that is a zero which leaves one of either sign as it is.
-    """
-    for m in range(LANES):
-        pushed = (chosen[m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
-        impulse, held = sign * row[T_LAW_IMPULSE + m], above[T_HELD_INVERSE_INERTIA + m]
-        turn = angular_velocity_later(0.0, impulse, row[T_FAR_TURNING + m], held)
-        row[T_PASSED_TURN + m] = turn if pushed else -0.0
+        held_above = above[T_HELD_INVERSE_INERTIA + m]
+        passed = angular_velocity_later(0.0, impulse, row[T_FAR_TURNING + m], held_above)
+        row[T_LAW_PULL + m] = pull if turned else row[T_LAW_PULL + m]
+        row[T_LAW_GIVEN + m] = given if turned else row[T_LAW_GIVEN + m]
+        row[T_SPIN + m] = row[T_SPIN + m] + turn if turned else row[T_SPIN + m]
+        row[T_START_SPIN + m] = row[T_START_SPIN + m] + turn if turned else row[T_START_SPIN + m]
+        row[T_PASSED_TURN + m] = passed if turned else -0.0
 
 
 @separate

@@ -16,10 +16,9 @@ from tamias2d.engine.joints.spring_lanes import (
     begin_springs_of_lanes,
     firm_lanes,
     owe_springs,
-    pass_turns,
     spring_errors_of_lanes,
     spring_impulses_of_lanes,
-    turn_own_lanes,
+    turn_lanes_by_springs,
 )
 from tamias2d.engine.joints.tree_lanes import (
     add_owed,
@@ -375,8 +374,7 @@ def turn_by_springs(b: int, chosen: int, sign: float, joints: Joints) -> None:
     rows, turned = joints.tree_lanes, joints.block_lanes[b, chosen : chosen + LANES]
     for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
         above = rows[joints.tree_above[r]]
-        turn_own_lanes(turned, sign, rows[r])
-        pass_turns(turned, sign, rows[r], above)
+        turn_lanes_by_springs(turned, sign, rows[r], above)
         add_turns(rows[r], above)
 
 

@@ -15,7 +15,6 @@ from tamias2d.engine.tables import (
     T_ANCHOR_Y,
     T_ANGLE,
     T_APART_X,
-    T_APART_Y,
     T_ARM_X,
     T_ARM_Y,
     T_CHANGE_SPIN,
@@ -192,9 +191,8 @@ def turn_lanes(chosen: Array, row: Array, above: Array) -> None:
 @separate
 def note_apart_lanes(row: Array) -> None:
     """Note by how much the hinges of a row are apart, if that is more than before."""
-    for m in range(LANES):
+    for m in range(2 * LANES):
         row[T_APART_X + m] = max(row[T_APART_X + m], abs(row[T_GAP_X + m]))
-        row[T_APART_Y + m] = max(row[T_APART_Y + m], abs(row[T_GAP_Y + m]))
 
 
 @separate
@@ -207,11 +205,18 @@ def aim_lanes(removed: float, row: Array) -> None:
 
 @separate
 def begin_lanes(row: Array) -> None:
-    """Let the nodes of a row be their bodies alone, as yet."""
+    """Let the nodes of a row be their bodies alone, as yet.
+
+    What is copied has a loop by itself, as have three columns of zeros: that is done at once.
+    """
     for m in range(LANES):
-        row[T_NODE_XX + m] = row[T_NODE_YY + m] = row[T_MASS + m]
-        row[T_NODE_XY + m] = row[T_NODE_MOMENT_X + m] = row[T_NODE_MOMENT_Y + m] = 0.0
+        row[T_NODE_XX + m] = row[T_MASS + m]
+    for m in range(LANES):
+        row[T_NODE_YY + m] = row[T_MASS + m]
+    for m in range(LANES):
         row[T_NODE_INERTIA + m] = row[T_INERTIA + m]
+    for m in range(3 * LANES):
+        row[T_NODE_XY + m] = 0.0
 
 
 @separate
@@ -268,8 +273,8 @@ def rates_of_lanes(row: Array, above: Array) -> None:
 
 def owe_nothing(row: Array) -> None:
     """Let the nodes of a row owe nothing yet."""
-    for m in range(LANES):
-        row[T_OWED_X + m] = row[T_OWED_Y + m] = row[T_OWED_TURN + m] = 0.0
+    for m in range(3 * LANES):
+        row[T_OWED_X + m] = 0.0
 
 
 @separate
