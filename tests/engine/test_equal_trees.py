@@ -19,8 +19,10 @@ G = 10.0
 SHAPE = t2.Capsule(length=0.8, radius=0.1)
 
 
-def hung_chain(scene: Scene, x: float, links: int, spin: float, upper: int | None = None) -> int:
-    """Add links that lie level, hung at the left end from a place, or from a body.
+def hung_chain(
+    scene: Scene, x: float, links: int, spin: float, upper: int | None = None, side: float = 1.0
+) -> int:
+    """Add links that lie level, hung at the left end, or the right, from a place or from a body.
 
     Return the last one.
     """
@@ -29,24 +31,27 @@ def hung_chain(scene: Scene, x: float, links: int, spin: float, upper: int | Non
         own = scene.add_body(
             SHAPE,
             mass=1.0 + 0.1 * k,
-            position=(x + 0.5 + k, 5.0),
-            velocity=(0.0, (0.5 + k) * spin),
+            position=(x + side * (0.5 + k), 5.0),
+            velocity=(0.0, side * (0.5 + k) * spin),
             angular_velocity=spin,
             restitution=0.0,
         )
         above = own - 1 if k else (x, 5.0) if upper is None else upper
-        anchor = (0.5, 0.0) if k else (0.0, 0.0)
-        scene.add_joint(Revolute(), above, own, anchor=anchor, other_anchor=(-0.5, 0.0))
+        anchor = (0.5 * side, 0.0) if k else (0.0, 0.0)
+        scene.add_joint(Revolute(), above, own, anchor=anchor, other_anchor=(-0.5 * side, 0.0))
     return own
 
 
 def sprung_chain(scene: Scene, x: float, spin: float) -> None:
-    """Add four links, some with springs between them, that are told of from the end upwards."""
-    last = hung_chain(scene, x, 4, spin)
+    """Add four links, three of them with springs between them.
+
+    As it is hung at the right end, its springs come to the engine from the lower end upwards.
+    """
+    last = hung_chain(scene, x, 4, spin, side=-1.0)
     soft = JointSpring(stiffness=5.0, damping=0.1)
     firm = JointSpring(stiffness=500.0, damping=20.0, rest=0.3)
     scene.add_joint(Rotary(spring=firm), last - 1, last)
-    scene.add_joint(Rotary(spring=soft), last - 2, last - 3)
+    scene.add_joint(Rotary(spring=soft), last - 1, last - 2)
 
 
 def star(scene: Scene, x: float, y: float, spin: float) -> None:
