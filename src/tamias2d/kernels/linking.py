@@ -5,8 +5,7 @@ into machine code each function with all that this calls, and does so anew at ea
 Here a function stays as it was translated, and its entry is linked with all of them, optimised and
 turned into machine code once. As nothing else can call them, what is called in one place is put
 there, unless it is to stay by itself: that takes two thirds of the time to compile, and the code is
-faster. This uses internals of
-numba, so its version is bounded.
+faster. This uses internals of numba, so its version is bounded.
 """
 
 from types import FunctionType
