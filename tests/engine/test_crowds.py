@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tamias2d import Simulator
 from tests.crowd_laws import crowd
 from tests.engine.conserved import totals
 from tests.engine.crowds import centre_of_mass, imploding, rain, standing_share
+from tests.engine.saving import goes_on_alike
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -70,11 +70,7 @@ def test_a_step_says_in_how_many_parts_it_was_taken() -> None:
 def test_a_crowd_goes_on_the_same_from_a_saved_step(tmp_path: Path) -> None:
     sim, _ = rain(0.02, 2.0, count=30)
     sim.step(3)
-    sim.save(tmp_path / "crowd.npz")
-    other = Simulator.restore(tmp_path / "crowd.npz")
-    sim.step(5)
-    other.step(5)
-    assert sim.digest() == other.digest()
+    assert goes_on_alike(sim, tmp_path, 5)
 
 
 def test_plain_python_has_the_bits_of_compiled_code() -> None:

@@ -5,13 +5,14 @@ from math import cos
 from tamias2d.generated import impact
 from tamias2d.generated.translation import acceleration as pulled
 from tamias2d.kernels.arrays import FloatRows
-from tamias2d.kernels.assembled import inlined
+from tamias2d.kernels.assembled import inlined, separate
 from tamias2d.spec.functions import largest, least, sqrt
 
 LANES = 16
 HALF = 0.5
 
 
+@separate
 def halved(number: float) -> float:
     """Half of a number.
 

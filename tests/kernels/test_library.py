@@ -91,9 +91,21 @@ def test_a_source_stands_alone_and_reads_in_order() -> None:
     assert "Source: IM3, srs/models/impact.md." in text
     assert ".md:" not in text, "a sentence more in a chapter must not compile all anew"
     assert "not copied" not in text
-    assert not re.search(r"Scalar|: float|-> |@inlined", text)
+    assert not re.search(r"Scalar|: float|-> |@inlined|@separate", text)
     assert re.findall(r"forceinline=True\)\ndef (\w+)", text) == ["clamped"]
+    assert re.findall(r'inline="never"\)\ndef (\w+)', text) == ["halved"]
     assert {"LANES = 16", "HALF = 0.5"} <= set(text.splitlines())
+
+
+def test_what_is_marked_so_is_a_function_of_its_own_in_machine_code(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
+    forget()
+    code = "".join(LIBRARY.compiled().pushed.inspect_asm().values())
+    made = re.findall(r"^\w*?\d(halved|clamped|impact_impulse)\w*:", code, re.MULTILINE)
+    assert made == ["halved"]
+    forget()
 
 
 def module(name: str, text: str) -> ModuleType:

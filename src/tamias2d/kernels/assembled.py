@@ -30,6 +30,7 @@ _BARE = 'error_model="numpy", _nrt=False'  # references to arrays are not counte
 # numba hands `forceinline` down to what an inlined function calls, unless that says otherwise
 _HELPER = f"@njit({_BARE}, no_cpython_wrapper=True, no_cfunc_wrapper=True, forceinline=False)"
 _INLINED = _HELPER.replace("inline=False", "inline=True")
+_SEPARATE = _HELPER.replace(")", ', inline="never")')
 _ENTRY = f'@njit("{{signature}}", cache=True, {_BARE}, nogil=True, no_cfunc_wrapper=True)'
 _SAME: dict[Any, Any] = {
     getattr(elementary, name): getattr(math, name)
@@ -40,6 +41,7 @@ numbers, zeros of both signs too, and where one is no number, min and max return
 
 
 _inlined: set[Function] = set()
+_separate: set[Function] = set()
 
 
 def inlined(function: F) -> F:
@@ -48,6 +50,15 @@ def inlined(function: F) -> F:
     For what is called once in the source and often in a run; elsewhere it makes code long.
     """
     _inlined.add(function)
+    return function
+
+
+def separate(function: F) -> F:
+    """Mark a function whose code stays by itself, even where it is called in one place only.
+
+    For a loop over lanes: among others, compiled code may take its lanes one by one.
+    """
+    _separate.add(function)
     return function
 
 
@@ -113,7 +124,8 @@ class _Parts:
         self.entered += flat.groups.values() if entry else ()
         text = copied(function, names, edits, flat.groups)
         text = text.replace(f"def {function.__name__}(", f"def {name}(", 1)
-        helper = _INLINED if function in _inlined else _HELPER
+        helper = _SEPARATE if function in _separate else _HELPER
+        helper = _INLINED if function in _inlined else helper
         decorator = _ENTRY.format(signature=signature(function)) if entry else helper
         self.texts.append(f"{decorator}\n{text}")
         return name

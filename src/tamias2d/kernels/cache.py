@@ -22,7 +22,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from tamias2d.kernels import kept_files
-from tamias2d.kernels.linking import EntryCompiler, HelperCompiler
+from tamias2d.kernels.linking import EntryCompiler, HelperCompiler, SeparateCompiler
 
 
 def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
@@ -33,6 +33,7 @@ def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
 
         def compile_(function: FunctionType) -> Any:
             compiler = HelperCompiler if options.get("no_cpython_wrapper") else EntryCompiler
+            compiler = SeparateCompiler if options.get("inline") == "never" else compiler
             made: Any = numba.njit(pipeline_class=compiler, **options)(function)
             if made is function:  # NUMBA_DISABLE_JIT
                 return made

@@ -4,8 +4,8 @@ Hides: what numba does with a function that others call. By itself it links, opt
 into machine code each function with all that this calls, and does so anew at each level of calls.
 Here a function stays as it was translated, and its entry is linked with all of them, optimised and
 turned into machine code once. As nothing else can call them, what is called in one place is put
-there: that takes two thirds of the time to compile, and the code is faster. This uses internals of
-numba, so its version is bounded.
+there, unless it is to stay by itself: that takes two thirds of the time to compile, and the code is
+faster. This uses internals of numba, so its version is bounded.
 """
 
 from types import FunctionType
@@ -31,6 +31,17 @@ class HelperCompiler(Compiler):
         key = make_function(module, function.__name__, "", 0, result.environment, (library,))
         self.state.targetctx.insert_user_function(key, result.fndesc, [library])
         return result._replace(entry_point=key)
+
+
+class SeparateCompiler(HelperCompiler):
+    """Translates a function whose code is not put where it is called."""
+
+    def compile_extra(self, function: FunctionType) -> Any:
+        """Return the result, which other functions can call from now on."""
+        result = super().compile_extra(function)
+        code = result.library._final_module.get_function(result.fndesc.llvm_func_name)
+        code.add_function_attribute("noinline")
+        return result
 
 
 class EntryCompiler(Compiler):

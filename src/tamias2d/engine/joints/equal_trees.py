@@ -4,7 +4,10 @@ Cost: a visit to each body, once as joints come or go.
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
+from tamias2d.engine.joints.angle_laws import hung_by_law
+from tamias2d.engine.joints.hinge_tree import first_besides
 from tamias2d.engine.joints.hinges import HingeTree
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.store import Store
@@ -12,13 +15,17 @@ from tamias2d.engine.tables import (
     H_ANCHOR,
     H_FAR_ANCHOR,
     I_NODE,
+    JOINED_SPRING,
     M_IN_BLOCK,
+    M_JOINT,
+    SPRING,
     T_ANCHOR_X,
     T_ANCHOR_Y,
     T_FAR_ANCHOR_X,
     T_FAR_ANCHOR_Y,
     T_FIRST,
     T_MECHANISM,
+    T_SPRUNG,
     T_TIED,
     TREE_BLOCKS,
 )
@@ -26,9 +33,15 @@ from tamias2d.kernels.lanes import LANES
 
 FEWEST_TREES = 8  # of a block: fewer take no longer by themselves
 
-Shape = tuple[int, ...]
-"""Of each body of a tree the place of the one on which it hangs; -1 of what does not move, and -2
-of a root on nothing."""
+
+class Shape(NamedTuple):
+    """What equal trees have in common."""
+
+    above: tuple[int, ...]
+    """Of each body the place of the one on which it hangs; -1 of what does not move, and -2 of a
+    root on nothing."""
+    sprung: bool
+    """Whether springs govern the angles of hinges."""
 
 
 def equal_trees(
@@ -49,18 +62,24 @@ def equal_trees(
 
 
 def _shape(tree: HingeTree, rows: Sequence[JointRow]) -> Shape | None:
-    """Return what a tree is like; None if more than the hinges of its bodies hold it."""
-    if len(tree.joints) > sum(hinge is not None for hinge in tree.hinges):
+    """Return what a tree is like; None if more holds it than the hinges of its bodies.
+
+    The angle of each of these may have one spring.
+    """
+    springs = [rows[k] for k in tree.joints[sum(hinge is not None for hinge in tree.hinges) :]]
+    angles = {frozenset(spring.ends[:2]) for spring in springs}
+    inside = all(angle <= set(tree.bodies) for angle in angles)
+    if not inside or len(angles) < len(springs) or any(row.law != SPRING for row in springs):
         return None
     place = {body: k for k, body in enumerate(tree.bodies)}
-    shape = []
+    found = []
     for body, hinge in zip(tree.bodies, tree.hinges, strict=True):
         if hinge is None:
-            shape.append(-2)
+            found.append(-2)
             continue
         (above,) = {end for end in rows[hinge].ends[:2] if end != body}
-        shape.append(-1 if above is None else place.get(above, -1))
-    return tuple(shape)
+        found.append(-1 if above is None else place.get(above, -1))
+    return Shape(tuple(found), bool(springs))
 
 
 def write_blocks_of(store: Store, blocks: Sequence[tuple[Shape, list[int]]]) -> None:
@@ -68,28 +87,30 @@ def write_blocks_of(store: Store, blocks: Sequence[tuple[Shape, list[int]]]) -> 
     joints = store.world.joints
     joints.counts[TREE_BLOCKS] = len(blocks)
     joints.mechanisms[:, M_IN_BLOCK] = 0
+    joints.members[:, JOINED_SPRING] = -1
     joints.tree_blocks[:, T_MECHANISM : T_MECHANISM + LANES] = -1
     joints.block_lanes[:] = joints.tree_lanes[:] = 0.0
     first = 0
-    for b, (shape, trees) in enumerate(blocks):
-        joints.tree_blocks[b, [T_FIRST, T_TIED]] = first, shape[0] == -1
+    for b, ((above, sprung), trees) in enumerate(blocks):
+        joints.tree_blocks[b, [T_FIRST, T_TIED, T_SPRUNG]] = first, above[0] == -1, sprung
         joints.tree_blocks[b, T_MECHANISM : T_MECHANISM + len(trees)] = trees
         joints.mechanisms[trees, M_IN_BLOCK] = 1
         joints.tree_above[first] = first
-        joints.tree_above[first + 1 : first + 1 + len(shape)] = [
-            first + 1 + max(above, -1) for above in shape
-        ]
+        last = first + 1 + len(above)
+        joints.tree_above[first + 1 : last] = [first + 1 + max(place, -1) for place in above]
         for lane, n in enumerate(trees):
             root = joints.sparse[n, I_NODE] + 1
-            hinges = joints.hinges[root : root + len(shape)]
-            own = joints.tree_lanes[first + 1 : first + 1 + len(shape)]
+            hinges = joints.hinges[root : root + len(above)]
+            own = joints.tree_lanes[first + 1 : last]
             own[:, [T_ANCHOR_X + lane, T_ANCHOR_Y + lane]] = hinges[:, H_ANCHOR : H_ANCHOR + 2]
             far = hinges[:, H_FAR_ANCHOR : H_FAR_ANCHOR + 2]
             own[:, [T_FAR_ANCHOR_X + lane, T_FAR_ANCHOR_Y + lane]] = far
-        first += 1 + len(shape)
+            for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+                joints.members[hung_by_law(j, joints)[0], JOINED_SPRING] = j
+        first = last
     joints.tree_blocks[len(blocks), T_FIRST] = first
 
 
 def rows_of(blocks: Sequence[tuple[Shape, list[int]]]) -> int:
     """Return how many rows the nodes of blocks have, with those of what they hang on."""
-    return sum(1 + len(shape) for shape, _ in blocks)
+    return sum(1 + len(shape.above) for shape, _ in blocks)

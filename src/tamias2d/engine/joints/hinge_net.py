@@ -10,7 +10,7 @@ Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (198
 from math import inf
 
 from tamias2d.engine.joints.iterate import MESH_ACCURACY
-from tamias2d.engine.joints.linearise import place_members
+from tamias2d.engine.joints.linearise import move_members
 from tamias2d.engine.tables import (
     HELD_INVERSE_INERTIA,
     I_NODE,
@@ -22,7 +22,6 @@ from tamias2d.engine.tables import (
     J_TOTAL,
     J_WARM,
     JOINED_SLOT,
-    L_AIM,
     L_APART,
     L_ARM_A,
     L_ARM_B,
@@ -47,8 +46,6 @@ from tamias2d.engine.tables import (
     N_CHANGE,
     N_INVERSE_INERTIA,
     N_INVERSE_MASS,
-    PLACE_COSINE,
-    PLACE_SINE,
     PLACE_X,
     PLACE_Y,
     SPIN,
@@ -104,7 +101,7 @@ def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
     """Write the links of a net where its bodies are."""
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    place_members(first, last, 0.0, bodies, joints)
+    move_members(first, last, 0.0, bodies, joints)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         write_link(j, joints)
 
@@ -113,9 +110,10 @@ def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
 def arms_of_link(j: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
     """Return the arms of a link at A and B, where these are placed, and by how much it is apart."""
     given, ends = joints.given[j], joints.joints[j]
-    a, b = joints.places[ends[J_MEMBER]], joints.places[ends[J_MEMBER + 1]]
-    arm_a = hinge_arm((given[0], given[1]), a[PLACE_COSINE], a[PLACE_SINE])
-    arm_b = hinge_arm((given[2], given[3]), b[PLACE_COSINE], b[PLACE_SINE])
+    m, k, cosines, sines = ends[J_MEMBER], ends[J_MEMBER + 1], joints.turns[1], joints.turns[2]
+    a, b = joints.places[m], joints.places[k]
+    arm_a = hinge_arm((given[0], given[1]), cosines[m], sines[m])
+    arm_b = hinge_arm((given[2], given[3]), cosines[k], sines[k])
     at_a, at_b = (a[PLACE_X], a[PLACE_Y]), (b[PLACE_X], b[PLACE_Y])
     return arm_a, arm_b, hinge_gap(at_b, arm_b, at_a, arm_a)
 
@@ -143,36 +141,26 @@ def write_link(j: int, joints: Joints) -> None:
     link[L_MASS], link[L_MASS + 1], link[L_MASS + 2] = mass_x[0], mass_x[1], mass_y[1]
 
 
-def aim_net(n: int, length: float, joints: Joints) -> None:
-    """Note to which gaps a substep brings the links of a net; its length is as `aim_joints` says.
-
-    They are the gaps as they were just written.
-    """
-    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-        link = joints.links[j]
-        link[L_AIM] = row_aim(link[L_GAP], REMOVED_BY_NET * length)
-        link[L_AIM + 1] = row_aim(link[L_GAP + 1], REMOVED_BY_NET * length)
-
-
-def bring_net_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+def bring_net_to_aims(
+    n: int, again: bool, length: float, substep: float, bodies: Bodies, joints: Joints
+) -> None:
     """Change the velocities of a net so that a substep, s, brings its links nearly to their aims.
 
-    What is left is made up for in the next substep.
+    These are parts of the gaps as they were just written; its length is as `aim_joints` says. What
+    is left is made up for in the next substep.
     """
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
-    place_members(first, last, substep, bodies, joints)
+    move_members(first, last, substep, bodies, joints)
+    clear_net(n, joints)
+    share = 0.5 if joints.mechanisms[n, M_HALF] == 1 else 1.0
+    warm, removed = 0.0 if again else share, REMOVED_BY_NET * length
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
         _, _, gap = arms_of_link(j, joints)
-        link[L_ERROR] = row_error(gap[0], link[L_AIM], substep)
-        link[L_ERROR + 1] = row_error(gap[1], link[L_AIM + 1], substep)
-    share = 0.5 if joints.mechanisms[n, M_HALF] == 1 else 1.0
-    solve_net(n, 0.0 if again else share, substep, bodies, joints)
-    if not again:
-        for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-            link = joints.links[j]
-            link[L_WARM] = link[L_IMPULSE] / share
-            link[L_WARM + 1] = link[L_IMPULSE + 1] / share
+        link[L_ERROR] = row_error(gap[0], row_aim(link[L_GAP], removed), substep)
+        link[L_ERROR + 1] = row_error(gap[1], row_aim(link[L_GAP + 1], removed), substep)
+        start_link(j, warm, joints)
+    solve_net(n, 0.0 if again else 1.0 / share, substep, bodies, joints)
 
 
 def fit_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -187,20 +175,27 @@ def fit_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
         link[L_ERROR], link[L_ERROR + 1] = change_of_link(j, joints)
-    solve_net(n, warm, substep, bodies, joints)
+    clear_net(n, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        start_link(j, warm, joints)
+    solve_net(n, 0.0, substep, bodies, joints)
 
 
-def solve_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
-    """Give a net the impulses that take its errors away, nearly.
+@inlined
+def start_link(j: int, warm: float, joints: Joints) -> None:
+    """Give the bodies of a link so many times its impulse in the last substep, to start from."""
+    link = joints.links[j]
+    impulse = (warm * link[L_WARM], warm * link[L_WARM + 1])
+    link[L_IMPULSE], link[L_IMPULSE + 1] = impulse
+    push_link(j, impulse, joints)
 
-    They start from so many times those of the last substep. It is enough if what is left parts no
-    link by much in a substep, s.
+
+def solve_net(n: int, kept: float, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Give a net the impulses that take its errors away, nearly; keep so many times as much.
+
+    It is enough if what is left parts no link by much in a substep, s.
     """
     first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
-    for j in range(first, last):
-        link = joints.links[j]
-        link[L_IMPULSE], link[L_IMPULSE + 1] = warm * link[L_WARM], warm * link[L_WARM + 1]
-    push_links(n, joints)
     whole, parting = 0.0, False
     for j in range(first, last):
         whole += note_what_is_left(j, joints)
@@ -208,7 +203,7 @@ def solve_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joint
     if parting:
         iterate_net(n, whole, substep, joints)
         push_links(n, joints)
-    give_to_net(n, bodies, joints)
+    give_to_net(n, kept, bodies, joints)
 
 
 def push_links(n: int, joints: Joints) -> None:
@@ -371,12 +366,18 @@ def go_along(first: int, last: int, size: float, curvature: float, joints: Joint
     return new
 
 
-def give_to_net(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Give bodies the changes of the nodes of a net, and note the impulses of its links."""
+def give_to_net(n: int, kept: float, bodies: Bodies, joints: Joints) -> None:
+    """Give bodies the changes of the nodes of a net, and note the impulses of its links.
+
+    So many times as much is kept for the next substep, if that is anything.
+    """
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
-        link[L_GIVEN] += link[L_IMPULSE]
-        link[L_GIVEN + 1] += link[L_IMPULSE + 1]
+        impulse = (link[L_IMPULSE], link[L_IMPULSE + 1])
+        link[L_GIVEN] += impulse[0]
+        link[L_GIVEN + 1] += impulse[1]
+        if kept > 0.0:
+            link[L_WARM], link[L_WARM + 1] = kept * impulse[0], kept * impulse[1]
     for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
         i, node = joints.members[m, JOINED_SLOT], joints.net_nodes[m]
         now, state = bodies.motion[i], bodies.substep_state[i]

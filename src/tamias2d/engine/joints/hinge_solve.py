@@ -145,6 +145,9 @@ def take_solution_back(n: int, bodies: Bodies, joints: Joints) -> None:
         row = joints.hinges[m]
         push_through(m, first, (-row[H_IMPULSE], -row[H_IMPULSE + 1]), bodies, joints)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        if is_law(j, joints):
+            turn_by_law(j, -joints.numbers[j, J_IMPULSE], bodies, joints)
+            continue
         for r in range(joints.joints[j, J_ROWS]):
             apply_joint_impulse(j, r, -joints.numbers[j, J_IMPULSE + r], bodies, joints)
 

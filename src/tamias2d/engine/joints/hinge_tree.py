@@ -157,10 +157,8 @@ def arms_of_hinge(m: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
     """Return the arms of a hinge, where bodies are placed, and by how much it is apart, m."""
     row, place, above = joints.hinges[m], joints.places[m], joints.members[m, JOINED_ABOVE]
     place_above, cosines, sines = joints.places[above], joints.turns[1], joints.turns[2]
-    anchor, far_anchor = (
-        (row[H_ANCHOR], row[H_ANCHOR + 1]),
-        (row[H_FAR_ANCHOR], row[H_FAR_ANCHOR + 1]),
-    )
+    anchor = (row[H_ANCHOR], row[H_ANCHOR + 1])
+    far_anchor = (row[H_FAR_ANCHOR], row[H_FAR_ANCHOR + 1])
     arm = hinge_arm(anchor, cosines[m], sines[m])
     far = hinge_arm(far_anchor, cosines[above], sines[above])
     here, there = (place[PLACE_X], place[PLACE_Y]), (place_above[PLACE_X], place_above[PLACE_Y])
@@ -181,12 +179,23 @@ def turn_hinge(m: int, joints: Joints) -> None:
 @inlined
 def keep_given(row: Array) -> None:
     """Add what went through a hinge since its row was written to what went through it before."""
-    given, away = (row[H_GIVEN], row[H_GIVEN + 1]), (-row[H_GIVEN], -row[H_GIVEN + 1])
+    pull, given = (row[H_PULL], row[H_PULL + 1]), (row[H_GIVEN], row[H_GIVEN + 1])
     arm, far = (row[H_ARM], row[H_ARM + 1]), (row[H_FAR_ARM], row[H_FAR_ARM + 1])
-    row[H_PULL], row[H_PULL + 1] = momentum_hinged((row[H_PULL], row[H_PULL + 1]), given)
-    row[H_TURN] = angular_momentum_hinged(row[H_TURN], arm, given)
-    row[H_FAR_TURN] = angular_momentum_hinged(row[H_FAR_TURN], far, away)
+    pull, turn, far_turn = gone_through(pull, row[H_TURN], row[H_FAR_TURN], given, arm, far)
+    row[H_PULL], row[H_PULL + 1], row[H_TURN], row[H_FAR_TURN] = pull[0], pull[1], turn, far_turn
     row[H_GIVEN] = row[H_GIVEN + 1] = 0.0
+
+
+@inlined
+def gone_through(
+    pull: Vector, turn: float, far_turn: float, given: Vector, arm: Vector, far: Vector
+) -> tuple[Vector, float, float]:
+    """Return what has gone through a hinge, N s, and its moments about both bodies, N m s.
+
+    That is what had, with their moments, and what was given since; arms are in m.
+    """
+    far_turn = angular_momentum_hinged(far_turn, far, (-given[0], -given[1]))
+    return momentum_hinged(pull, given), angular_momentum_hinged(turn, arm, given), far_turn
 
 
 @inlined
@@ -222,10 +231,8 @@ def add_tie(j: int, r: int, joints: Joints) -> None:
 @inlined
 def hang(row: Array) -> None:
     """Find what a node is for its hinge; a body turns, or does not."""
-    mass_x, mass_y = (
-        (row[H_NODE_MASS], row[H_NODE_MASS + 1]),
-        (row[H_NODE_MASS + 1], row[H_NODE_MASS + 2]),
-    )
+    mass_x = (row[H_NODE_MASS], row[H_NODE_MASS + 1])
+    mass_y = (row[H_NODE_MASS + 1], row[H_NODE_MASS + 2])
     moment, arm = (row[H_NODE_MOMENT], row[H_NODE_MOMENT + 1]), (row[H_ARM], row[H_ARM + 1])
     turned = hinge_moment(mass_x, mass_y, moment, arm)
     inertia = hinge_inertia(moment, row[H_NODE_INERTIA], turned, arm)

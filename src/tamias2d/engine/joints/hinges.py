@@ -20,7 +20,7 @@ class HingeTree(NamedTuple):
     hinges: list[int | None]
     """Of each body the joint by which it hangs; None for a root that nothing ties."""
     joints: list[int]
-    """These joints, then further ties to what does not move, and laws of angles."""
+    """These joints, further ties to what does not move, and laws in the order of the bodies."""
 
 
 def hinge_tree(moving: Sequence[int], rows: Mapping[int, JointRow]) -> HingeTree | None:
@@ -61,6 +61,8 @@ def hinge_tree(moving: Sequence[int], rows: Mapping[int, JointRow]) -> HingeTree
     if len(bodies) < len(moving):  # two hinges between two bodies, and none to another
         return None
     held = [k for k in hinges if k is not None]
+    place: dict[int | None, int] = {body: k for k, body in enumerate(bodies)}
+    more.sort(key=lambda k: max(place.get(body, 0) for body in rows[k].ends))
     return HingeTree(bodies, hinges, [*held, *(k for k, _ in ties[1:]), *more])
 
 

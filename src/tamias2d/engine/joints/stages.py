@@ -9,7 +9,6 @@ from tamias2d.engine.joints.energy import bound_mechanism
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
 from tamias2d.engine.joints.hinge_net import (
-    aim_net,
     begin_net,
     bring_net_to_aims,
     fit_net,
@@ -241,7 +240,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
     if not again:
         aim_blocks(length, joints)
     least = IN_CONTACT if again else FREE_OF_CONTACTS
-    bring_blocks_to_aims(least, IN_CONTACT, substep, bodies, joints)
+    bring_blocks_to_aims(least, again, substep, bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
         status = joints.mechanisms[n, M_STATUS]
         if joints.mechanisms[n, M_IN_BLOCK] == 1:
@@ -250,26 +249,29 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
             if not again:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
-            bring_to_end(n, again, substep, bodies, joints)
+            bring_to_end(n, again, length, substep, bodies, joints)
             joints.mechanisms[n, M_HALF] = 0
 
 
 def aim_mechanism(n: int, length: float, joints: Joints) -> None:
-    """Note to which values a substep brings the rows of a mechanism, as `aim_joints` does."""
+    """Note to which values a substep brings the rows of a mechanism, as `aim_joints` does.
+
+    A net needs no note.
+    """
     hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
-    if hinged and meshed:
-        aim_net(n, length, joints)
-    elif hinged:
+    if hinged and not meshed:
         aim_tree(n, length, joints)
-    else:
+    elif not hinged:
         aim_joints(n, length, joints)
 
 
-def bring_to_end(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
+def bring_to_end(
+    n: int, again: bool, length: float, substep: float, bodies: Bodies, joints: Joints
+) -> None:
     """Change the velocities of a mechanism so that a substep leads to what its rows aim at."""
     hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
     if hinged and meshed:
-        bring_net_to_aims(n, again, substep, bodies, joints)
+        bring_net_to_aims(n, again, length, substep, bodies, joints)
     elif hinged:
         keep_tree_positions(n, again, substep, bodies, joints)
     else:

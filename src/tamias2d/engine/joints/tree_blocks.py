@@ -11,8 +11,18 @@ from tamias2d.engine.joints.solve import (
     SLOWLY,
     SOLVED_RATE,
 )
+from tamias2d.engine.joints.spring_lanes import (
+    add_turns,
+    begin_springs_of_lanes,
+    firm_lanes,
+    owe_springs,
+    spring_errors_of_lanes,
+    spring_impulses_of_lanes,
+    turn_lanes_by_springs,
+)
 from tamias2d.engine.joints.tree_lanes import (
-    add_passed,
+    add_owed,
+    add_pushed,
     aim_lanes,
     all_lanes,
     begin_lanes,
@@ -45,9 +55,16 @@ from tamias2d.engine.tables import (
     H_TURN,
     HELD_INVERSE_INERTIA,
     I_NODE,
+    IN_CONTACT,
     INVERSE_MASS,
+    J_MEMBER,
+    J_PULL,
+    J_TOTAL,
     JOINED_ABOVE,
     JOINED_SLOT,
+    JOINED_SPRING,
+    LAW_DAMPING,
+    LAW_STIFFNESS,
     M_STATUS,
     NODE_INERTIA,
     NODE_MASS,
@@ -57,17 +74,21 @@ from tamias2d.engine.tables import (
     T_APART_Y,
     T_BACK,
     T_BEFORE,
+    T_DAMPING,
     T_EACH,
     T_FAR_TURN,
+    T_FAR_TURNING,
     T_FIRST,
     T_GIVEN_X,
     T_HELD_INVERSE_INERTIA,
     T_INERTIA,
     T_INVERSE_MASS,
+    T_JOINT_ANGLE,
     T_LARGEST,
+    T_LAW_PULL,
+    T_LAW_SIDE,
     T_MASS,
     T_MECHANISM,
-    T_OWED_X,
     T_POSE_ANGLE,
     T_POSE_X,
     T_POSE_Y,
@@ -75,16 +96,18 @@ from tamias2d.engine.tables import (
     T_PULL_Y,
     T_SIZE,
     T_SIZE_FIRST,
-    T_START_X,
+    T_SPRUNG,
+    T_STIFFNESS,
     T_TIED,
     T_TURN,
-    T_VX,
+    T_TURNING,
     TREE_BLOCKS,
     Bodies,
     Joints,
     X,
     Y,
 )
+from tamias2d.generated.joint_step import angular_momentum_later
 from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array
 
@@ -99,6 +122,10 @@ def begin_blocks(bodies: Bodies, joints: Joints) -> None:
             awake = n >= 0 and joints.mechanisms[n, M_STATUS] != ASLEEP
             for r in range(first, last):
                 begin_lane(m, r, awake, n, r - first, bodies, joints)
+                if awake and r > first + 1:
+                    begin_spring(
+                        m, joints.sparse[n, I_NODE] + r - first, joints.tree_lanes[r], joints
+                    )
         write_block(b, bodies, joints)
 
 
@@ -124,8 +151,19 @@ def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, join
     pose = bodies.pose[i]
     row[T_POSE_X + m], row[T_POSE_Y + m] = pose[X], pose[Y]
     row[T_POSE_ANGLE + m] = pose[ANGLE]
-    for c in range(T_GIVEN_X, T_APART_Y + LANES, LANES):
+    row[T_STIFFNESS + m] = row[T_DAMPING + m] = row[T_LAW_SIDE + m] = 0.0
+    for c in range(T_GIVEN_X, T_LAW_PULL + LANES, LANES):
         row[c + m] = 0.0
+
+
+def begin_spring(m: int, member: int, row: Array, joints: Joints) -> None:
+    """Note the spring of the hinge on which a member hangs, in a lane of its row."""
+    j = joints.members[member, JOINED_SPRING]
+    if j >= 0:
+        row[T_JOINT_ANGLE + m] = joints.given[j, 0]
+        row[T_STIFFNESS + m] = joints.laws[j, LAW_STIFFNESS]
+        row[T_DAMPING + m] = joints.laws[j, LAW_DAMPING]
+        row[T_LAW_SIDE + m] = 1.0 if joints.joints[j, J_MEMBER + 1] == member else -1.0
 
 
 def write_blocks(bodies: Bodies, joints: Joints) -> None:
@@ -135,47 +173,71 @@ def write_blocks(bodies: Bodies, joints: Joints) -> None:
 
 
 def write_block(b: int, bodies: Bodies, joints: Joints) -> None:
-    """Write the hinges of a block where its bodies are, and what hangs on them."""
-    place_block(b, 0.0, bodies, joints)
+    """Write the hinges of a block where its bodies are, and what hangs on them.
+
+    That is found later for a sprung one, where a substep is known.
+    """
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
-    turn_block(b, T_EACH, joints)
+    each, rows = joints.block_lanes[b, T_EACH : T_EACH + LANES], joints.tree_lanes
+    for r in range(first, last):
+        load_node(joints.tree_slots[r], bodies, rows[r])
+        place_lanes(0.0, rows[r])
+        if r > first:
+            keep_given_lanes(each, rows[r])
+            turn_lanes(each, rows[r], rows[joints.tree_above[r]])
+            note_apart_lanes(rows[r])
+    if joints.tree_blocks[b, T_SPRUNG] == 0:
+        hang_block(b, 0.0, joints)
+
+
+def turn_block(b: int, joints: Joints) -> None:
+    """Write the hinges of a block where its bodies are placed, in lanes that are solved again."""
+    first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+    again, rows = joints.block_lanes[b, T_AGAIN : T_AGAIN + LANES], joints.tree_lanes
     for r in range(first + 1, last):
-        note_apart_lanes(joints.tree_lanes[r])
+        keep_given_lanes(again, rows[r])
+        turn_lanes(again, rows[r], rows[joints.tree_above[r]])
 
 
-def place_block(b: int, ahead: float, bodies: Bodies, joints: Joints) -> None:
-    """Write where the bodies of a block are, or will be so many seconds ahead."""
-    for r in range(joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]):
-        row = joints.tree_lanes[r]
-        load_node(joints.tree_slots[r], bodies, row)
-        place_lanes(ahead, row)
-
-
-def turn_block(b: int, chosen: int, joints: Joints) -> None:
-    """Write the hinges of a block where its bodies are placed, in some lanes, and what hangs."""
+def hang_block(b: int, substep: float, joints: Joints) -> None:
+    """Find what hangs on the hinges of a block; springs count through a substep, s, as there."""
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
     lanes = joints.tree_lanes
-    for r in range(first + 1, last):
-        keep_given_lanes(chosen, joints.block_lanes[b], lanes[r])
-        turn_lanes(chosen, joints.block_lanes[b], lanes[r], lanes[joints.tree_above[r]])
     for r in range(first, last):
         begin_lanes(lanes[r])
+    for r in range(first_sprung(b, joints), last):
+        firm_lanes(substep, lanes[r], lanes[joints.tree_above[r]])
     for r in range(last - 1, first, -1):
         hang_lanes(lanes[r], lanes[joints.tree_above[r]])
+
+
+def first_sprung(b: int, joints: Joints) -> int:
+    """Return the first row of a block whose hinges may have springs; where there are none, its end.
+
+    All after it may, too.
+    """
+    if joints.tree_blocks[b, T_SPRUNG] == 1:
+        return int(joints.tree_blocks[b, T_FIRST] + 2)
+    return int(joints.tree_blocks[b + 1, T_FIRST])
 
 
 def aim_blocks(length: float, joints: Joints) -> None:
     """Note to which gaps a substep brings the hinges of blocks, as `aim_tree` does."""
     for r in range(joints.tree_blocks[joints.counts[TREE_BLOCKS], T_FIRST]):
         aim_lanes(REMOVED_BY_JOINTS * length, joints.tree_lanes[r])
+    for b in range(joints.counts[TREE_BLOCKS]):
+        for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+            begin_springs_of_lanes(joints.tree_lanes[r])
 
 
 def bring_blocks_to_aims(
-    least: int, most: int, substep: float, bodies: Bodies, joints: Joints
+    least: int, again: bool, substep: float, bodies: Bodies, joints: Joints
 ) -> None:
-    """Bring trees of some statuses to the aims of their hinges, as `bring_tree_to_aims` does."""
+    """Bring trees of at least a status to what hinges aim at, as `keep_tree_positions` does."""
     for b in range(joints.counts[TREE_BLOCKS]):
-        if has_status(b, least, most, joints):
+        if has_status(b, least, IN_CONTACT, joints):
+            if joints.tree_blocks[b, T_SPRUNG] == 1 and not again:
+                hang_block(b, substep, joints)
             bring_block_to_aims(b, substep, bodies, joints)
 
 
@@ -186,9 +248,10 @@ def bring_block_to_aims(b: int, substep: float, bodies: Bodies, joints: Joints) 
         find_errors_of_block(b, substep, bodies, joints)
         look_at_errors(k == 0, lanes)
         if some_lanes(T_BACK, lanes):
-            push_block(b, T_BACK, -1.0, bodies, joints)
+            take_block_back(b, bodies, joints)
         if some_lanes(T_AGAIN, lanes):
-            turn_block(b, T_AGAIN, joints)
+            turn_block(b, joints)
+            hang_block(b, substep, joints)
         if not some_lanes(T_ACTIVE, lanes):
             return
         solve_block(b, bodies, joints)
@@ -231,11 +294,16 @@ def look_at_errors(begins: bool, lanes: Array) -> None:
 
 def find_errors_of_block(b: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Write the rates that the hinges of a block have too much to get to their aims."""
-    place_block(b, substep, bodies, joints)
-    lanes, rows = joints.block_lanes[b], joints.tree_lanes
+    first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+    lanes, rows, hinge = joints.block_lanes[b], joints.tree_lanes, first_hinge(b, joints)
     all_lanes(T_SIZE, 0.0, lanes)
-    for r in range(first_hinge(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
-        gap_errors_of_lanes(substep, lanes, rows[r], rows[joints.tree_above[r]])
+    for r in range(first, last):
+        load_node(joints.tree_slots[r], bodies, rows[r])
+        place_lanes(substep, rows[r])
+        if r >= hinge:
+            gap_errors_of_lanes(substep, lanes, rows[r], rows[joints.tree_above[r]])
+    for r in range(first_sprung(b, joints), last):
+        spring_errors_of_lanes(substep, lanes, rows[r], rows[joints.tree_above[r]])
 
 
 def first_hinge(b: int, joints: Joints) -> int:
@@ -248,6 +316,8 @@ def fit_blocks(least: int, most: int, bodies: Bodies, joints: Joints) -> None:
     for b in range(joints.counts[TREE_BLOCKS]):
         if has_status(b, least, most, joints):
             first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+            if joints.tree_blocks[b, T_SPRUNG] == 1:
+                hang_block(b, 0.0, joints)
             for r in range(first, last):
                 load_node(joints.tree_slots[r], bodies, joints.tree_lanes[r])
             for r in range(first_hinge(b, joints), last):
@@ -261,32 +331,57 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
     rows, lanes, hinge = joints.tree_lanes, joints.block_lanes[b], first_hinge(b, joints)
     for r in range(first, last):
         owe_nothing(rows[r])
+    for r in range(first_sprung(b, joints), last):
+        owe_springs(rows[r])
     for r in range(last - 1, first + 1, -1):
         owe_lanes(rows[r])
         pass_lanes(rows[r])
-        add_passed(T_OWED_X, rows[r], rows[joints.tree_above[r]])
+        add_owed(rows[r], rows[joints.tree_above[r]])
     owe_lanes(rows[first + 1])
     if hinge > first + 1:
         let_lanes_go(rows[first + 1])
     all_lanes(T_LARGEST, 0.0, lanes)
     for r in range(first + 1, last):
         pass_lanes_down(lanes, rows[r], rows[joints.tree_above[r]])
-    push_block(b, T_ACTIVE, 1.0, bodies, joints)
+        if r >= hinge:
+            push_row(b, r, T_ACTIVE, 1.0, joints)
+    for r in range(first_sprung(b, joints), last):
+        spring_impulses_of_lanes(rows[r], rows[joints.tree_above[r]])
+    turn_by_springs(b, T_ACTIVE, 1.0, joints)
+    store_block(b, bodies, joints)
 
 
-def push_block(b: int, chosen: int, sign: float, bodies: Bodies, joints: Joints) -> None:
-    """Give some trees of a block the impulses that were found, or take these back."""
-    first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
-    rows, lanes = joints.tree_lanes, joints.block_lanes[b]
-    for r in range(first_hinge(b, joints), last):
-        push_own_lanes(chosen, sign, lanes, rows[r])
-        if r > first + 1:
-            above = rows[joints.tree_above[r]]
-            pass_impulses(chosen, sign, lanes, rows[r], above)
-            add_passed(T_VX, rows[r], above)
-            add_passed(T_START_X, rows[r], above)
-    for r in range(first + 1, last):
-        store_node(joints.tree_slots[r], bodies, rows[r])
+def take_block_back(b: int, bodies: Bodies, joints: Joints) -> None:
+    """Take the last solution from the motion of trees: no solution is near."""
+    for r in range(first_hinge(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+        push_row(b, r, T_BACK, -1.0, joints)
+    turn_by_springs(b, T_BACK, -1.0, joints)
+    store_block(b, bodies, joints)
+
+
+def push_row(b: int, r: int, chosen: int, sign: float, joints: Joints) -> None:
+    """Give bodies of a row, and those above, the impulses through hinges, or take these back."""
+    row, pushed = joints.tree_lanes[r], joints.block_lanes[b, chosen : chosen + LANES]
+    push_own_lanes(pushed, sign, row)
+    if r > joints.tree_blocks[b, T_FIRST] + 1:
+        above = joints.tree_lanes[joints.tree_above[r]]
+        pass_impulses(pushed, sign, row, above)
+        add_pushed(row, above)
+
+
+def turn_by_springs(b: int, chosen: int, sign: float, joints: Joints) -> None:
+    """Give bodies of a block the angular impulses of springs, or take these back."""
+    rows, turned = joints.tree_lanes, joints.block_lanes[b, chosen : chosen + LANES]
+    for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+        above = rows[joints.tree_above[r]]
+        turn_lanes_by_springs(turned, sign, rows[r], above)
+        add_turns(rows[r], above)
+
+
+def store_block(b: int, bodies: Bodies, joints: Joints) -> None:
+    """Store how the bodies of a block move."""
+    for r in range(joints.tree_blocks[b, T_FIRST] + 1, joints.tree_blocks[b + 1, T_FIRST]):
+        store_node(joints.tree_slots[r], bodies, joints.tree_lanes[r])
 
 
 def store_blocks(joints: Joints) -> None:
@@ -294,14 +389,18 @@ def store_blocks(joints: Joints) -> None:
     for b in range(joints.counts[TREE_BLOCKS]):
         first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
         for r in range(first + 1, last):
-            keep_given_lanes(T_EACH, joints.block_lanes[b], joints.tree_lanes[r])
+            each = joints.block_lanes[b, T_EACH : T_EACH + LANES]
+            keep_given_lanes(each, joints.tree_lanes[r])
         for m in range(LANES):
             n = joints.tree_blocks[b, T_MECHANISM + m]
             if n < 0 or joints.mechanisms[n, M_STATUS] == ASLEEP:
                 continue
             for r in range(first + 1, last):
-                hinge = joints.hinges[joints.sparse[n, I_NODE] + r - first]
-                store_lane(m, joints.tree_lanes[r], hinge)
+                member = joints.sparse[n, I_NODE] + r - first
+                store_lane(m, joints.tree_lanes[r], joints.hinges[member])
+                if joints.members[member, JOINED_SPRING] >= 0:
+                    numbers = joints.numbers[joints.members[member, JOINED_SPRING]]
+                    store_spring(m, joints.tree_lanes[r], numbers)
             store_hinge_impulses(n, joints)
 
 
@@ -311,3 +410,13 @@ def store_lane(m: int, row: Array, hinge: Array) -> None:
     hinge[H_PULL], hinge[H_PULL + 1] = row[T_PULL_X + m], row[T_PULL_Y + m]
     hinge[H_TURN], hinge[H_FAR_TURN] = row[T_TURN + m], row[T_FAR_TURN + m]
     hinge[H_APART], hinge[H_APART + 1] = row[T_APART_X + m], row[T_APART_Y + m]
+
+
+def store_spring(m: int, row: Array, numbers: Array) -> None:
+    """Let the numbers of a spring have what its lane has."""
+    pull, own = row[T_LAW_PULL + m], row[T_LAW_SIDE + m] > 0.0
+    turning, far = row[T_TURNING + m], row[T_FAR_TURNING + m]
+    numbers[J_PULL] = pull
+    to = J_TOTAL + 2
+    numbers[to] = angular_momentum_later(numbers[to], pull, far if own else turning)
+    numbers[to + 3] = angular_momentum_later(numbers[to + 3], pull, turning if own else far)

@@ -1,0 +1,130 @@
+"""Springs of the angles of hinges side by side, a lane for each tree: what `angle_laws` does.
+
+Each node of a tree has one at most. A lane without a spring has one that is not firm.
+"""
+
+from tamias2d.engine.joints.linearise import firmness_that_yields
+from tamias2d.engine.tables import (
+    T_ANGLE,
+    T_CHANGE_SPIN,
+    T_DAMPING,
+    T_FAR_TURNING,
+    T_FIRM,
+    T_FIRMNESS,
+    T_HELD_INVERSE_INERTIA,
+    T_JOINT_ANGLE,
+    T_LAW,
+    T_LAW_ERROR,
+    T_LAW_GIVEN,
+    T_LAW_IMPULSE,
+    T_LAW_PULL,
+    T_LAW_SIDE,
+    T_PASSED_TURN,
+    T_SIZE,
+    T_SPIN,
+    T_START_SPIN,
+    T_STIFFNESS,
+    T_TURNING,
+)
+from tamias2d.generated.hinge_tree import law_impulse
+from tamias2d.generated.joint_step import (
+    angular_velocity_later,
+    coupled_inertia,
+    row_impulse,
+    row_rate,
+    row_yield,
+    spring_error,
+    spring_firmness,
+)
+from tamias2d.kernels.assembled import separate
+from tamias2d.kernels.lanes import LANES
+from tamias2d.state import Array
+
+
+@separate
+def begin_springs_of_lanes(row: Array) -> None:
+    """Begin a substep, in which the springs of a row have given nothing yet."""
+    for m in range(LANES):
+        row[T_LAW_GIVEN + m] = 0.0
+
+
+@separate
+def firm_lanes(substep: float, row: Array, above: Array) -> None:
+    """Find how firm the springs of a row are in a substep, s; a body may not turn."""
+    for m in range(LANES):
+        side, held = row[T_LAW_SIDE + m], row[T_HELD_INVERSE_INERTIA + m]
+        held_above = above[T_HELD_INVERSE_INERTIA + m]
+        turning = side if held > 0.0 else 0.0
+        far = -side if held_above > 0.0 else 0.0
+        yielding = row_yield((0.0, 0.0), turning, 0.0, held)
+        yielding += row_yield((0.0, 0.0), far, 0.0, held_above)
+        firm = spring_firmness(row[T_STIFFNESS + m], row[T_DAMPING + m], substep)
+        firm = min(firmness_that_yields(yielding), firm)
+        row[T_TURNING + m], row[T_FAR_TURNING + m] = turning, far
+        row[T_FIRMNESS + m], row[T_FIRM + m] = firm, coupled_inertia(turning, turning, firm)
+
+
+@separate
+def spring_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Array) -> None:
+    """Write the rates that the springs of a row have not answered yet."""
+    for m in range(LANES):
+        angle = row[T_LAW_SIDE + m] * (row[T_ANGLE + m] - above[T_ANGLE + m])
+        angle -= row[T_JOINT_ANGLE + m]
+        rate = row_rate((0.0, 0.0), row[T_TURNING + m], (0.0, 0.0), row[T_SPIN + m])
+        rate += row_rate((0.0, 0.0), row[T_FAR_TURNING + m], (0.0, 0.0), above[T_SPIN + m])
+        firm, given = row[T_FIRMNESS + m], row[T_LAW_GIVEN + m]
+        stiffness, damping = row[T_STIFFNESS + m], row[T_DAMPING + m]
+        divisor = firm if firm > 0.0 else 1.0
+        error = spring_error(angle, rate, given, stiffness, damping, divisor, substep)
+        error = error if firm > 0.0 else 0.0
+        row[T_LAW_ERROR + m] = error
+        lanes[T_SIZE + m] = lanes[T_SIZE + m] + error * error
+
+
+@separate
+def owe_springs(row: Array) -> None:
+    """Note what the springs of a row ask for about their hinges."""
+    for m in range(LANES):
+        turned = row[T_TURNING + m] * row[T_LAW_ERROR + m]
+        row[T_LAW + m] = 0.0 + law_impulse(row[T_FIRMNESS + m], turned)
+
+
+@separate
+def spring_impulses_of_lanes(row: Array, above: Array) -> None:
+    """Find the angular impulses of the springs of a row."""
+    for m in range(LANES):
+        own = row_rate((0.0, 0.0), row[T_TURNING + m], (0.0, 0.0), row[T_CHANGE_SPIN + m])
+        far = row_rate((0.0, 0.0), row[T_FAR_TURNING + m], (0.0, 0.0), above[T_CHANGE_SPIN + m])
+        is_b, firm = row[T_LAW_SIDE + m] > 0.0, row[T_FIRMNESS + m]
+        first, second = far if is_b else own, own if is_b else far
+        impulse = row_impulse(row[T_LAW_ERROR + m] + first + second, firm)
+        row[T_LAW_IMPULSE + m] = impulse if firm > 0.0 else 0.0
+
+
+@separate
+def turn_lanes_by_springs(chosen: Array, sign: float, row: Array, above: Array) -> None:
+    """Give the bodies of a row the angular impulses of their springs, or take these back.
+
+    What that does to the bodies above is noted: where nothing is turned, a zero which leaves one of
+    either sign as it is.
+    """
+    for m in range(LANES):
+        turned = (chosen[m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
+        impulse, held = sign * row[T_LAW_IMPULSE + m], row[T_HELD_INVERSE_INERTIA + m]
+        pull, given = row[T_LAW_PULL + m] + impulse, row[T_LAW_GIVEN + m] + impulse
+        turn = angular_velocity_later(0.0, impulse, row[T_TURNING + m], held)
+        held_above = above[T_HELD_INVERSE_INERTIA + m]
+        passed = angular_velocity_later(0.0, impulse, row[T_FAR_TURNING + m], held_above)
+        row[T_LAW_PULL + m] = pull if turned else row[T_LAW_PULL + m]
+        row[T_LAW_GIVEN + m] = given if turned else row[T_LAW_GIVEN + m]
+        row[T_SPIN + m] = row[T_SPIN + m] + turn if turned else row[T_SPIN + m]
+        row[T_START_SPIN + m] = row[T_START_SPIN + m] + turn if turned else row[T_START_SPIN + m]
+        row[T_PASSED_TURN + m] = passed if turned else -0.0
+
+
+@separate
+def add_turns(row: Array, above: Array) -> None:
+    """Add them to the spins of these, now and as the substep began."""
+    for m in range(LANES):
+        above[T_SPIN + m] += row[T_PASSED_TURN + m]
+        above[T_START_SPIN + m] += row[T_PASSED_TURN + m]
