@@ -1,25 +1,18 @@
 """All impacts and lasting contacts at one instant.
 
-In this order: find all touching pairs; resolve the impacts of those that approach (IM3), unless
-impacts act on each other; keep the contacts that neither approach nor separate (GD3).
+In this order: find all touching pairs; answer the impacts of those that approach (`Impacts`); keep
+the contacts that neither approach nor separate (GD3).
 """
 
 import math
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import NamedTuple
+from collections.abc import Sequence
 
 from tamias2d.contact.constrained_acceleration import opening_acceleration
-from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
+from tamias2d.contact.core import Placed, place
 from tamias2d.contact.frictional_rest import LASTING_NOISE, PairFriction, island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
-from tamias2d.contact.jointed_impact import (
-    Struck,
-    change_by_unit,
-    changed,
-    impulses as jointed_impulses,
-)
+from tamias2d.contact.impacts import Impacts, refuse_jointed, with_mechanisms
+from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import (
     Contact,
@@ -27,77 +20,14 @@ from tamias2d.contact.manifold import (
     manifold,
     normal_velocity,
     speed_scale,
-    tangent_of,
 )
-from tamias2d.contact.refusal import (
-    JointedContactError,
-    RangeError,
-    SimultaneousImpactsError,
-    UndecidedContactError,
-    named,
-)
-from tamias2d.contact.response import after_impulse, coupling, impulses
+from tamias2d.contact.refusal import RangeError, UndecidedContactError, named
 from tamias2d.contact.terrain import is_behind, normals
+from tamias2d.contact.touching import PairOf, TouchingPair
 from tamias2d.generated import impact, rest
 from tamias2d.state import Acceleration, Constraint, State, Vector
 
-PairOf = tuple[int, int]
-
 _MAX_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
-_MAX_IMPULSES = (
-    10_000  # impulses of one pair at one instant; their speeds fall as a geometric series
-)
-
-
-class InstantInputs(NamedTuple):
-    """The state of the simulation that an instant reads."""
-
-    cores: Sequence[Core]
-    state: Callable[[int], State]
-    """Of a body, now."""
-    overlapping: Callable[[int], Iterable[int]]
-    """The bodies whose bounding boxes overlap with that of a body."""
-    free: Callable[[int, Callable[[int], State]], Acceleration]
-    """The acceleration of an unconstrained body, now, for given states."""
-    struck: Struck
-    """What impulses on jointed bodies change, now."""
-    lasting: Mapping[PairOf, Sequence[Contact]]
-    """The contacts that have lasted until now."""
-    sticking: Collection[PairOf]
-    """The pairs of these that stick."""
-    separating_direction: Mapping[PairOf, Vector]
-    """The directions in which pairs were last apart."""
-    restitution: Callable[[int, int], float]
-    friction: Callable[[int, int], float]
-    until: float
-    """When the run ends, s."""
-
-
-class ContactImpulse(NamedTuple):
-    """One impulse at a contact."""
-
-    contact: Contact
-    impulse: float
-    normal_velocity: float
-
-
-@dataclass
-class TouchingPair:
-    """A touching pair."""
-
-    pair: PairOf
-    contacts: list[Contact]
-    tolerance: float
-    """The largest gap that counts as 0, m."""
-    speed: float
-    """The size of the terms that make up its velocities, m/s."""
-    noise: float
-    """The largest normal velocity that counts as 0, m/s."""
-    staying: list[Contact] = field(default_factory=list)
-    rest_at: float = 0.0
-    """When its bounces end if they go on as a geometric series of times, s; 0 if they do not."""
-    rest_noise: float = 0.0
-    """The error of `rest_at` by rounding, s."""
 
 
 class Instant:
@@ -110,7 +40,6 @@ class Instant:
         self.states: dict[int, State] = {}
         """Of the bodies that were examined, after the instant."""
         self.touching_pairs: dict[PairOf, TouchingPair] = {}
-        self.contact_impulses: list[ContactImpulse] = []
         self.changed: set[int] = set()
         self.constraints: dict[int, Constraint] = {}
         self.senses: dict[PairOf, int] = {}
@@ -118,7 +47,12 @@ class Instant:
         self.separating: dict[PairOf, float] = {}
         """Pairs that separate without normal velocity, with the second derivative of the gap."""
         self._find_touching(bodies)
-        self._resolve_impacts()
+        impacts = Impacts(time, world, self.states, self.touching_pairs)
+        impacts.resolve()
+        self.contact_impulses = impacts.impulses
+        self.changed |= impacts.changed
+        self.ruled = impacts.ruled
+        """Bodies for which a rule decided what rigid bodies leave open (A18)."""
         self._keep_lasting()
 
     def state(self, body: int) -> State:
@@ -126,7 +60,7 @@ class Instant:
         return self.states[body] if body in self.states else self._world.state(body)
 
     def _find_touching(self, bodies: Sequence[int]) -> None:
-        todo = self._with_mechanisms(bodies)
+        todo = with_mechanisms(self._world.cores, bodies)
         seen = set(todo)
         for body in todo:  # grows while it is gone through
             self._place(body)
@@ -135,33 +69,10 @@ class Instant:
                 if pair in self.touching_pairs or not (touch := self._touch(pair)):
                     continue
                 self.touching_pairs[pair] = touch
-                for i in self._with_mechanisms(pair):
+                for i in with_mechanisms(self._world.cores, pair):
                     if i not in seen and self._world.cores[i].dynamic:
                         seen.add(i)
                         todo.append(i)
-
-    def _refuse_jointed(self, contacts: Iterable[Contact], what: str) -> None:
-        """Refuse contacts of bodies that a joint holds, which are not within the models."""
-        for contact in contacts:
-            jointed = [i for i in (contact.a, contact.b) if self._world.cores[i].jointed]
-            if jointed:
-                name = self._world.cores[jointed[0]].name
-                touch = self.touching_pairs[contact.a, contact.b]
-                raise JointedContactError(
-                    f"{self._names(touch)} at {self.time!r} s: {what}, and a joint holds "
-                    f"'{name}': that is not solved yet (R13). End the run before, move one away, "
-                    "or let them pass through each other: give them one negative group, or no "
-                    "shape.",
-                    time=self.time,
-                )
-
-    def _with_mechanisms(self, bodies: Iterable[int]) -> list[int]:
-        """Return bodies, and those that joints tie to them, which an impulse reaches too."""
-        cores = self._world.cores
-        found = dict.fromkeys(bodies)
-        for body in list(found):
-            found |= dict.fromkeys(sorted(cores[body].group) if cores[body].jointed else ())
-        return list(found)
 
     def _place(self, body: int) -> Placed:
         if body not in self._placed:
@@ -231,138 +142,8 @@ class Instant:
         share = LASTING_NOISE if pair in self._world.sticking else 64 * EPSILON
         return self.touching_pairs[pair].speed * share
 
-    def _approaches(self, touch: TouchingPair) -> bool:
-        return any(self._rate(contact) < -touch.noise for contact in touch.contacts)
-
     def _rate(self, contact: Contact) -> float:
         return normal_velocity(contact, self.states[contact.a], self.states[contact.b])
-
-    def _resolve_impacts(self) -> None:
-        approaching = [touch for touch in self.touching_pairs.values() if self._approaches(touch)]
-        self._refuse_coupled(approaching)
-        for touch in approaching:
-            count = 0
-            while self._approaches(touch):
-                self._resolve_pair(touch)
-                if (count := count + 1) > _MAX_IMPULSES:
-                    raise UndecidedContactError(
-                        f"{self._names(touch)} at {self.time!r} s: their corners meet in turn "
-                        "without end (IM3). End the run before, or change the scene a little.",
-                        time=self.time,
-                    )
-            reached = self._with_mechanisms(touch.pair)
-            self.changed.update(i for i in reached if self._world.cores[i].dynamic)
-        self._refuse_driven_together(approaching)
-
-    def _resolve_pair(self, touch: TouchingPair) -> None:
-        """Resolve together the contacts that do not separate yet.
-
-        A separating one is left out: if the others drive it together, it is resolved in turn.
-        """
-        cores, states, (a, b) = self._world.cores, self.states, touch.pair
-        approaching = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
-        restitution = self._world.restitution(a, b)
-        if cores[a].jointed or cores[b].jointed:
-            self._resolve_jointed_pair(touch.pair, approaching, restitution)
-            return
-        if coefficient := self._world.friction(a, b):
-            self._resolve_frictional_pair(touch.pair, approaching, restitution, coefficient)
-            return
-        found = impulses(cores, approaching, states[a], states[b], restitution)
-        contact_impulses = [
-            ContactImpulse(contact, impulse, self._rate(contact))
-            for contact, impulse in zip(approaching, found, strict=True)
-            if impulse > 0
-        ]
-        for impulse in contact_impulses:
-            states[a], states[b] = after_impulse(
-                cores, impulse.contact, impulse.impulse, states[a], states[b]
-            )
-        self.contact_impulses += contact_impulses
-
-    def _resolve_jointed_pair(
-        self, pair: PairOf, approaching: Sequence[Contact], restitution: float
-    ) -> None:
-        """Resolve the contacts of a pair together with the joints that hold it (GD20)."""
-        if self._world.friction(*pair):
-            self._refuse_jointed(approaching, "they meet with friction")
-        cores, states = self._world.cores, self.states
-        changes = [change_by_unit(cores, contact, self._world.struck) for contact in approaching]
-        found = jointed_impulses(approaching, changes, states.__getitem__, restitution)
-        self.contact_impulses += [
-            ContactImpulse(contact, impulse, self._rate(contact))
-            for contact, impulse in zip(approaching, found, strict=True)
-            if impulse > 0
-        ]
-        for change, impulse in zip(changes, found, strict=True):
-            for body, by_unit in change.items():
-                states[body] = changed(states[body], by_unit, impulse)
-
-    def _resolve_frictional_pair(
-        self, pair: PairOf, approaching: Sequence[Contact], restitution: float, coefficient: float
-    ) -> None:
-        """Resolve the contacts of a pair with friction (IM9)."""
-        cores, states, (a, b) = self._world.cores, self.states, pair
-        found = frictional_impulses(
-            cores, approaching, states[a], states[b], restitution, coefficient
-        )
-        found_pairs = [
-            (ContactImpulse(contact, both[0], self._rate(contact)), both)
-            for contact, both in zip(approaching, found, strict=True)
-            if both[0] > 0
-        ]
-        for impulse, both in found_pairs:
-            states[a], states[b] = after_frictional_impulse(
-                cores, impulse.contact, both, states[a], states[b]
-            )
-        self.contact_impulses += [impulse for impulse, _ in found_pairs]
-
-    def _refuse_coupled(self, approaching: Sequence[TouchingPair]) -> None:
-        for k, first in enumerate(approaching):
-            for second in approaching[k + 1 :]:
-                if self._joined(first, second):
-                    self._refuse(first, second, "meet")
-                directions = self._impulse_directions(first), self._impulse_directions(second)
-                if any(
-                    self._coupled(one, other) for one in directions[0] for other in directions[1]
-                ):
-                    self._refuse(first, second, "meet")
-
-    def _joined(self, first: TouchingPair, second: TouchingPair) -> bool:
-        """Whether joints carry an impulse from one pair to another."""
-        cores = self._world.cores
-        return any(
-            cores[i].jointed and j in cores[i].group for i in first.pair for j in second.pair
-        )
-
-    def _impulse_directions(self, touch: TouchingPair) -> list[Contact]:
-        """Return the contacts of a pair, once for each direction of their impulses."""
-        frictional = self._world.friction(*touch.pair) > 0
-        return touch.contacts + [tangent_of(contact) for contact in touch.contacts if frictional]
-
-    def _coupled(self, first: Contact, second: Contact) -> bool:
-        cores = self._world.cores
-        both = coupling(cores, first, second)
-        own = coupling(cores, first, first) * coupling(cores, second, second)
-        return both * both > 1e-24 * own
-
-    def _refuse_driven_together(self, approaching: Sequence[TouchingPair]) -> None:
-        """Refuse impacts that drive a touching pair into another impact."""
-        for touch in self.touching_pairs.values():
-            if approaching and self._approaches(touch):
-                by = next((m for m in approaching if set(m.pair) & set(touch.pair)), approaching[0])
-                self._refuse(by, touch, "drive together")
-
-    def _refuse(self, first: TouchingPair, second: TouchingPair, what: str) -> None:
-        one, other = self._names(first), self._names(second)
-        raise SimultaneousImpactsError(
-            f"{one} {what} {other} at {self.time!r} s: impacts at one instant act on each other, "
-            "and rigid bodies leave open what follows (IM3). Put a small gap between them.",
-            time=self.time,
-        )
-
-    def _names(self, touch: TouchingPair) -> str:
-        return named(*(self._world.cores[i].name for i in touch.pair))
 
     def _keep_lasting(self) -> None:
         """Keep contacts that neither approach nor separate, or bounce below resolution."""
@@ -372,11 +153,11 @@ class Instant:
             for contact in touch.contacts
             if abs(self._rate(contact)) <= touch.noise
         ]
-        self._refuse_jointed(staying, "they stay in contact")
+        refuse_jointed(self._world.cores, staying, "they stay in contact", self.time)
         self._refuse_corners(staying)
         islands = self._islands(staying)
         while low := self._unresolved_bounces(islands, staying):
-            self._refuse_jointed(low, "they come to rest on each other")
+            refuse_jointed(self._world.cores, low, "they come to rest on each other", self.time)
             staying += low
             islands = self._islands(staying)
         lasting = [contact for island in islands for contact in island.lasting]

@@ -12,7 +12,8 @@ from tamias2d.contact.contact_loss import ContactLossWatch
 from tamias2d.contact.core import cores_of, place
 from tamias2d.contact.follower import Follower, Memory
 from tamias2d.contact.gap import EPSILON, slight_opening
-from tamias2d.contact.instant import ContactImpulse, Instant, InstantInputs, PairOf
+from tamias2d.contact.instant import Instant
+from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.overlap import refuse_overlap
 from tamias2d.contact.refusal import LastingContactError, UndecidedContactError, named
@@ -20,6 +21,7 @@ from tamias2d.contact.rest_time import RestTimes
 from tamias2d.contact.stepping_choice import MANY
 from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.swept_aabb import SweptAabbs
+from tamias2d.contact.touching import ContactImpulse, PairOf
 from tamias2d.path import Paths, Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Array, Constraint, State, Vector
