@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Placed, place
-from tamias2d.contact.frictional_rest import LASTING_NOISE, PairFriction, island_of
+from tamias2d.contact.frictional_rest import LASTING_NOISE, island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
 from tamias2d.contact.impacts import Impacts, refuse_jointed, with_mechanisms
 from tamias2d.contact.instant_inputs import InstantInputs
@@ -21,6 +21,7 @@ from tamias2d.contact.manifold import (
     normal_velocity,
     speed_scale,
 )
+from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import RangeError, UndecidedContactError, named
 from tamias2d.contact.terrain import is_behind, normals
 from tamias2d.contact.touching import PairOf, TouchingPair
@@ -197,17 +198,13 @@ class Instant:
             for contact in contacts
         ]
         pair_friction = PairFriction(self.time, self._world.friction, self._slide_noise)
-        return [
-            island_of(
-                cores,
-                placed,
-                joined,
-                {i: self._free(i) for i in sorted(bodies)},
-                min(slight),
-                pair_friction,
-            )
-            for bodies, joined in groups
-        ]
+        found = []
+        for bodies, joined in groups:
+            free = {i: self._free(i) for i in sorted(bodies)}
+            island = island_of(cores, placed, joined, free, min(slight), pair_friction)
+            alone = len(island.bodies) == 1 or len(island.lasting) == len(joined)
+            found += [island] if alone else self._islands(island.lasting)
+        return found
 
     def _free(self, body: int) -> Acceleration:
         return self._world.free(body, self.state)

@@ -10,6 +10,8 @@ import numpy as np
 from tamias2d.contact.conservative_advancement import Pair
 from tamias2d.contact.contact_loss import ContactLossWatch
 from tamias2d.contact.core import cores_of, place
+from tamias2d.contact.coupled_constraint import CoupledConstraint
+from tamias2d.contact.coupled_loss import CoupledLossWatch
 from tamias2d.contact.follower import Follower, Memory
 from tamias2d.contact.gap import EPSILON, slight_opening
 from tamias2d.contact.instant import Instant
@@ -24,7 +26,7 @@ from tamias2d.contact.swept_aabb import SweptAabbs
 from tamias2d.contact.touching import ContactImpulse, PairOf
 from tamias2d.path import Paths, Piece
 from tamias2d.scene import Scene
-from tamias2d.state import Array, Constraint, State, Vector
+from tamias2d.state import Acceleration, Array, Constraint, State, Vector
 from tamias2d.work_limit import Work
 
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
@@ -398,6 +400,10 @@ class Located:
         path, constraint = self._path(body), self._constraints[body]
         if path.end < end:
             self._schedule(path.end, body, body)
+        if isinstance(constraint, CoupledConstraint):
+            if body == constraint.bodies[0]:
+                self._schedule_coupled_loss(constraint)
+            return
         contacts = [c for pair, lasting in self._lasting.items() if body in pair for c in lasting]
         supports = {i: self._state(i) for c in contacts for i in (c.a, c.b) if i != body}
         if constraint and not any(self._cores[i].dynamic for i in supports):
@@ -418,6 +424,20 @@ class Located:
             time = watch.first_loss(path, constraint)
             if time is not None:
                 self._schedule(time, body, body)
+
+    def _schedule_coupled_loss(self, constraint: CoupledConstraint) -> None:
+        """Schedule the change of the contacts of several moving bodies."""
+        held = set(constraint.bodies)
+        contacts = [c for pair, own in self._lasting.items() if held & set(pair) for c in own]
+        paths = {i: self._path(i) for i in sorted(held | {i for c in contacts for i in (c.a, c.b)})}
+
+        def free(body: int, time: float) -> Acceleration:
+            return self._motion.free(body, time, lambda i: self._path(i).at(time))
+
+        watch = CoupledLossWatch(self._cores, constraint, contacts, paths, free)
+        time = watch.first_loss()
+        if time is not None:
+            self._schedule(time, constraint.bodies[0], constraint.bodies[0])
 
     def _schedule_resumption(self, instant: Instant) -> None:
         """Find from when on pairs that separate without normal velocity are resolved as apart."""

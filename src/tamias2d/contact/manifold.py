@@ -189,6 +189,44 @@ def tangential_acceleration(
     )
 
 
+def sticking_acceleration(
+    contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration
+) -> float:
+    """Return the tangential acceleration of a contact that sticks or rolls on anything (DD69)."""
+    points = friction.tangential_acceleration(
+        of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
+    )
+    swapped, side = contact.axis[:2]
+    p, q = (b, a) if swapped else (a, b)
+    corner_p, corner_q, u = contact.gap.corner_p, contact.gap.corner, contact.axis.direction
+    if side is not None:
+        turning = p.state.angular_velocity
+    else:
+        (px, py), (qx, qy) = p.state.position, q.state.position
+        x, y = qx - px + corner_q[0] - corner_p[0], qy - py + corner_q[1] - corner_p[1]
+        distance = u[0] * x + u[1] * y
+        turning = slip_velocity(contact, a.state, b.state) / distance if distance else 0.0
+    tangent = definitions.tangent(contact.normal)
+    corners = (corner_q, corner_p) if swapped else (corner_p, corner_q)
+    changes = [
+        friction.reach_change(body.state.angular_velocity, corner, contact.normal, turning, tangent)
+        for body, corner in zip((a, b), corners, strict=True)
+    ]
+    return float(
+        friction.tangential_acceleration_rolling(
+            points,
+            turning,
+            a.state.velocity,
+            b.state.velocity,
+            contact.normal,
+            a.state.angular_velocity,
+            changes[0],
+            b.state.angular_velocity,
+            changes[1],
+        )
+    )
+
+
 def speed_scale(contact: Contact, a: State, b: State) -> float:
     """Return the size of the terms that make up the velocity of a contact, m/s."""
     return (

@@ -19,24 +19,17 @@ def symmetric(
 
     The problem has a row of couplings for each value, `matrix` (n, n), and numbers that belong to
     the value, `known` (n, m). One that is `signed` may change its sign with its couplings, as a
-    tangent does in a mirror; then the first of `known` does, too. Values are of one class if their
-    numbers are equal and their couplings to each class are (equitable partition); the mean of a
-    convex problem's answer over its classes is an answer as well.
+    tangent does in a mirror; then the first of `known` does, too. The mean of a convex problem's
+    answer over its classes is an answer as well.
     """
     count = len(values)
     both = [(k, 1.0) for k in range(count)] + [(k, -1.0) for k in range(count) if signed[k]]
     rows = np.array([k for k, _ in both])
     signs = np.array([sign for _, sign in both])
     size = np.sqrt(np.diag(matrix))
-    couplings = _ranks(np.outer(signs, signs) * (matrix / np.outer(size, size))[np.ix_(rows, rows)])
+    couplings = np.outer(signs, signs) * (matrix / np.outer(size, size))[np.ix_(rows, rows)]
     own = [known[rows, 0] * signs, *known[rows, 1:].T, np.log(size[rows])]
-    classes = _rows(np.stack([_ranks(each) for each in own], axis=1))
-    while True:
-        seen = np.sort(couplings * len(both) + classes, axis=1)
-        finer = _rows(np.column_stack([classes, seen]))
-        if finer.max() == classes.max():
-            break
-        classes = finer
+    classes = equitable_classes(couplings, own)
     parts = np.array(values)[rows] * signs
     means = [
         math.fsum(parts[classes == k].tolist()) / int((classes == k).sum())
@@ -45,12 +38,25 @@ def symmetric(
     return [means[k] for k in classes[:count].tolist()]
 
 
+def equitable_classes(matrix: Array, known: Sequence[Array]) -> NDArray[np.int64]:
+    """Return the class of each row: the coarsest of which all rows of a class have the same numbers
+    and the same couplings to each class (equitable partition).
+    """
+    couplings = _ranks(matrix)
+    classes = _rows(np.stack([_ranks(each) for each in known], axis=1))
+    while True:
+        seen = np.sort(couplings * len(classes) + classes, axis=1)
+        finer = _rows(np.column_stack([classes, seen]))
+        if finer.max() == classes.max():
+            return classes
+        classes = finer
+
+
 def _ranks(values: Array) -> NDArray[np.int64]:
     """Return the places of numbers among all of them, the same for those that are equal."""
     order = np.sort(values, axis=None)
     apart = np.diff(order) > _EQUAL * np.abs(order).max(initial=0.0)
-    starts = order[1:][apart]
-    return np.searchsorted(starts, values, side="right")
+    return np.searchsorted(order[1:][apart], values, side="right")
 
 
 def _rows(values: NDArray[np.int64]) -> NDArray[np.int64]:
