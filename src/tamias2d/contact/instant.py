@@ -42,6 +42,8 @@ class Instant:
         """Of the bodies that were examined, after the instant."""
         self.touching_pairs: dict[PairOf, TouchingPair] = {}
         self.changed: set[int] = set()
+        self.parted: list[PairOf] = []
+        """Pairs in lasting contact until now whose corners part."""
         self.constraints: dict[int, Constraint] = {}
         self.senses: dict[PairOf, int] = {}
         """Of lasting pairs with friction: 0 if they stick, else the sense in which they slide."""
@@ -92,10 +94,18 @@ class Instant:
             pair
         ) or self._pressed_direction(a, b, tolerance)
         contacts = manifold(a, b, tolerance, self.time, lasting, separating_direction)
+        if not contacts:
+            self._part(pair)
+            return None
         self._refuse_behind(a, b, contacts)
         speed = max(speed_scale(contact, a.state, b.state) for contact in contacts)
         noise = speed * (LASTING_NOISE if lasting else 64 * EPSILON)
         return TouchingPair(pair, contacts, tolerance, speed, noise)
+
+    def _part(self, pair: PairOf) -> None:
+        """Let a pair go whose corners have slid off each other."""
+        self.parted.append(pair)
+        self.changed |= {i for i in pair if self._world.cores[i].dynamic}
 
     def _refuse_far(self, a: Placed, b: Placed, tolerance: float) -> None:
         """Refuse a contact where positions in float64 are coarse beside the size of a body."""

@@ -382,6 +382,9 @@ class Located:
     def _update_lasting(self, instant: Instant) -> None:
         """Replace the lasting contacts by those of an instant, and note the new ones."""
         before = {self._named(pair) for pair in self._lasting}
+        for pair in instant.parted:
+            self._lasting.pop(pair, None)
+            self._senses.pop(pair, None)
         for pair, touch in instant.touching_pairs.items():
             self._separating_direction[pair] = touch.contacts[0].normal
             names = self._named(pair)

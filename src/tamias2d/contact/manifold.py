@@ -42,7 +42,7 @@ def manifold(
     lasting: Sequence[Contact] = (),
     separating_direction: Vector | None = None,
 ) -> list[Contact]:
-    """Return the contacts of a pair that touches within a tolerance in m.
+    """Return the contacts of a pair that touches within a tolerance in m; none if corners part.
 
     The `lasting` contacts stay in it, whatever rounding does to their gaps.
     `separating_direction` is the direction from A to B in which they were last apart.
@@ -52,7 +52,8 @@ def manifold(
     found = from_side(a, b, found, lasting[0].normal if lasting else separating_direction)
     axis = max(found, key=lambda each: each.gap)
     if directions := _equal_directions(found, axis, tolerance):
-        return [_corner_on_corner(a, b, axis, directions, time)]
+        contact = _corner_on_corner(a, b, axis, directions, time)
+        return [] if contact is None else [contact]
     if axis.side is None:
         return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
     touching = _touching_corners(a, b, axis, tolerance, lasting)
@@ -307,11 +308,13 @@ def _equal_directions(found: list[Axis], best: Axis, tolerance: float) -> list[V
 
 def _corner_on_corner(
     a: Placed, b: Placed, axis: Axis, directions: list[Vector], time: float
-) -> Contact:
+) -> Contact | None:
     """Return the contact of two corners: its normal is their approach, or nearest to it (GD11).
 
+    There is none if they part in one of the directions.
+
     Raises:
-        UndecidedContactError: they do not approach.
+        UndecidedContactError: they neither approach nor part.
     """
     contact = _contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))
     at_a, at_b = (
@@ -327,10 +330,12 @@ def _corner_on_corner(
             axis=Axis(False, None, normal, axis.gap),
             gap=contact.gap._replace(corner=contact.arm_b, corner_p=contact.arm_a),
         )
-        if normal_velocity(contact, a.state, b.state) < -64 * EPSILON * speed_scale(
-            contact, a.state, b.state
-        ):
+        unseen = 64 * EPSILON * speed_scale(contact, a.state, b.state)
+        if normal_velocity(contact, a.state, b.state) < -unseen:
             return contact
+        u, v = at_b[0] - at_a[0], at_b[1] - at_a[1]
+        if max(_dot((u, v), each) for each in directions) > unseen:
+            return None
     raise corner_on_corner_error(a.core, b.core, time)
 
 
