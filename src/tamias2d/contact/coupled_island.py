@@ -14,9 +14,10 @@ from tamias2d.contact.coupled_constraint import (
     least_forces,
     rows_of,
 )
+from tamias2d.contact.force_problem import ForceProblem
 from tamias2d.contact.gap import EPSILON
+from tamias2d.contact.inelastic_impact import JammedError
 from tamias2d.contact.lasting_contact import Island
-from tamias2d.contact.lemke import lemke
 from tamias2d.contact.manifold import Contact, tangential_velocity
 from tamias2d.contact.modes import (
     Mode,
@@ -177,12 +178,7 @@ class CoupledIsland(Island):
         found = self._forces()
         if found is None:
             names = named(*(self._cores[i].name for i in self.bodies))
-            raise LastingContactError(
-                f"{names} at {self._time!r} s: no forces between them were found that obey "
-                "Coulomb's law (IM18), as where friction presses what it brakes. End the run "
-                "before, take method=Stepped(), or change the scene.",
-                time=self._time,
-            )
+            raise JammedError(names, self._patches, self._free, time=self._time)
         mode = tuple(
             self._part(patch, pushes, drag)
             for patch, (pushes, drag) in zip(self._patches, found, strict=True)
@@ -236,7 +232,7 @@ class CoupledIsland(Island):
         It is the complementarity of pushes with normal accelerations, and of drags within
         Coulomb's bound with tangential ones, where a patch sticks or may begin to slide.
         """
-        problem = _Problem(self._cores, self.bodies, self._patches)
+        problem = ForceProblem(self._cores, self.bodies, self._patches)
         contacts = [c for patch in self._patches for c in patch.contacts]
         loads = [contact_acceleration(c, False, self._placed, self._free) for c in contacts]
         loads += [
@@ -255,49 +251,3 @@ class CoupledIsland(Island):
             result.append((pushes[place : place + count], float(drag)))
             place += count
         return result
-
-
-class _Problem:
-    """The complementarity problem of the forces at one instant."""
-
-    def __init__(
-        self, cores: Sequence[Core], bodies: Sequence[int], patches: Sequence[Patch]
-    ) -> None:
-        self.sticking = [patch for patch in patches if patch.coefficient and not patch.sense]
-        contacts = [contact for patch in patches for contact in patch.contacts]
-        mode = tuple(Part(patch, patch.contacts, patch.sense) for patch in patches)
-        inverse = inverse_masses(cores, bodies)
-        tangents = closed_directions([(patch.contacts[0], True) for patch in self.sticking])
-        rows = rows_of([*contacts, *tangents], bodies)
-        columns = rows_of(force_directions(mode), bodies)
-        self._size = np.sqrt((rows * rows * inverse).sum(axis=1))
-        self._matrix = (rows * inverse) @ columns.T / np.outer(self._size, self._size)
-        self._count = len(contacts)
-        place = {id(contact): k for k, contact in enumerate(contacts)}
-        self._bounds = np.zeros((len(self.sticking), self._count))
-        for k, patch in enumerate(self.sticking):
-            for contact in patch.contacts:
-                self._bounds[k, place[id(contact)]] = patch.coefficient
-
-    def solved(self, loads: Array) -> tuple[Array, Array] | None:
-        """Return the pushes and the drags, N, for the accelerations without them."""
-        n, m = self._count, len(self.sticking)
-        scaled = loads / self._size
-        near, far = self._matrix[:n, :n], self._matrix[:n, n:]
-        below, drags = self._matrix[n:, :n], self._matrix[n:, n:]
-        bounds = self._bounds * self._size[n:, None] / self._size[None, :n]
-        one, none = np.eye(m), np.zeros((m, m))
-        matrix = np.block(
-            [
-                [near, far, -far, np.zeros((n, m))],
-                [below, drags, -drags, one],
-                [-below, -drags, drags, one],
-                [bounds, -one, -one, none],
-            ]
-        )
-        vector = np.concatenate([scaled[:n], scaled[n:], -scaled[n:], np.zeros(m)])
-        found = lemke(matrix, vector)
-        if found is None:
-            return None
-        pushes = found[:n] / self._size[:n]
-        return pushes, (found[n : n + m] - found[n + m : n + 2 * m]) / self._size[n:]

@@ -1,11 +1,11 @@
 """The impulses of one instant: pair by pair, and in rounds where they act on one another (A18)."""
 
-import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from tamias2d.contact.core import Core
 from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
 from tamias2d.contact.gap import EPSILON
+from tamias2d.contact.inelastic_impact import closing_impulses
 from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.jointed_impact import (
     change_by_unit,
@@ -13,6 +13,7 @@ from tamias2d.contact.jointed_impact import (
     impulses as jointed_impulses,
 )
 from tamias2d.contact.manifold import Contact, normal_velocity, tangent_of
+from tamias2d.contact.modes import Patch
 from tamias2d.contact.refusal import (
     JointedContactError,
     SimultaneousImpactsError,
@@ -20,12 +21,7 @@ from tamias2d.contact.refusal import (
     named,
 )
 from tamias2d.contact.response import after_impulse, coupling, impulses
-from tamias2d.contact.simultaneous_impact import (
-    Meeting,
-    apply,
-    closing_impulses,
-    simultaneous_impulses,
-)
+from tamias2d.contact.simultaneous_impact import Meeting, apply, simultaneous_impulses
 from tamias2d.contact.touching import ContactImpulse, PairOf, TouchingPair
 from tamias2d.state import State
 
@@ -69,7 +65,7 @@ class Impacts:
         if not (again := self._approaching()):
             return
         self._refuse_jointed_rounds([*approaching, *again])
-        self._quieten()
+        quieten(self._touching.values())
         self.ruled |= {i for touch in approaching for i in self._moving(touch)}
         limit = _LEFT * max((-one.normal_velocity for one in self.impulses), default=0.0)
         for _ in range(_MAX_ROUNDS):
@@ -80,7 +76,6 @@ class Impacts:
             self._answer(again)
         if again:
             self._close()
-        self.impulses = _summed(self.impulses)
 
     def rate(self, contact: Contact) -> float:
         """Return the normal velocity of a contact now, m/s."""
@@ -91,12 +86,6 @@ class Impacts:
 
     def _approaches(self, touch: TouchingPair) -> bool:
         return any(self.rate(contact) < -touch.noise for contact in touch.contacts)
-
-    def _quieten(self) -> None:
-        """Take rounding for what it is at the speeds of all bodies that push each other."""
-        noise = 64 * EPSILON * max(touch.speed for touch in self._touching.values())
-        for touch in self._touching.values():
-            touch.noise = max(touch.noise, noise)
 
     def _answer(self, approaching: Sequence[TouchingPair]) -> None:
         """Let the pairs that approach answer: together those that act on each other."""
@@ -174,9 +163,12 @@ class Impacts:
         self._push(simultaneous_impulses(self._world.cores, meetings, self._states))
 
     def _close(self) -> None:
-        """Take what is left of all approach, without restitution (DD69)."""
-        contacts = [contact for touch in self._touching.values() for contact in touch.contacts]
-        self._push(closing_impulses(self._world.cores, contacts, self._states))
+        """Take what is left of all approach, without restitution (DD68)."""
+        patches = [
+            Patch(tuple(touch.contacts), self._world.friction(*touch.pair), 0)
+            for touch in self._touching.values()
+        ]
+        self._push(closing_impulses(self._world.cores, patches, self._states))
 
     def _push(self, found: Sequence[tuple[Contact, float, float]]) -> None:
         self.impulses += [
@@ -270,6 +262,14 @@ class Impacts:
         return named(*(self._world.cores[i].name for i in touch.pair))
 
 
+def quieten(touching: Collection[TouchingPair]) -> None:
+    """Take rounding for what it is at the speeds of all bodies that push each other."""
+    loudest = max(touch.speed for touch in touching)
+    for touch in touching:
+        touch.speed = loudest
+        touch.noise = max(touch.noise, 64 * EPSILON * loudest)
+
+
 def with_mechanisms(cores: Sequence[Core], bodies: Iterable[int]) -> list[int]:
     """Return bodies, and those that joints tie to them, which an impulse reaches too."""
     found = dict.fromkeys(bodies)
@@ -292,13 +292,3 @@ def refuse_jointed(
                 "negative group, or no shape.",
                 time=time,
             )
-
-
-def _summed(found: Sequence[ContactImpulse]) -> list[ContactImpulse]:
-    """Return one impulse for each contact, with the normal velocity before its first one."""
-    parts: dict[int, list[ContactImpulse]] = {}
-    for one in found:
-        parts.setdefault(id(one.contact), []).append(one)
-    return [
-        own[0]._replace(impulse=math.fsum(one.impulse for one in own)) for own in parts.values()
-    ]

@@ -11,7 +11,8 @@ from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Placed, place
 from tamias2d.contact.frictional_rest import LASTING_NOISE, island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
-from tamias2d.contact.impacts import Impacts, refuse_jointed, with_mechanisms
+from tamias2d.contact.impacts import Impacts, quieten, refuse_jointed, with_mechanisms
+from tamias2d.contact.inelastic_impact import JammedError, jam_impulses
 from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import (
@@ -23,12 +24,14 @@ from tamias2d.contact.manifold import (
 )
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import RangeError, UndecidedContactError, named
+from tamias2d.contact.simultaneous_impact import apply
 from tamias2d.contact.terrain import is_behind, normals
-from tamias2d.contact.touching import PairOf, TouchingPair
+from tamias2d.contact.touching import ContactImpulse, PairOf, TouchingPair
 from tamias2d.generated import impact, rest
 from tamias2d.state import Acceleration, Constraint, State, Vector
 
 _MAX_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
+_MAX_JAMS = 8  # of one instant, one after another
 
 
 class Instant:
@@ -100,6 +103,8 @@ class Instant:
         self._refuse_behind(a, b, contacts)
         speed = max(speed_scale(contact, a.state, b.state) for contact in contacts)
         noise = speed * (LASTING_NOISE if lasting else 64 * EPSILON)
+        if speed <= 64 * EPSILON * self.time * max(math.hypot(*self._pull(x)) for x in (a, b)):
+            noise = speed  # nothing but rounding moves them
         return TouchingPair(pair, contacts, tolerance, speed, noise)
 
     def _part(self, pair: PairOf) -> None:
@@ -158,6 +163,30 @@ class Instant:
 
     def _keep_lasting(self) -> None:
         """Keep contacts that neither approach nor separate, or bounce below resolution."""
+        staying, islands = self._staying_islands()
+        lasting = [contact for island in islands for contact in island.lasting]
+        self._note_separating(islands, [contact for contact in staying if contact not in lasting])
+        for contact in lasting:
+            self.touching_pairs[contact.a, contact.b].staying.append(contact)
+        for island in islands:
+            if island.lasting:
+                self._constrain(island)
+        constrained = {
+            i for pair in self.touching_pairs if pair in self._world.lasting for i in pair
+        }
+        self.changed |= {i for i in constrained if self._world.cores[i].dynamic}
+
+    def _staying_islands(self) -> tuple[list[Contact], list[Island]]:
+        """Return the contacts that stay, and their islands, after impulses where contacts jam."""
+        for _ in range(_MAX_JAMS):
+            try:
+                return self._settled()
+            except JammedError as jam:
+                if not self._resolve_jam(jam):
+                    raise
+        return self._settled()
+
+    def _settled(self) -> tuple[list[Contact], list[Island]]:
         staying = [
             contact
             for touch in self.touching_pairs.values()
@@ -171,17 +200,23 @@ class Instant:
             refuse_jointed(self._world.cores, low, "they come to rest on each other", self.time)
             staying += low
             islands = self._islands(staying)
-        lasting = [contact for island in islands for contact in island.lasting]
-        self._note_separating(islands, [contact for contact in staying if contact not in lasting])
-        for contact in lasting:
-            self.touching_pairs[contact.a, contact.b].staying.append(contact)
-        for island in islands:
-            if island.lasting:
-                self._constrain(island)
-        constrained = {
-            i for pair in self.touching_pairs if pair in self._world.lasting for i in pair
-        }
-        self.changed |= {i for i in constrained if self._world.cores[i].dynamic}
+        return staying, islands
+
+    def _resolve_jam(self, jam: JammedError) -> bool:
+        """Apply the impulses that end the sliding of contacts that jam (DD68), if there are any."""
+        found = jam_impulses(self._world.cores, jam.patches, self.states, jam.free)
+        quieten(self.touching_pairs.values())
+        self.contact_impulses += [
+            ContactImpulse(contact, push, self._rate(contact))
+            for contact, push, _ in found
+            if push > 0
+        ]
+        apply(self._world.cores, found, self.states)
+        bodies = {i for contact, *_ in found for i in (contact.a, contact.b)}
+        moving = {i for i in bodies if self._world.cores[i].dynamic}
+        self.changed |= moving
+        self.ruled |= moving
+        return bool(found)
 
     def _refuse_corners(self, staying: Sequence[Contact]) -> None:
         for contact in staying:

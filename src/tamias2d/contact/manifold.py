@@ -69,8 +69,9 @@ def _touching_corners(
     known = [contact.found for contact in lasting] + [
         (contact.axis.swapped, contact.gap.which[1]) for contact in lasting
     ]
-    limit = (0.0 if lasting else axis.gap) + tolerance
     found = gaps(a, b, axis)
+    last = [gap.value for gap in found if (axis.swapped, gap.which[1]) in known]
+    limit = (max([0.0, *last]) if lasting else axis.gap) + tolerance
     touching = [gap for gap in found if gap.value <= limit or (axis.swapped, gap.which[1]) in known]
     return touching or [min(found, key=lambda gap: gap.value)]
 

@@ -97,14 +97,6 @@ def apply(
         )
 
 
-def closing_impulses(
-    cores: Sequence[Core], contacts: Sequence[Contact], states: Mapping[int, State]
-) -> list[tuple[Contact, float, float]]:
-    """Return the impulses that take what is left of the approach at some contacts (DD69)."""
-    meetings = [Meeting([contact], 0.0, 0.0) for contact in contacts]
-    return simultaneous_impulses(cores, meetings, states)
-
-
 def _with_friction(
     matrix: Array,
     rates: Array,
