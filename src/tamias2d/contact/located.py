@@ -444,7 +444,8 @@ class Located:
 
     def _schedule_resumption(self, instant: Instant) -> None:
         """Find from when on pairs that separate without normal velocity are resolved as apart."""
-        for pair in [pair for pair in self._resume if set(pair) & instant.changed]:
+        struck = {i for c, *_ in instant.contact_impulses for i in (c.a, c.b)}
+        for pair in [pair for pair in self._resume if set(pair) & struck]:
             del self._resume[pair]  # it was found on paths that are no more
         for pair, acceleration in instant.separating.items():
             pair_search = self._pair(pair, instant.touching_pairs[pair].staying)

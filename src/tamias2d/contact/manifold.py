@@ -71,7 +71,8 @@ def _touching_corners(
     ]
     found = gaps(a, b, axis)
     last = [gap.value for gap in found if (axis.swapped, gap.which[1]) in known]
-    limit = (max([0.0, *last]) if lasting else axis.gap) + tolerance
+    drifted = max([0.0, *(gap for gap in last if gap > tolerance)])
+    limit = (drifted if lasting else axis.gap) + tolerance
     touching = [gap for gap in found if gap.value <= limit or (axis.swapped, gap.which[1]) in known]
     return touching or [min(found, key=lambda gap: gap.value)]
 

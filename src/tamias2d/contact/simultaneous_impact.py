@@ -9,6 +9,7 @@ import numpy as np
 
 from tamias2d.contact.complementarity import complementarity
 from tamias2d.contact.core import Core
+from tamias2d.contact.lemke import lemke
 from tamias2d.contact.manifold import Contact, normal_velocity, tangent_of
 from tamias2d.contact.response import coupling
 from tamias2d.contact.symmetry import symmetric
@@ -127,13 +128,13 @@ def _with_friction(
             most.append(meeting.coefficient * pushes[own].sum())
     limits, most_of = np.array(rows), np.array(most)
     coupled = limits @ effect @ limits.T
-    reached = np.diag(coupled) > _NEGLIGIBLE * np.diag(coupled).max()
-    slack = most_of - limits @ effect @ slip
-    multipliers = np.zeros(len(rows))
-    if reached.any():
-        multipliers[reached] = complementarity(
-            coupled[np.ix_(reached, reached)].tolist(), slack[reached].tolist()
-        )
+    slack = most_of + limits @ effect @ slip
+    size = np.sqrt(np.diag(coupled))
+    size[size <= _NEGLIGIBLE * size.max(initial=0.0)] = np.inf  # a bound that is not reached
+    found = lemke(coupled / np.outer(size, size), slack / size)
+    if found is None:  # it does not happen to what is convex but by rounding: no friction
+        return pushes, np.zeros(len(rough))
+    multipliers = found / size
     drags = -effect @ (slip + limits.T @ multipliers)
     return pushes - across @ drags, drags
 
