@@ -34,6 +34,8 @@ from tamias2d.contact.refusal import LastingContactError, named
 from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Array, Constraint, State
 
+_MOST = 12
+"""The most moving bodies in contact that go on together: the work grows as their cube."""
 _PRESSED = 1e-10
 """Of the largest force: one that is none."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
@@ -69,13 +71,9 @@ class CoupledIsland(Island):
             self._rest()
         elif self._moves_on(self._states) or self._rubs():
             self._decide()
-        self.senses.update(
-            {
-                (part.pressed[0].a, part.pressed[0].b): part.sense
-                for part in self._mode
-                if part.pressed and part.patch.coefficient
-            }
-        )
+        for part in self._mode:
+            if part.pressed and part.patch.coefficient:
+                self.senses[part.pressed[0].a, part.pressed[0].b] = part.sense
 
     def _rubs(self) -> bool:
         """Whether something presses, so that friction may act."""
@@ -173,8 +171,19 @@ class CoupledIsland(Island):
         self._pressed = [contact for patch in self._patches for contact in patch.contacts]
         self.lasting = self._pressed
 
+    def _refuse_many(self) -> None:
+        if len(self.bodies) > _MOST:
+            raise LastingContactError(
+                f"{named(*(self._cores[i].name for i in self.bodies[:2]))} and others at "
+                f"{self._time!r} s: {len(self.bodies)} moving bodies in contact go on together, "
+                f"more than {_MOST} (IM18). End the run before, take method=Stepped(), or change "
+                "the scene.",
+                time=self._time,
+            )
+
     def _decide(self) -> None:
         """Find forces that obey Coulomb's law, and what they leave of the accelerations."""
+        self._refuse_many()
         found = self._forces()
         if found is None:
             names = named(*(self._cores[i].name for i in self.bodies))
@@ -195,7 +204,7 @@ class CoupledIsland(Island):
         pressed = tuple(c for c, push in zip(patch.contacts, pushes, strict=True) if push > least)
         sense = patch.sense
         if pressed and not sense and patch.coefficient:
-            bound = float(abs(friction.friction_force(1, patch.coefficient, pushes.sum())))
+            bound = float(friction.friction_force_most(pushes.sum(), patch.coefficient))
             if abs(drag) >= bound * (1 - _PRESSED) - least:
                 sense = -int(math.copysign(1, drag))
         return Part(patch, pressed, sense)

@@ -115,7 +115,7 @@ def _mode(problem: ForceProblem, pushes: Array, drags: Array) -> Mode:
         place += len(patch.contacts)
         drag = next(drag_of) if patch.coefficient else 0.0
         pressed = tuple(c for c, push in zip(patch.contacts, own, strict=True) if push > least)
-        bound = abs(float(friction.friction_force(1, patch.coefficient, math.fsum(own))))
+        bound = float(friction.friction_force_most(math.fsum(own), patch.coefficient))
         slides = pressed and patch.coefficient and abs(drag) >= bound * (1 - _AT_BOUND)
         parts.append(Part(patch, pressed, -int(math.copysign(1, drag)) if slides else 0))
     return tuple(parts)

@@ -1,6 +1,7 @@
 """The linear complementarity problem by Lemke's method, for couplings that are not symmetric."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.contact.symmetry import equitable_classes
 from tamias2d.state import Array
@@ -60,7 +61,9 @@ def _pivot(table: Array, row: int, column: int) -> None:
     table[others] -= np.outer(table[others, column], table[row])
 
 
-def _ratio_test(table: Array, basis: Array, entering: int, artificial: int) -> int | None:
+def _ratio_test(
+    table: Array, basis: NDArray[np.int_], entering: int, artificial: int
+) -> int | None:
     """Return the row that leaves: the least ratio, and among equal ones the least in order."""
     column = table[:, entering]
     rows = np.flatnonzero(column > _NEGLIGIBLE)

@@ -29,6 +29,8 @@ from tamias2d.scene import Scene
 from tamias2d.state import Acceleration, Array, Constraint, State, Vector
 from tamias2d.work_limit import Work
 
+RULED = "rule"
+"""With this a note begins that tells of what was decided by rule."""
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
 
 
@@ -64,7 +66,8 @@ class Located:
         self._until = 0.0
         self.tracks: list[list[Piece]] = [[] for _ in self._cores]
         """The paths of each body so far, in order."""
-        self.notes: tuple[str, ...] = ()
+        self._rests: tuple[str, ...] = ()
+        self._ruled: list[tuple[float, frozenset[int]]] = []
         self._impacts: list[Array] = []
         self._constraints: list[Constraint | None] = [None for _ in self._cores]
         self._lasting: dict[PairOf, list[Contact]] = {}
@@ -115,6 +118,21 @@ class Located:
         velocity before it, m/s.
         """
         return np.concatenate([np.zeros((0, 9)), *self._impacts])
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Which bodies came to rest on which, and what was decided by rule (A18)."""
+        if not self._ruled:
+            return self._rests
+        (first, bodies), (last, _) = self._ruled[0], self._ruled[-1]
+        names = named(*(self._cores[i].name for i in sorted(bodies)))
+        when = f"at {first!r} s, {names}" if first == last else f"at {first!r} s first, {names}"
+        until = "" if first == last else f", and at {last!r} s last"
+        return (
+            *self._rests,
+            f"{RULED}: {len(self._ruled)} instants at which impacts acted on one another were "
+            f"decided by A18: {when}{until}",
+        )
 
     def _may_follow(self, end: float) -> bool:
         """Whether there is a follower, which knows all that lasts, and whether it pays."""
@@ -351,6 +369,8 @@ class Located:
         if instant.contact_impulses:
             self._impacts.append(_rows(time, instant.contact_impulses))
             self._work.impacts(len(instant.contact_impulses), time)
+        if instant.ruled:
+            self._ruled.append((time, frozenset(instant.ruled)))
         self._rest_times.update(instant)
         self._update_lasting(instant)
         ended = {i for i in bodies if self._path(i).end == time and time < end}
@@ -391,7 +411,7 @@ class Located:
             if touch.staying and names not in before:
                 before.add(names)  # a chain may have more pieces that it touches
                 since = self._rest_times.time_of(pair, instant.time)
-                self.notes += (f"rest: {names} stay in contact from {since!r} s",)
+                self._rests += (f"rest: {names} stay in contact from {since!r} s",)
             self._lasting.pop(pair, None)
             self._senses.pop(pair, None)
             if touch.staying:

@@ -1,5 +1,5 @@
 """Friction: Impact with friction; Lasting contact with friction; Tangential acceleration of what
-turns; Tangential acceleration of what rolls.
+turns; Tangential acceleration of what rolls; Bodies that move on in contact.
 
 Generated from srs/models/friction.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -362,7 +362,7 @@ def tangential_acceleration(
         arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: GD8, srs/models/friction.md:320.
+    Source: GD8, srs/models/friction.md:324.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     arm_a_x, arm_a_y = arm_a
@@ -393,7 +393,7 @@ def friction_force(sense: Scalar, pair_friction: Scalar, contact_force: Scalar) 
         pair_friction: The coefficient of friction that holds between two bodies, 1
         contact_force: Size of the force of a resting contact along its normal, N
 
-    Source: GD8, srs/models/friction.md:326.
+    Source: GD8, srs/models/friction.md:330.
     """
     return (-sense) * pair_friction * contact_force
 
@@ -421,7 +421,7 @@ def tangential_acceleration_turning(
         arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 
-    Source: GD16, srs/models/friction.md:372.
+    Source: GD16, srs/models/friction.md:376.
     """
     arm_a_x, arm_a_y = arm_a
     arm_b_x, arm_b_y = arm_b
@@ -453,7 +453,7 @@ def reach_change(
         normal_turning: Rate at which the normal of a contact turns, rad/s
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 
-    Source: DD69, srs/models/friction.md:420.
+    Source: DD69, srs/models/friction.md:424.
     """
     bearing_corner_x, bearing_corner_y = bearing_corner
     normal_x, normal_y = normal
@@ -495,7 +495,7 @@ def tangential_acceleration_rolling(
         reach_change_b: Rate at which a point of contact gets farther from the centre of a body
             along the normal; of body B, m/s
 
-    Source: DD69, srs/models/friction.md:423.
+    Source: DD69, srs/models/friction.md:427.
     """
     velocity_a_x, velocity_a_y = velocity_a
     velocity_b_x, velocity_b_y = velocity_b
@@ -507,3 +507,17 @@ def tangential_acceleration_rolling(
         + angular_velocity_b * reach_change_b
         - angular_velocity_a * reach_change_a
     )
+
+
+def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
+    """Force of friction on body B along the tangent; the most that there may be (N).
+
+    friction_force_most = pair_friction*contact_force
+
+    Args:
+        contact_force: Size of the force of a resting contact along its normal, N
+        pair_friction: The coefficient of friction that holds between two bodies, 1
+
+    Source: IM18, srs/models/friction.md:495.
+    """
+    return pair_friction * contact_force

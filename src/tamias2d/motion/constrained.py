@@ -9,11 +9,13 @@ from tamias2d.motion.loads import Loads, StateOf, coordinates, state_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
 from tamias2d.motion.reference import ScipyDop853
+from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Array, Constraint, SharedConstraint, State
 from tamias2d.work_limit import Work
 
+_STILL = (0.0, 0.0, 0.0)
 _TOLERANCE = 1e-13
 """Relative; as far as float64 goes."""
 
@@ -53,6 +55,11 @@ class ConstrainedMotion:
         """Return one step of the paths of all bodies that a constraint holds, towards `end`, s."""
         bodies = constraint.bodies
         states = [state(i) for i in bodies]
+        if not start < end:
+            return {
+                body: Uniform(start=start, end=start, state=now, acceleration=_STILL)
+                for body, now in zip(bodies, states, strict=True)
+            }
         if bodies not in self._coupled:
             scales = [self._scale(i, start, s) for i, s in zip(bodies, states, strict=True)]
             scale = min(length for length, _ in scales), min(time for _, time in scales)
