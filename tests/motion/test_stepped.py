@@ -22,7 +22,6 @@ WAY = {
     "pyramid-30": "moving bodies can meet, more than 100",
     "disc-pile": "moving bodies can meet, more than 100",
     "tumbler": "body 'drum': it is kinematic",
-    "dominoes": "impacts could be located up to 0.264046 s",
     "bullet-wall": "impacts could be located up to 0.049925 s",
     "arch": "bodies touch at the start",
     "card-house": "bodies touch at the start",

@@ -71,9 +71,7 @@ class CoupledIsland(Island):
             self._rest()
         elif self._moves_on(self._states) or self._rubs():
             self._decide()
-        for part in self._mode:
-            if part.pressed and part.patch.coefficient:
-                self.senses[part.pressed[0].a, part.pressed[0].b] = part.sense
+        self.senses.update(_senses(self._mode))
 
     def _rubs(self) -> bool:
         """Whether something presses, so that friction may act."""
@@ -260,3 +258,8 @@ class CoupledIsland(Island):
             result.append((pushes[place : place + count], float(drag)))
             place += count
         return result
+
+
+def _senses(mode: Mode) -> dict[tuple[int, int], int]:
+    rough = [part for part in mode if part.pressed and part.patch.coefficient]
+    return {(part.pressed[0].a, part.pressed[0].b): part.sense for part in rough}
