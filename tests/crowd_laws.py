@@ -15,7 +15,7 @@ from tamias2d.simulator import Simulator
 from tamias2d.spec.evaluate import Value, evaluate
 from tamias2d.spec.expression import Call, Node, Relation, parse
 
-SEEDS = range(16)
+SEEDS = (*range(16), 18, 1052)  # in the last two many bodies go on together
 STEPS = 16
 Values = dict[str, Value]
 
@@ -37,19 +37,16 @@ def holds(
     *,
     within: float,
     steady: bool,
-    whole: bool,
     at_most: bool,
 ) -> None:
     """Fail unless an equation holds in each step of a crowd, as a part of its larger side.
 
-    It may be judged of steady bodies alone, and in whole steps; its left side may have to be at
-    most the right one, in place of equal.
+    It may be judged of steady bodies alone; its left side may have to be at most the right one, in
+    place of equal.
     """
     law = parse(equation)
     assert isinstance(law, Relation)
     for number, step in enumerate(steps_of(seed)):
-        if whole and not step.whole:
-            continue
         known = _of(step.values, step.steady) if steady else step.values
         excess = np.asarray(evaluate(law.left, known)) - np.asarray(evaluate(law.right, known))
         off = excess if at_most else np.abs(excess)

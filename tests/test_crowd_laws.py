@@ -21,7 +21,7 @@ def test_they_meet_in_whole_steps_and_in_parts_and_fly_on() -> None:
 )
 def test_a_breach_is_found(equation: str, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Of one in ten thousand million."""
-    rules = {"within": 1e-12, "steady": False, "whole": False, "at_most": True}
+    rules = {"within": 1e-12, "steady": False, "at_most": True}
     holds(equation, 0, **rules)  # type: ignore[arg-type]
     (step, *_) = steps_of(0)
     value = step.values[name]

@@ -105,7 +105,6 @@ def _law(item: Item) -> str:
     crowd = item.data["crowd"]
     conditions = {
         "steady": "bodies" in crowd,
-        "whole": "steps" in crowd,
         "at_most": "relation" in crowd,
     }
     given = ", ".join(f"{name}={value}" for name, value in conditions.items())

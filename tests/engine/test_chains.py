@@ -319,7 +319,9 @@ def test_thin_bodies_do_not_pass_a_hill(seed: int) -> None:
         assert (y[over] >= np.interp(x[over], places, heights) - 0.06).all()
 
 
-@pytest.mark.parametrize("seed", [8, 45, 46, 54, 58, 79, 111, 117, 151, *range(200, 210)])
+@pytest.mark.parametrize(
+    "seed", [8, 45, 46, 54, 58, 79, 111, 117, 151, 278, 5104, *range(200, 210)]
+)
 def test_thin_bodies_stay_in_a_loop_with_teeth(seed: int) -> None:
     """Needles, segments, boards and capsules at up to 40 m/s, between up to 40 random corners."""
     rng = np.random.default_rng(70_000 + seed)

@@ -15,7 +15,6 @@ from tamias2d.engine.tables import (
     BODY_B,
     BOUNCING,
     DYNAMIC,
-    LANES,
     S_BLOCK,
     S_BODY,
     S_CONTACT,
@@ -27,6 +26,7 @@ from tamias2d.engine.tables import (
     Contacts,
     World,
 )
+from tamias2d.kernels.lanes import LANES
 from tests.engine.scenes import heap, plain
 
 Stage = Callable[[int, int, float, World, Contacts], None]

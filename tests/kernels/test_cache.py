@@ -15,7 +15,7 @@ import pytest
 import rich.console
 
 from tamias2d.errors import InputError
-from tamias2d.kernels import Library, cache, compiled, progress, source
+from tamias2d.kernels import Library, cache, compiled, kept_files, progress, source
 from tamias2d.kernels.compiled import loaded
 from tamias2d.kernels.demand import Demand
 from tests.kernels import plain_parts
@@ -28,7 +28,7 @@ SMALL = Library("small library", (plain_parts.pushed,))
 def kernels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Where compiled code will be."""
     monkeypatch.setenv("TAMIAS2D_HOME", str(tmp_path))
-    cache._say_not_kept.cache_clear()
+    kept_files._say_not_kept.cache_clear()
     return tmp_path / "kernels"
 
 
@@ -165,7 +165,7 @@ def test_a_full_disk_costs_no_answer_and_is_said_once(
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(cache.storage, "write_aside", full)
+    monkeypatch.setattr(kept_files.storage, "write_aside", full)
     assert answer() == answer(LIBRARY) == (RIGHT, False)
     (said,) = caplog.messages
     assert said.startswith(f"Compiled code cannot be kept in {kernels}: No space left on device.")

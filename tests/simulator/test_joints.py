@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.engine.joints import rows as engine_rows
+from tamias2d.engine.joints import hinge_net, rows as engine_rows
+from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
 from tamias2d.engine.menu import CONTACT
 from tamias2d.errors import InputError, StepWarning
 from tamias2d.motion import Stepped
@@ -33,7 +34,7 @@ from tamias2d.scene import (
 from tamias2d.simulate import simulate
 from tamias2d.simulator import Simulator
 from tests.engine.scenes import ground, plain
-from tools.measurements.jointed import net, ragdoll_heap, random_mechanism
+from tools.measurements.jointed import Energy, net, ragdoll_heap, random_mechanism
 
 G = 10.0
 
@@ -270,7 +271,10 @@ def test_mechanisms_that_whirl_hold(seed: int) -> None:
     assert most < 1e-5
 
 
-def test_net_of_hinges_moves_as_any_mesh_does() -> None:
+def test_net_of_hinges_moves_as_any_mesh_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where it leaves as little, and removes as much."""
+    monkeypatch.setattr(hinge_net, "LEFT_OPEN", 1e-4)
+    monkeypatch.setattr(hinge_net, "REMOVED_BY_NET", REMOVED_BY_JOINTS)
     found = []
     for own in (True, False):
         with pytest.MonkeyPatch.context() as patch:
@@ -282,6 +286,32 @@ def test_net_of_hinges_moves_as_any_mesh_does() -> None:
             sim.step(20)
         found.append(sim.position.copy())
     assert found[0] == pytest.approx(found[1], abs=1e-6)  # iterations leave a hundredth of 1e-5 m
+
+
+def test_net_at_rest_asks_for_no_iterations(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It starts from the impulses of as long a time: half of it as a step begins and ends."""
+    asked, own = [], hinge_net.iterate_net
+    monkeypatch.setattr(engine_rows, "LOOPED", 0)
+    monkeypatch.setattr(engine_rows, "FEW", 0)
+    monkeypatch.setattr(hinge_net, "iterate_net", lambda *of: asked.append(own(*of)))
+    sim = plain(net(4))
+    sim.step(20)
+    assert asked
+    asked.clear()
+    sim.step(5)
+    assert not asked
+
+
+def test_net_that_hangs_gains_no_energy() -> None:
+    """Links that are not solved to the end are closed only as far as there is energy for it."""
+    scene = net(20)
+    sim, seen = Simulator(scene, time_step=1 / 60), Energy(scene)
+    for _ in range(120):
+        sim.step()
+        place = np.column_stack((sim.position, sim.orientation))
+        seen.look(place, np.column_stack((sim.velocity, sim.angular_velocity)))
+    assert seen.gain < 1e-7  # heights of 1e2 m times 2e3 N are known to 1e-11 J, of 1e-4 J at least
+    assert sim.reactions.separation.max() < 5e-4  # a thousandth of the arms
 
 
 LAWS: dict[str, dict[str, Any]] = {

@@ -19,7 +19,10 @@ SEEDS = {
     "momentum-located": 15,
     "momentum-stepped": 15,
 }
-FOUND = (("scenes", 269), ("files", 2_029_520), ("files", 2_060_850), ("files", 2_065_891))
+FOUND = (
+    *(("scenes", seed) for seed in (269, 3_501_452, 4_034_557, 4_035_833)),
+    *(("files", seed) for seed in (2_029_520, 2_060_850, 2_065_891)),
+)
 """Cases that broke something once."""
 
 

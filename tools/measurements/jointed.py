@@ -56,6 +56,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--heap", type=int, default=4, help="ragdolls that fall on each other")
     parser.add_argument("--spun", type=int, default=600, help="bodies around a driven bar")
     parser.add_argument("--random", type=int, default=500, help="random mechanisms")
+    parser.add_argument("--seed", type=int, default=1_000_000, help="of the first of them")
 
 
 def measure(
@@ -65,6 +66,7 @@ def measure(
     heap: int = 4,
     spun: int = 600,
     random: int = 500,
+    seed: int = 1_000_000,
 ) -> dict[str, Any]:
     """Return a row for each scene and program, and what became of random mechanisms."""
     told = Console(stderr=True)
@@ -83,7 +85,7 @@ def measure(
         rows += _race(name, made(), seconds)
         for row in rows[-3:]:
             told.print("  ".join(_cells(row)), highlight=False)
-    return {"rows": rows, "mechanisms": _mechanisms(random, seconds)}
+    return {"rows": rows, "mechanisms": _mechanisms(random, seed, seconds)}
 
 
 def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
@@ -97,9 +99,10 @@ def notes(found: dict[str, Any]) -> list[str]:
     of = found["mechanisms"]
     return [
         "gain: the most that energy rose in a step, of all that gravity gave or motion had",
-        f"{of['count']} random mechanisms: {of['apart']} were ever more than {_APART:g} of their "
-        f"reach apart, {of['untold']} of them without a warning; {of['risen']} gained more than "
-        f"1e-9 of their energy in a step, at most {of['gain']:.1e}",
+        f"{of['count']} random mechanisms, seeds from {of['first']}: {of['apart']} were ever more "
+        f"than {_APART:g} of their reach apart, {of['untold']} of them without a warning; "
+        f"{of['risen']} gained more than 1e-9 of their energy in a step, "
+        f"at most {of['gain']:.1e}",
     ]
 
 
@@ -344,13 +347,13 @@ def _size(joint: Joint) -> float:
     return max(*lengths, length if isinstance(length, float) else 0.0)
 
 
-def _mechanisms(count: int, seconds: int) -> dict[str, Any]:
+def _mechanisms(count: int, first: int, seconds: int) -> dict[str, Any]:
     """Follow random mechanisms; return how many came apart or gained energy."""
     apart = untold = risen = 0
     gain = 0.0
-    for seed in range(count):
+    for seed in range(first, first + count):
         scene = random_mechanism(seed)
-        seen = _Energy(scene)
+        seen = Energy(scene)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", StepWarning)
             sim = Simulator(scene, time_step=_STEP)
@@ -366,7 +369,14 @@ def _mechanisms(count: int, seconds: int) -> dict[str, Any]:
         untold += most > _APART and not sim.warnings
         risen += seen.gain > 1e-9
         gain = max(gain, seen.gain)
-    return {"count": count, "apart": apart, "untold": untold, "risen": risen, "gain": gain}
+    return {
+        "count": count,
+        "first": first,
+        "apart": apart,
+        "untold": untold,
+        "risen": risen,
+        "gain": gain,
+    }
 
 
 # -- programs
@@ -473,7 +483,7 @@ class _Pymunk(Chipmunk):
                     self._space.add(pymunk.DampedRotarySpring(a, b, *own))
 
 
-class _Energy:
+class Energy:
     """The most that the energy of a scene has risen in a step, as a share of all there was.
 
     What does not move has none but by rounding: at least what gravity gives in a millionth of the
@@ -511,7 +521,7 @@ class _Energy:
 def _race(name: str, scene: Scene, seconds: int) -> list[dict[str, Any]]:
     """Return the row of each program; they step the scene in turns."""
     worlds = [made(scene, _STEP) for made in (_Own, _Box2D, _Pymunk)]
-    seen = [_Energy(scene) for _ in worlds]
+    seen = [Energy(scene) for _ in worlds]
     times: list[list[float]] = [[] for _ in worlds]
     apart: list[list[float]] = [[] for _ in worlds]
     for turn in range(math.ceil(seconds / (_TURN * _STEP))):

@@ -5,7 +5,7 @@ import time
 from tamias2d.commands.output import say
 from tamias2d.engine.menu import MENU as ENGINE
 from tamias2d.event_driven import LIBRARY
-from tamias2d.kernels.cache import folder
+from tamias2d.kernels.kept_files import folder
 
 MENU = (*ENGINE, LIBRARY)
 """All that scenes share; what is made for one scene is compiled with it."""

@@ -70,11 +70,12 @@ from tamias2d.engine.validity import Invalid, first_invalid, overflowed
 from tamias2d.engine.world import Capacities
 from tamias2d.state import Array
 
+# what gets longer, and how many rows more than half as many again as are needed
 _TOO_SHORT = {
-    MORE_CANDIDATES: "candidates",
-    MORE_CONTACTS: "contacts",
-    MORE_BLOCKS: "blocks",
-    MORE_SPARSE: "sparse",
+    MORE_CANDIDATES: (("candidates", "contacts"), 32),
+    MORE_CONTACTS: (("contacts",), 32),
+    MORE_BLOCKS: (("blocks",), 8),
+    MORE_SPARSE: (("sparse",), 32),
 }
 
 
@@ -385,8 +386,9 @@ class Engine(Store):
     def _continued(self, status: int, checked: bool) -> int:
         """Go on with steps that ended somehow, as long as an array is too short for them."""
         while status in _TOO_SHORT:
-            counts = self.world.control.counts
-            self.resize(**{_TOO_SHORT[status]: int(counts[ROWS_NEEDED] * 5 // 4 + 16)})
+            counts, (names, more) = self.world.control.counts, _TOO_SHORT[status]
+            rows = int(counts[ROWS_NEEDED]) * 3 // 2 + more
+            self.resize(**{name: max(rows, getattr(self.capacities, name)) for name in names})
             status = self._prepared()(int(counts[STEPS_LEFT]), checked)
         self._alone = status == CLEAR
         return status

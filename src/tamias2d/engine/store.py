@@ -13,10 +13,15 @@ from tamias2d.engine.world import (
     arrays_by_slot,
     in_use,
     resized,
+    shortened_rows,
     with_arrays,
 )
-from tamias2d.kernels.groups import addresses
+from tamias2d.kernels.groups import Addresses
 from tamias2d.state import Array
+
+CONTACTS_OF_SHAPE = 5
+CONTACTS_OF_BLOCK = 8  # half of the lanes
+MOST_FORESEEN = 256  # contacts, before any is found
 
 
 class Store:
@@ -31,6 +36,7 @@ class Store:
         self.capacities = capacities
         self.compiled = compiled
         self.world = allocated(capacities)
+        self._addresses = Addresses()
         self._argument: Any = None
         state = self.world.state
         state.slot_of_body[:] = state.body_of_slot[:] = np.arange(capacities.slots, dtype=np.uint32)
@@ -40,9 +46,15 @@ class Store:
         """The world as compiled code takes it, a table of addresses, or as plain code does."""
         if self._argument is None:
             self._reserve_clip()
-            seen = in_use(self.world, self.size + 1)  # an idle slot follows those of the bodies
-            self._argument = addresses(seen) if self.compiled else seen
+            slots = self.size + 1  # an idle slot follows those of the bodies
+            self._argument = self._table(slots) if self.compiled else in_use(self.world, slots)
         return self._argument
+
+    def _table(self, slots: int) -> NDArray[np.int64]:
+        """Return the addresses of `in_use`."""
+        table = self._addresses.of(self.world)
+        table[shortened_rows(), 1] = slots
+        return table
 
     def replace(self, **arrays: NDArray[Any]) -> None:
         """Put arrays, by `group__field`, in the place of others of the same shape."""
@@ -54,8 +66,8 @@ class Store:
         """Change capacities; arrays keep what they hold."""
         if all(getattr(self.capacities, name) == count for name, count in capacities.items()):
             return
-        self.capacities = replace(self.capacities, **capacities)
-        self.world = resized(self.world, self.capacities)
+        before, self.capacities = self.capacities, replace(self.capacities, **capacities)
+        self.world = resized(self.world, before, self.capacities)
         self.forget_addresses()
 
     def forget_addresses(self) -> None:
@@ -77,10 +89,17 @@ class Store:
         state.body_of_shape[state.body_of_shape == idle] = slots - 1
 
     def reserve_shapes(self, shapes: int, vertices: int) -> None:
-        """Reserve rows for so many shapes and vertices in all."""
+        """Reserve rows for so many shapes and vertices in all.
+
+        Small scenes get rows for the contacts of a pile: to make arrays longer takes many steps.
+        """
         capacities, taken, longer = self.capacities, self.capacities.shapes, {}
         if shapes > capacities.shapes:
             longer["shapes"] = max(shapes, capacities.shapes * 3 // 2)
+            contacts = min(CONTACTS_OF_SHAPE * shapes, MOST_FORESEEN)
+            longer["contacts"] = max(contacts, capacities.contacts)
+            longer["candidates"] = max(contacts, capacities.candidates)
+            longer["blocks"] = max(contacts // CONTACTS_OF_BLOCK, capacities.blocks)
         if vertices > capacities.vertices:
             longer["vertices"] = max(vertices, capacities.vertices * 3 // 2)
         self.resize(**longer)

@@ -161,7 +161,7 @@ def begin_slab(slab: int, substep: float, world: World, contacts: Contacts) -> N
     if constraints.counts[LANES_FILLED] == 0:
         clear_lanes(block, block_end, len(bodies.kind) - 1, blocks, lanes)
         fill_lanes(contact, contact_end, bodies, world.shapes, contacts, touching, constraints)
-    fill_blocks(contact, contact_end, world.control, bodies, contacts, touching, constraints)
+    fill_blocks(block, block_end, world.control, bodies, contacts, constraints)
     prepare_blocks(block, block_end, substep, blocks, lanes)
     prepare_trees(slabs[slab, S_TREE], slabs[slab + 1, S_TREE], bodies, constraints, world.direct)
     warm_start(block, block_end, bodies, constraints)
@@ -206,7 +206,6 @@ def relax_slab(slab: int, substep: float, world: World) -> None:
     block, block_end = slabs[slab, S_BLOCK], slabs[slab + 1, S_BLOCK]
     for left in range(constraints.counts[SWEEPS] - 1, -1, -1):
         relax(block, block_end, bodies, constraints, substep, left == 0)
-    fit_touched(world)
 
 
 @inlined
@@ -215,6 +214,7 @@ def end_slab(slab: int, world: World, contacts: Contacts) -> None:
     bodies, touching, constraints = world.bodies, world.touching, world.constraints
     slabs = constraints.slabs
     first, last = slabs[slab, S_BODY], slabs[slab + 1, S_BODY]
+    fit_touched(world)
     end_joints(world)
     sum_step_energy(first, last, world.control, bodies, touching, constraints.energy)
     look_at_touched(world)

@@ -26,6 +26,7 @@ from tamias2d.kernels.arrays import (
     RankRows,
     Ranks,
 )
+from tamias2d.kernels.lanes import LANES
 
 Integers: TypeAlias = NDArray[Any]
 """An array of whole numbers of any width."""
@@ -144,10 +145,11 @@ _motion = Columns()
 VX = _motion()  # m/s; these three are also the columns of a velocity alone
 VY = _motion()  # m/s
 SPIN = _motion()  # rad/s
-_motion()  # unused: a half of a cache line is four numbers
+_motion()  # unused: a half of a cache line is four numbers (`kernels.lanes`)
 DX = _motion()  # m, displacement since the step began
 DY = _motion()  # m
 DANGLE = _motion()  # rad
+_motion()  # unused, too
 
 _properties = Columns()
 INVERSE_MASS = _properties()  # 1/kg
@@ -209,7 +211,7 @@ class Bodies(NamedTuple):
     """Bodies by slot; read by all stages."""
 
     pose: Annotated[FloatRows, Sized("slots", _pose.width)]
-    motion: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
+    motion: Annotated[FloatRows, Sized("slots", _motion.width)]  # a cache line
     load: Annotated[FloatRows, Sized("slots", 3)]  # N, N, N m
     properties: Annotated[FloatRows, Sized("slots", 8)]  # a cache line
     kind: Annotated[Bytes, Sized("slots")]
@@ -449,12 +451,12 @@ class Touching(NamedTuple):
 
 # -- constraints
 
-LANES = 16  # contacts that are solved together
 COLOURS = 60
 
 _lanes = Columns(LANES)
 BODY_A = _lanes()  # slot of the body of each lane
 BODY_B = _lanes()
+LANE_CONTACT = _lanes()  # on the contact list; 0 of a lane without
 FILLED = _lanes(1)  # lanes that hold a contact
 POINTS = _lanes(1)  # of each contact of the block
 
@@ -494,19 +496,28 @@ POINT_SIZE = _point.width
 FIRST_POINT, SECOND_POINT = _block(POINT_SIZE), _block(POINT_SIZE)
 FIRST_RESTITUTION, SECOND_RESTITUTION = _block(), _block()  # N s, impulses of restitution
 
-_scratch = Columns(LANES)  # the motion of the bodies of a block
+_scratch = Columns(LANES)  # the motion of the bodies of a block, of each the columns in use
 B_VX_A = _scratch()  # m/s
 B_VY_A = _scratch()
 B_SPIN_A = _scratch()  # rad/s
-B_VX_B = _scratch()
-B_VY_B = _scratch()
-B_SPIN_B = _scratch()
 B_DX_A = _scratch()  # m, since the step began
 B_DY_A = _scratch()
 B_ANGLE_A = _scratch()  # rad
+B_VX_B = _scratch()
+B_VY_B = _scratch()
+B_SPIN_B = _scratch()
 B_DX_B = _scratch()
 B_DY_B = _scratch()
 B_ANGLE_B = _scratch()
+F_NX = _scratch()  # eight columns as in `manifolds`, from the first one on
+F_NY = _scratch()
+F_FIRST_POINT = _scratch(6 * LANES)
+_scratch(2 * LANES)  # the same from the column `POINT` on
+F_SECOND_POINT = _scratch(6 * LANES)
+F_SPAN_X = _scratch()  # m, from the centre of A to that of B
+F_SPAN_Y = _scratch()
+# columns of a point from F_FIRST_POINT or F_SECOND_POINT on
+F_X, F_Y, F_GAP, F_NORMAL_IMPULSE, F_TANGENT_IMPULSE, F_PRELOAD = range(0, 6 * LANES, LANES)
 PREFETCHED = _scratch(1)  # a sum that nothing reads: the compiler would leave out loads without use
 
 _energy_sums = Columns()  # J, over all bodies with contacts
@@ -771,6 +782,7 @@ M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
+M_HALF = _mechanisms()  # 1 in the first substep of a step whose forces came half before it
 # status: those of the second kind have no limits, motors and springs, those of the third have some
 ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
 
@@ -872,6 +884,12 @@ L_TRIED = _links()  # N s, that direction
 L_RATE = _links()  # m/s, by which links that come later change it
 L_MADE = _links()  # N s, what a sweep makes of the direction
 L_GIVEN = _links()  # N s, since rows were written
+L_WARM = _links()  # N s, in the last substep
+L_PULL = _links()  # N s, over this part, before rows were written
+L_APART = _links()  # m, by how much it was apart at most in this part
+L_TURN_A = _links(1)  # N m s, over this part, before rows were written
+L_TURN_B = _links(1)  # N m s
+L_SLIGHT = _links(1)  # m, by how much it may be apart without being looked at
 
 _net_nodes = Columns()  # of a member of a net; nothing moves what stands still
 N_CHANGE = _net_nodes(3)  # m/s, m/s, rad/s

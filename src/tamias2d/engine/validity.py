@@ -53,7 +53,8 @@ def first_invalid(store: Store) -> Invalid:
         quantity = max(list(_COLUMNS)[2:], key=lambda q: np.abs(columns[q][row]).max())
         return Invalid(quantity, row, columns[quantity][row].tolist(), TOO_LARGE)
     radius = state.properties[:size, BOUNDING_RADIUS]
-    most = np.where(radius > 0.0, RESOLVED * radius, LARGEST)
+    with np.errstate(over="ignore"):
+        most = np.where(radius > 0.0, RESOLVED * radius, LARGEST)
     place = columns["position"]
     far = (np.abs(place) > most[:, None] / 2) & (np.abs(place).sum(axis=1) > most)[:, None]
     if (invalid := _first("position", place, far, TOO_FAR)) is not None:

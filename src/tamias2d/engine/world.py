@@ -45,7 +45,7 @@ class Capacities:
     joint_sparse: int = 0
     apart_bodies: int = 1  # one more than rows that joints keep apart from others
     apart: int = 0
-    clip: int = 8  # vertices of two shapes, and one
+    clip: int = 9  # vertices of two shapes, and one
 
     def lengths(self) -> dict[str, int]:
         """Return the lengths that `tables` names."""
@@ -64,12 +64,15 @@ class Capacities:
 
 def allocated(capacities: Capacities) -> World:
     """Return a world of zeros with some capacities."""
-    return _with_views(_made(World, capacities.lengths(), None))
+    lengths = capacities.lengths()
+    return _with_views(_made(World, lengths))
 
 
-def resized(world: World, capacities: Capacities) -> World:
+def resized(world: World, before: Capacities, capacities: Capacities) -> World:
     """Return the world with other capacities: arrays keep what they hold, as far as it fits."""
-    return _with_views(_made(World, capacities.lengths(), world))
+    old, lengths = before.lengths(), capacities.lengths()
+    changed = {name: length for name, length in lengths.items() if length != old[name]}
+    return _with_views(_fitted(world, changed))
 
 
 def named_arrays(world: World) -> dict[str, NDArray[Any]]:
@@ -108,8 +111,7 @@ def in_use(world: World, slots: int) -> World:
     So a step costs what its bodies cost, whatever the capacity. What users see stays whole: it goes
     into chunks.
     """
-    state = world.state._replace(body_of_slot=world.state.body_of_slot[:slots])
-    seen: World = _shortened(world, slots)._replace(state=state)
+    seen: World = _shortened(world, slots)
     return seen
 
 
@@ -119,9 +121,29 @@ def _shortened(group: Any, slots: int) -> Any:
     for name, declared in _declared(kind).items():
         if isinstance(declared, type):
             cut[name] = _shortened(getattr(group, name), slots)
-        elif declared is not None and declared[1].shape[0] == "slots":
+        elif _is_shortened(kind, name):
             cut[name] = getattr(group, name)[:slots]
     return group._replace(**cut)
+
+
+def _is_shortened(group: type, name: str) -> bool:
+    declared = _declared(group)[name]
+    by_slot = declared is not None and declared[1].shape[0] == "slots"
+    return by_slot and (group is not BodyState or name == "body_of_slot")
+
+
+@cache
+def shortened_rows() -> NDArray[np.intp]:
+    """Return which arrays of a world `in_use` shortens, counted through all of them."""
+    return np.flatnonzero(list(_are_shortened(World)))
+
+
+def _are_shortened(group: type) -> Iterator[bool]:
+    for name, declared in _declared(group).items():
+        if isinstance(declared, type):
+            yield from _are_shortened(declared)
+        else:
+            yield _is_shortened(group, name)
 
 
 def with_arrays(world: World, arrays: Mapping[str, NDArray[Any]]) -> World:
@@ -133,20 +155,32 @@ def with_arrays(world: World, arrays: Mapping[str, NDArray[Any]]) -> World:
     return _with_views(world)
 
 
-def _made(group: type, lengths: Mapping[str, int], old: Any) -> Any:
-    """Return a group of arrays; those whose shape stays are the old ones."""
-    values = {}
+def _made(group: type, lengths: Mapping[str, int]) -> Any:
+    """Return a group of zeros."""
+    values: dict[str, Any] = {}
     for name, declared in _declared(group).items():
-        before = None if old is None else getattr(old, name)
+        values[name] = None
         if isinstance(declared, type):
-            values[name] = _made(declared, lengths, before)
+            values[name] = _made(declared, lengths)
         elif declared is not None:
             kind, sized = declared
-            shape = tuple(lengths[n] if isinstance(n, str) else n for n in sized.shape)
-            values[name] = _kept(before, shape, kind)
-        else:
-            values[name] = before
+            shape = [lengths[n] if isinstance(n, str) else n for n in sized.shape]
+            values[name] = aligned_zeros(tuple(shape), kind)
     return group(**values)
+
+
+def _fitted(group: Any, changed: Mapping[str, int]) -> Any:
+    """Return a group some of whose axes have other lengths; arrays without them are the same."""
+    kind: Any = type(group)
+    values = {}
+    for name, declared in _declared(kind).items():
+        before = getattr(group, name)
+        if isinstance(declared, type):
+            values[name] = _fitted(before, changed)
+        elif declared is not None and not changed.keys().isdisjoint(declared[1].shape):
+            axes = zip(declared[1].shape, before.shape, strict=True)
+            values[name] = _copied(before, tuple(changed.get(n, length) for n, length in axes))
+    return group._replace(**values)
 
 
 class SavedField(NamedTuple):
@@ -186,13 +220,10 @@ def _declared(group: type) -> dict[str, Any]:
     return found
 
 
-def _kept(old: NDArray[Any] | None, shape: tuple[int, ...], kind: Any) -> NDArray[Any]:
-    if old is not None and old.shape == shape:
-        return old
-    new = aligned_zeros(shape, kind)
-    if old is not None:
-        common = tuple(slice(min(a, b)) for a, b in zip(old.shape, shape, strict=True))
-        new[common] = old[common]
+def _copied(old: NDArray[Any], shape: tuple[int, ...]) -> NDArray[Any]:
+    new = aligned_zeros(shape, old.dtype)
+    common = tuple(slice(min(a, b)) for a, b in zip(old.shape, shape, strict=True))
+    new[common] = old[common]
     return new
 
 

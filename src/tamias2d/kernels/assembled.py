@@ -1,8 +1,9 @@
 """One source that stands alone, assembled from plain functions and all that they use.
 
 Serves: engines, whose modules run as they are and are compiled as one. Hides: how what a function
-uses is found, named and put in order. Nothing is looked up elsewhere when the source runs, so its
-text decides what it does, and a change in any function is a change of the text.
+uses is found, named and put in order. Nothing is looked up elsewhere when the source runs but
+intrinsics, whose digest it has; so its text decides what it does, and a change in any function is a
+change of the text.
 """
 
 import ast
@@ -16,6 +17,7 @@ from tamias2d.kernels.arrays import signature
 from tamias2d.kernels.copied import Function, copied, references, text_of
 from tamias2d.kernels.flattened import Flat, flattened
 from tamias2d.kernels.groups import is_group, text_of_classes, text_of_views
+from tamias2d.kernels.lanes import INTRINSICS, intrinsics_digest
 from tamias2d.spec import functions as elementary
 
 F = TypeVar("F", bound=Function)
@@ -54,7 +56,8 @@ def assembled(*entries: Function, says: str) -> str:
 
     The functions are defined at the level of modules of this package, and so is what they call;
     the entries state their types by `tamias2d.kernels.arrays`, and the first argument may be a
-    group of arrays. Their other names are whole or real constants, functions of `math`, or groups.
+    group of arrays. Their other names are whole or real constants, functions of `math`, groups, or
+    functions that have intrinsics (`kernels.lanes`).
     A generated function is named after its module as well.
 
     Raises:
@@ -67,6 +70,7 @@ def assembled(*entries: Function, says: str) -> str:
     constants = [f"{name} = {value!r}" for name, value in parts.constants.items()]
     views = [text_of_views(*parts.entered)] if parts.entered else []
     numba = ["from numba import njit", *(["from numba import types"] if views else [])]
+    numba += [parts.import_of_intrinsics()] if parts.intrinsics else []
     names = ["from collections import namedtuple"] if parts.groups else []
     names += ["from typing import Any"] if views else []
     head = [_HEAD.format(says=says), *names, *imports, *numba]
@@ -81,6 +85,7 @@ class _Parts:
     def __init__(self, entries: tuple[Function, ...]) -> None:
         self.entries = entries
         self.imports: set[str] = set()
+        self.intrinsics: set[str] = set()
         self.constants: dict[str, float] = {}
         self.groups: list[str] = []
         self.entered: list[type] = []
@@ -113,6 +118,11 @@ class _Parts:
         self.texts.append(f"{decorator}\n{text}")
         return name
 
+    def import_of_intrinsics(self) -> str:
+        """Return the line that imports them."""
+        names = ", ".join(sorted(self.intrinsics))
+        return f"from tamias2d.kernels.lane_code import {names}  # {intrinsics_digest()}"
+
     def _use_group(self, group: type) -> None:
         for part, text in text_of_classes(group):
             if text not in self.groups:
@@ -132,6 +142,9 @@ class _Parts:
         elif getattr(math, name, None) is value:
             self._claim(name, value, function)
             self.imports.add(name)
+        elif value in INTRINSICS:
+            self._claim(name, value, function)
+            self.intrinsics.add(name)
         elif isinstance(value, FunctionType) and value.__module__.startswith("tamias2d."):
             name = self.add(value)
         elif is_group(value):

@@ -1,18 +1,16 @@
 """Compiled code on disk: a file for each function and machine, whole or not used.
 
-Serves: `compiled`. Hides: the files, and what numba asks of a cache.
+Serves: `compiled`. Hides: what numba asks of a cache.
 
 Compiled code is a pickle, and a pickle runs what its author wants. So a file is loaded only if its
-digest fits, and only from a directory that nobody else may write. A damaged file counts as none:
-the function is compiled once more, and the file replaced.
+digest fits, and only from a directory that nobody else may write (`kept_files`). A damaged file
+counts as none: the function is compiled once more, and the file replaced.
 """
 
 import hashlib
-import logging
 import pickle
 import sys
 from collections.abc import Callable
-from functools import cache
 from pathlib import Path
 from types import FunctionType
 from typing import Any
@@ -23,20 +21,8 @@ from numba.core.caching import _Cache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
-from tamias2d import storage
+from tamias2d.kernels import kept_files
 from tamias2d.kernels.linking import EntryCompiler, HelperCompiler
-
-_DIGEST = hashlib.sha256().digest_size
-
-
-def folder() -> Path:
-    """The directory of compiled code, which need not exist.
-
-    Raises InputError if others may write to it.
-    """
-    path = storage.home_path() / "kernels"
-    storage.refuse_shared(path)
-    return path
 
 
 def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
@@ -67,7 +53,7 @@ class KernelCache(_Cache):
     def __init__(self, function: str, source: str) -> None:
         self._name = f"{hashlib.sha256(source.encode()).hexdigest()[:16]}.{function}"
         self._source = source
-        self._folder = folder()
+        self._folder = kept_files.folder()
 
     @property
     def cache_path(self) -> str:
@@ -78,9 +64,8 @@ class KernelCache(_Cache):
         """Return the code for some types, or None if there is none, or a damaged one."""
         target_context.refresh()
         key = self._key(sig, target_context.codegen())
-        content = _content(self._path(key))
-        payload = content[_DIGEST:]
-        if content[:_DIGEST] != _digest(key, payload):
+        payload = kept_files.read(self._path(key), key)
+        if payload is None:
             return None
         found = pickle.loads(payload)
         return CompileResult._rebuild(target_context, *found)
@@ -88,12 +73,7 @@ class KernelCache(_Cache):
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep the code for some types; where that cannot be done, say so once and go on."""
         key = self._key(sig, data.codegen)
-        payload = dumps(data._reduce())
-        try:
-            storage.make_private(self._folder)
-            _replace(self._path(key), _digest(key, payload) + payload)
-        except OSError as fault:
-            _say_not_kept(self._folder, fault.strerror or type(fault).__name__)
+        kept_files.write(self._path(key), key, dumps(data._reduce()))
 
     def enable(self) -> None:
         """Nothing: it always is."""
@@ -114,39 +94,3 @@ class KernelCache(_Cache):
             llvmlite.__version__, sys.implementation.cache_tag, getattr(sys, "abiflags", ""),
         )  # fmt: skip
         return "\0".join(map(str, parts)).encode()
-
-
-def _content(path: Path) -> bytes:
-    """What is in a file; nothing where there is none, or a link, a pipe or a directory."""
-    try:
-        return path.read_bytes() if _is_plain(path) else b""
-    except OSError:
-        return b""
-
-
-def _replace(path: Path, content: bytes) -> None:
-    """Write a file; what lies there instead of one is removed, and a link is not followed."""
-    if path.is_dir() and not path.is_symlink():
-        path.rmdir()
-    elif not _is_plain(path):
-        path.unlink(missing_ok=True)
-    storage.write_aside(path, content)
-
-
-def _is_plain(path: Path) -> bool:
-    return path.is_file() and not path.is_symlink()
-
-
-def _digest(key: bytes, payload: bytes) -> bytes:
-    """With the key, so that the code of another function under this name is found out."""
-    return hashlib.sha256(hashlib.sha256(key).digest() + payload).digest()
-
-
-@cache
-def _say_not_kept(place: Path, why: str) -> None:
-    logging.getLogger("tamias2d").warning(
-        "Compiled code cannot be kept in %s: %s. Each process compiles it again until it can, or "
-        "until TAMIAS2D_HOME names another directory.",
-        place,
-        why,
-    )

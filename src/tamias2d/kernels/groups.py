@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 MOST_AXES = 3
-_FIELDS = 1 + MOST_AXES  # of a row of the table: the address, then the length along each axis
+_NO_AXES = (0,) * MOST_AXES
+_Row = tuple[int, ...]  # of the table: the address, then the length along each axis
 
 
 def is_group(hint: Any) -> bool:
@@ -48,13 +49,30 @@ def addresses(group: Any) -> NDArray[np.int64]:
     It holds while none of the arrays is freed or replaced. Raises TypeError for an array that is
     not contiguous.
     """
-    table = np.zeros((sum(1 for _ in leaves(group)), _FIELDS), dtype=np.int64)
-    for row, array in zip(table, leaves(group), strict=True):
-        if not array.flags.c_contiguous:
-            raise TypeError(f"an array of {type(group).__name__} is not contiguous")
-        row[0] = array.__array_interface__["data"][0]
-        row[1 : 1 + array.ndim] = array.shape
-    return table
+    return Addresses().of(group)
+
+
+class Addresses:
+    """Tables of addresses, made again and again while some of the arrays are replaced."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, tuple[NDArray[Any], _Row]] = {}
+        """By the identity of arrays, which holds while they are kept here."""
+
+    def of(self, group: Any) -> NDArray[np.int64]:
+        """Return what `addresses` does."""
+        known, self._known = self._known, {}
+        for array in leaves(group):
+            place = id(array)
+            self._known[place] = known.get(place) or (array, _row(array, group))
+        return np.array([row for _, row in self._known.values()], dtype=np.int64)
+
+
+def _row(array: NDArray[Any], group: Any) -> _Row:
+    if not array.flags.c_contiguous:
+        raise TypeError(f"an array of {type(group).__name__} is not contiguous")
+    lengths = (*array.shape, *_NO_AXES)[:MOST_AXES]
+    return (array.__array_interface__["data"][0], *lengths)
 
 
 def text_of_classes(group: type) -> Iterator[tuple[type, str]]:

@@ -10,6 +10,7 @@ from types import SimpleNamespace
 from tamias2d.kernels.assembled import assembled
 from tamias2d.kernels.compiled import loaded
 from tamias2d.kernels.copied import Function, leaving_out
+from tamias2d.kernels.kept_source import is_of_package, kept_source
 from tamias2d.kernels.progress import progress
 
 
@@ -45,7 +46,8 @@ class Library:
 
 @cache
 def _compiled(library: Library) -> SimpleNamespace:
-    text = library.source()
+    keeps = all(is_of_package(entry) for entry in library.entries)
+    text = kept_source(library.name, library.source) if keeps else library.source()
     with progress(library.name, text):
         module = loaded(text)
     return SimpleNamespace(

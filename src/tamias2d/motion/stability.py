@@ -121,10 +121,12 @@ def _excess(linear: Linear, steps: FixedSteps, time_step: float) -> float:
         return np.stack([np.concatenate(end, axis=None) for end in ends])
 
     starts = np.concatenate((np.zeros((1, 2 * count)), np.eye(2 * count)))
-    still, *moved = (after if steps.plain else one_by_one)(starts)  # still: of constant loads
-    matrix = np.stack([row - still for row in moved], axis=1)
-    with np.errstate(over="ignore"):
+    with np.errstate(over="ignore", invalid="ignore"):
+        still, *moved = (after if steps.plain else one_by_one)(starts)  # still: of constant loads
+        matrix = np.stack([row - still for row in moved], axis=1)
         exact = np.exp(time_step * linear.eigenvalues.real.max())
+    if not np.isfinite(matrix).all():
+        return math.inf
     return float(np.abs(np.linalg.eigvals(matrix)).max() / max(exact, 1.0))
 
 

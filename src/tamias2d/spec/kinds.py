@@ -163,7 +163,6 @@ KINDS = {
                     ("within",),
                     within=TEXT,
                     bodies={"enum": ["steady"]},
-                    steps={"enum": ["whole"]},
                     relation={"enum": ["at most"]},
                 ),
             ),

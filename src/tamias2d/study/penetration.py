@@ -258,7 +258,8 @@ class _Search:
         for first, second in ((one, two), (two, three)):
             common &= (first.directions * second.directions).sum(axis=-1) > _TURN
         least = np.minimum(np.minimum(one.separation, two.separation), three.separation)
-        clear = common & (least - self._bend(one, two, three) >= -self._unseen)
+        with np.errstate(over="ignore", invalid="ignore"):  # a bend without bound is never clear
+            clear = common & (least - self._bend(one, two, three) >= -self._unseen)
         return common, np.any(clear, axis=1)
 
     def _bend(self, one: View, two: View, three: View) -> Array:

@@ -1,10 +1,11 @@
 """Clusters: bodies that meet when a part of a step may have no more impacts go on together in it.
 
-Their centre of mass goes its way. A body that meets something that is driven or stands, such as a
-wall, is carried along. Those that go together are linked in circles. Cost: linear in their number,
-for each that joins them.
+Their centre of mass goes its way, and they keep their angular momentum. A body that meets something
+that is driven or stands, such as a wall, is carried along. Those that go together are linked in
+circles. Cost: linear in their number, for each that joins them.
 """
 
+from tamias2d.engine.continuous.cluster_as_one import cluster_turning, return_cluster_turning
 from tamias2d.engine.continuous.trajectory import redirect_path, relative_place
 from tamias2d.engine.continuous.work import take_energy_back, work_ahead
 from tamias2d.engine.tables import (
@@ -18,6 +19,8 @@ from tamias2d.engine.tables import (
     Bodies,
     Control,
     Integers,
+    X,
+    Y,
 )
 from tamias2d.generated.continuous_collision import inward_share, shift_carried, shift_shared
 from tamias2d.state import Array, Vector
@@ -92,11 +95,14 @@ def join(i: int, j: int, now: float, control: Control, bodies: Bodies, together:
     way_i, way_j = (motion[i, DX], motion[i, DY]), (motion[j, DX], motion[j, DY])
     by = shift_shared(mass_i, way_i, mass_j, way_j)
     together[i], together[j] = together[j], together[i]
+    origin = (bodies.pose[i, X], bodies.pose[i, Y])
+    before = cluster_turning(i, origin, bodies, together)
     take_along(i, now, by, control, bodies)
     k = together[i]
     while k != i:
         take_along(k, now, by, control, bodies)
         k = together[k]
+    return_cluster_turning(i, origin, before, bodies, together)
     return True
 
 

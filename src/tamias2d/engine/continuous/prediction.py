@@ -84,7 +84,9 @@ def foresee(world: World, contacts: Contacts) -> None:
         if located:
             contacts.flags[p, LOCATED], contacts.flags[p, POINT_COUNT] = MOST_LOCATED, 0
             touching.counts[LOCATED_PAIRS] += 1
-        elif not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events):
+        elif contacts.flags[p, POINT_COUNT] > 0 and (
+            not meets or foresee_contact(p, i, j, control, bodies, shapes, contacts, events)
+        ):
             touching.contact[stay], touching.body_a[stay], touching.body_b[stay] = p, i, j
             stay += 1
             if contacts.manifolds[p, FORESEEN] > 0.0:

@@ -11,7 +11,7 @@ George and Liu (1981), sparse elimination.
 
 from math import sqrt
 
-from tamias2d.engine.direct.active_set import find_residual, guess_state
+from tamias2d.engine.direct.active_set import LOOSE, find_residual, guess_state
 from tamias2d.engine.direct.cholesky import factor, substitute
 from tamias2d.engine.direct.contacts import (
     apply_contact,
@@ -30,6 +30,7 @@ from tamias2d.engine.direct.tree_energy import (
 from tamias2d.engine.tables import (
     C_BLOCK,
     C_LANE,
+    C_STATE,
     CHANGE,
     FIRM_MASS,
     FIRST_POINT,
@@ -45,12 +46,16 @@ from tamias2d.engine.tables import (
     NODE_INERTIA,
     NODE_MASS,
     P_NORMAL_IMPULSE,
+    P_TANGENT_IMPULSE,
+    POINT_SIZE,
     POINTS,
     R_BIAS_RATE,
     R_IMPULSE_SHARE,
     R_MASS_SHARE,
     SECOND_POINT,
+    SHARED,
     SOFTNESS,
+    SPEED_ERROR,
     UNSOLVED,
     Bodies,
     Constraints,
@@ -134,13 +139,19 @@ def solve_tree(
     rate = REMOVED / substep
     contacts = range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT])
     apart = open_contacts(n, relaxing, substep, bodies, constraints, direct)
-    note_velocities(n, bodies, direct)
-    before = energy_without_contacts(n, constraints, direct)
-    residual = iterate_tree(n, bodies, constraints, direct)
-    restore_velocities(n, bodies, direct)
-    solved = residual <= ACCEPTED and accept_impulses(n, before, apart, bodies, constraints, direct)
+    pressed = any_presses(n, constraints, direct)
+    solved = True
+    if pressed:
+        note_velocities(n, bodies, direct)
+        before = energy_without_contacts(n, constraints, direct)
+        residual = iterate_tree(n, bodies, constraints, direct)
+        restore_velocities(n, bodies, direct)
+        solved = residual <= ACCEPTED
+        solved = solved and accept_impulses(n, before, apart, bodies, constraints, direct)
     for contact in contacts:
-        if solved:
+        if not pressed:
+            direct.sparse[contact, C_STATE] = LOOSE
+        elif solved:
             store_contact(contact, constraints, direct)
         harden(contact, solved, rate, constraints, direct)
     if not solved:
@@ -172,6 +183,19 @@ def open_contacts(
         largest = max(largest, impulse)
     direct.factors[n, IMPULSE_SCALE] = largest + direct.factors[n, LARGEST_MASS] * fastest
     return apart
+
+
+def any_presses(n: int, constraints: Constraints, direct: Direct) -> bool:
+    """Return whether a contact of an island has an impulse, or closes faster than it should."""
+    for contact in range(direct.sparse[n, I_CONTACT], direct.sparse[n + 1, I_CONTACT]):
+        b, m = direct.sparse[contact, C_BLOCK], direct.sparse[contact, C_LANE]
+        row, error = constraints.blocks[b], direct.factors[contact]
+        for k in range(constraints.lanes[b, POINTS]):
+            at = SHARED + k * POINT_SIZE + m
+            pushed = abs(row[at + P_NORMAL_IMPULSE]) + abs(row[at + P_TANGENT_IMPULSE])
+            if pushed > 0.0 or error[SPEED_ERROR + k] < 0.0:
+                return True
+    return False
 
 
 def iterate_tree(n: int, bodies: Bodies, constraints: Constraints, direct: Direct) -> float:

@@ -2,6 +2,7 @@
 
 What is too much is taken from the motion of all bodies in proportion: relative to what the
 mechanism is tied to, or else to its motion as one. Rows that have no rate have none afterwards.
+One that is tied and has not the energy for its way keeps a part of it.
 
 Cost: a visit to each body, and two more where there is too much.
 """
@@ -67,11 +68,22 @@ def bound_mechanism(
         now += kinetic_energy(mass, (motion[VX], motion[VY]), inertia, motion[SPIN])
         shift, force = (motion[DX], motion[DY]), (load[0], load[1])
         given += work(mass, gravity, force, load[2], shift, motion[DANGLE])
+    tied = joints.mechanisms[n, M_TIED] == 1
+    if tied and start + given < 0.0:
+        keep_part_of_way(first, last, -start / given, bodies, joints)
     most = kinetic_energy_most(start, given)
     if now > most:
         row = islands.energy[joints.sparse[first, N_BODY]]
         row[ENERGY_KEPT], row[ENERGY_BOUND] = now, most
-        damp_mechanism(first, last, joints.mechanisms[n, M_TIED] == 1, row, bodies, joints)
+        damp_mechanism(first, last, tied, row, bodies, joints)
+
+
+def keep_part_of_way(first: int, last: int, share: float, bodies: Bodies, joints: Joints) -> None:
+    """Let the nodes of a mechanism keep a share of their way: it has no energy for the rest."""
+    for node in range(first, last):
+        motion = bodies.motion[joints.sparse[node, N_BODY]]
+        for k in range(DX, DX + 3):
+            motion[k] *= share
 
 
 def damp_mechanism(

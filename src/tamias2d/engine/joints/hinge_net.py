@@ -7,10 +7,10 @@ Cost: two visits to each link in an iteration.
 Source: Hestenes and Stiefel (1952); Axelsson (1972), the sweeps; Eisenstat (1981), the product.
 """
 
-from tamias2d.engine.joints.impulse import add_impulse
+from math import inf
+
 from tamias2d.engine.joints.iterate import MESH_ACCURACY
 from tamias2d.engine.joints.linearise import place_members
-from tamias2d.engine.joints.solve import REMOVED_BY_JOINTS
 from tamias2d.engine.tables import (
     HELD_INVERSE_INERTIA,
     I_NODE,
@@ -23,6 +23,7 @@ from tamias2d.engine.tables import (
     J_WARM,
     JOINED_SLOT,
     L_AIM,
+    L_APART,
     L_ARM_A,
     L_ARM_B,
     L_ERROR,
@@ -32,10 +33,16 @@ from tamias2d.engine.tables import (
     L_LEFT,
     L_MADE,
     L_MASS,
+    L_PULL,
     L_RATE,
     L_SEARCH,
+    L_SLIGHT,
     L_TRIED,
+    L_TURN_A,
+    L_TURN_B,
+    L_WARM,
     L_YIELD,
+    M_HALF,
     M_JOINT,
     N_CHANGE,
     N_INVERSE_INERTIA,
@@ -53,6 +60,7 @@ from tamias2d.engine.tables import (
 )
 from tamias2d.generated.definitions import point_velocity
 from tamias2d.generated.hinge_tree import (
+    angular_momentum_hinged,
     angular_velocity_hinged,
     arm_met,
     hinge_arm,
@@ -61,6 +69,7 @@ from tamias2d.generated.hinge_tree import (
     link_impulse,
     link_mass_x,
     link_mass_y,
+    momentum_hinged,
     point_yield_x,
     point_yield_y,
     velocity_hinged,
@@ -69,19 +78,33 @@ from tamias2d.generated.joint_step import row_aim, row_error
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-LEAST_ITERATIONS, MOST_ITERATIONS_OF_NET = 4, 20  # what is left is made up for in later substeps
-LEFT_OPEN = 0.4  # of the gap that is looked at, in a substep
+MOST_ITERATIONS_OF_NET = 20  # what is left is made up for in later substeps
+LEFT_OPEN = 0.05  # of the gap that is looked at, in a substep
+REMOVED_BY_NET = 0.05  # of a gap, in a substep of a whole step: of one not looked at, what is left
+
+
+def begin_net(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Begin a part of a step: note how nodes yield, and the impulses of links to start from.
+
+    How far links may be apart is that of the one that may least; 0 if none is looked at.
+    """
+    for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
+        node = joints.net_nodes[m]
+        node[N_INVERSE_MASS] = bodies.properties[joints.members[m, JOINED_SLOT], INVERSE_MASS]
+        node[N_INVERSE_INERTIA] = joints.places[m, HELD_INVERSE_INERTIA]
+    least = inf
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        link, numbers = joints.links[j], joints.numbers[j]
+        link[L_WARM], link[L_WARM + 1] = numbers[J_WARM], numbers[J_WARM + 1]
+        least = min(least, numbers[J_SLIGHT])
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        joints.links[j, L_SLIGHT] = least if least < inf else 0.0
 
 
 def linearise_net(n: int, bodies: Bodies, joints: Joints) -> None:
     """Write the links of a net where its bodies are."""
-    store_link_impulses(n, joints)
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
     place_members(first, last, 0.0, bodies, joints)
-    for m in range(first, last):
-        node = joints.net_nodes[m]
-        node[N_INVERSE_MASS] = bodies.properties[joints.members[m, JOINED_SLOT], INVERSE_MASS]
-        node[N_INVERSE_INERTIA] = joints.places[m, HELD_INVERSE_INERTIA]
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         write_link(j, joints)
 
@@ -100,14 +123,15 @@ def arms_of_link(j: int, joints: Joints) -> tuple[Vector, Vector, Vector]:
 @inlined
 def write_link(j: int, joints: Joints) -> None:
     """Write a link where its bodies are placed, and note by how much it is apart."""
-    link, ends, numbers = joints.links[j], joints.joints[j], joints.numbers[j]
+    link, ends = joints.links[j], joints.joints[j]
+    add_given(link)
     arm_a, arm_b, gap = arms_of_link(j, joints)
     arm_a = arm_met(arm_a, gap)
     link[L_ARM_A], link[L_ARM_A + 1] = arm_a
     link[L_ARM_B], link[L_ARM_B + 1] = arm_b
     link[L_GAP], link[L_GAP + 1] = gap
-    numbers[J_APART] = max(numbers[J_APART], abs(gap[0]))
-    numbers[J_APART + 1] = max(numbers[J_APART + 1], abs(gap[1]))
+    link[L_APART] = max(link[L_APART], abs(gap[0]))
+    link[L_APART + 1] = max(link[L_APART + 1], abs(gap[1]))
     a, b = joints.net_nodes[ends[J_MEMBER]], joints.net_nodes[ends[J_MEMBER + 1]]
     ax = point_yield_x(a[N_INVERSE_MASS], a[N_INVERSE_INERTIA], arm_a)
     ay = point_yield_y(a[N_INVERSE_MASS], a[N_INVERSE_INERTIA], arm_a)
@@ -126,8 +150,8 @@ def aim_net(n: int, length: float, joints: Joints) -> None:
     """
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
-        link[L_AIM] = row_aim(link[L_GAP], REMOVED_BY_JOINTS * length)
-        link[L_AIM + 1] = row_aim(link[L_GAP + 1], REMOVED_BY_JOINTS * length)
+        link[L_AIM] = row_aim(link[L_GAP], REMOVED_BY_NET * length)
+        link[L_AIM + 1] = row_aim(link[L_GAP + 1], REMOVED_BY_NET * length)
 
 
 def bring_net_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -142,17 +166,19 @@ def bring_net_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joint
         _, _, gap = arms_of_link(j, joints)
         link[L_ERROR] = row_error(gap[0], link[L_AIM], substep)
         link[L_ERROR + 1] = row_error(gap[1], link[L_AIM + 1], substep)
-    solve_net(n, 0.0 if again else 1.0, substep, bodies, joints)
+    share = 0.5 if joints.mechanisms[n, M_HALF] == 1 else 1.0
+    solve_net(n, 0.0 if again else share, substep, bodies, joints)
     if not again:
         for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
-            link, numbers = joints.links[j], joints.numbers[j]
-            numbers[J_WARM], numbers[J_WARM + 1] = link[L_IMPULSE], link[L_IMPULSE + 1]
+            link = joints.links[j]
+            link[L_WARM] = link[L_IMPULSE] / share
+            link[L_WARM + 1] = link[L_IMPULSE + 1] / share
 
 
-def fit_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
+def fit_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates at which its links part from the velocities of a net, nearly.
 
-    The impulses are about so many times those of the last substep.
+    The impulses are about so many times those of the last substep, s.
     """
     for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
         node, now = joints.net_nodes[m], bodies.motion[joints.members[m, JOINED_SLOT]]
@@ -161,47 +187,65 @@ def fit_net(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
         link[L_ERROR], link[L_ERROR + 1] = change_of_link(j, joints)
-    solve_net(n, warm, 0.0, bodies, joints)
+    solve_net(n, warm, substep, bodies, joints)
 
 
 def solve_net(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Give a net the impulses that take its errors away, nearly.
 
-    It is enough if what is left parts no link by much in a substep, s; 0 if velocities count.
+    They start from so many times those of the last substep. It is enough if what is left parts no
+    link by much in a substep, s.
     """
     first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
-    clear_net(n, joints)
     for j in range(first, last):
-        link, numbers = joints.links[j], joints.numbers[j]
-        impulse = (warm * numbers[J_WARM], warm * numbers[J_WARM + 1])
-        link[L_IMPULSE], link[L_IMPULSE + 1] = impulse
-        push_link(j, impulse, joints)
-    whole = 0.0
+        link = joints.links[j]
+        link[L_IMPULSE], link[L_IMPULSE + 1] = warm * link[L_WARM], warm * link[L_WARM + 1]
+    push_links(n, joints)
+    whole, parting = 0.0, False
     for j in range(first, last):
         whole += note_what_is_left(j, joints)
+        parting |= parts_link(joints.links[j], L_RATE, substep)
+    if parting:
+        iterate_net(n, whole, substep, joints)
+        push_links(n, joints)
+    give_to_net(n, bodies, joints)
+
+
+def push_links(n: int, joints: Joints) -> None:
+    """Let the impulses of its links, and nothing else, change the velocities of a net."""
+    clear_net(n, joints)
+    for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
+        push_link(j, (joints.links[j, L_IMPULSE], joints.links[j, L_IMPULSE + 1]), joints)
+
+
+def iterate_net(n: int, whole: float, substep: float, joints: Joints) -> None:
+    """Add to the impulses of a net what is left, nearly; the size of all its errors is `whole`."""
+    first, last = joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]
     clear_net(n, joints)
     size, before = sweep_from_left(first, last, joints), 0.0
-    for k in range(MOST_ITERATIONS_OF_NET):
-        if not size > MESH_ACCURACY * MESH_ACCURACY * whole:
-            break
-        if k >= LEAST_ITERATIONS and not parts_links(first, last, substep, joints):
-            break
+    for _ in range(MOST_ITERATIONS_OF_NET):
+        solved = not size > MESH_ACCURACY * MESH_ACCURACY * whole
+        if solved or not parts_links(first, last, substep, joints):
+            return
         clear_net(n, joints)
         sweep_back(first, last, size / before if before > 0.0 else 0.0, joints)
         clear_net(n, joints)
         curvature = sweep_on(first, last, joints)
         before, size = size, go_along(first, last, size, curvature, joints)
-    apply_to_net(n, bodies, joints)
 
 
 def parts_links(first: int, last: int, substep: float, joints: Joints) -> bool:
     """Return whether what is left of their errors parts links by much in a substep, s."""
+    parting = False
     for j in range(first, last):
-        link, numbers = joints.links[j], joints.numbers[j]
-        most = LEFT_OPEN * numbers[J_SLIGHT]
-        if substep * max(abs(link[L_MADE]), abs(link[L_MADE + 1])) > most:
-            return True
-    return False
+        parting |= parts_link(joints.links[j], L_MADE, substep)
+    return parting
+
+
+@inlined
+def parts_link(link: Array, rate: int, substep: float) -> bool:
+    """Return whether the rate of a link in a column parts it by much in a substep, s."""
+    return bool(substep * max(abs(link[rate]), abs(link[rate + 1])) > LEFT_OPEN * link[L_SLIGHT])
 
 
 def clear_net(n: int, joints: Joints) -> None:
@@ -327,15 +371,12 @@ def go_along(first: int, last: int, size: float, curvature: float, joints: Joint
     return new
 
 
-def apply_to_net(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Let the impulses of its links change the velocities of a net."""
-    clear_net(n, joints)
+def give_to_net(n: int, bodies: Bodies, joints: Joints) -> None:
+    """Give bodies the changes of the nodes of a net, and note the impulses of its links."""
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link = joints.links[j]
-        impulse = (link[L_IMPULSE], link[L_IMPULSE + 1])
-        push_link(j, impulse, joints)
-        link[L_GIVEN] += impulse[0]
-        link[L_GIVEN + 1] += impulse[1]
+        link[L_GIVEN] += link[L_IMPULSE]
+        link[L_GIVEN + 1] += link[L_IMPULSE + 1]
     for m in range(joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1):
         i, node = joints.members[m, JOINED_SLOT], joints.net_nodes[m]
         now, state = bodies.motion[i], bodies.substep_state[i]
@@ -344,13 +385,29 @@ def apply_to_net(n: int, bodies: Bodies, joints: Joints) -> None:
             state[SUBSTEP_START + k] += node[N_CHANGE + k]
 
 
-def store_link_impulses(n: int, joints: Joints) -> None:
-    """Add what went through the links of a net since they were written to their joints."""
+@inlined
+def add_given(link: Array) -> None:
+    """Add what went through a link since its row was written to what went through it before."""
+    given, away = (link[L_GIVEN], link[L_GIVEN + 1]), (-link[L_GIVEN], -link[L_GIVEN + 1])
+    arm_a, arm_b = (link[L_ARM_A], link[L_ARM_A + 1]), (link[L_ARM_B], link[L_ARM_B + 1])
+    link[L_PULL], link[L_PULL + 1] = momentum_hinged((link[L_PULL], link[L_PULL + 1]), given)
+    link[L_TURN_A] = angular_momentum_hinged(link[L_TURN_A], arm_a, away)
+    link[L_TURN_B] = angular_momentum_hinged(link[L_TURN_B], arm_b, given)
+    link[L_GIVEN] = link[L_GIVEN + 1] = 0.0
+
+
+def store_links(n: int, joints: Joints) -> None:
+    """Store what went through the links of a net in a part, and how far apart they were."""
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         link, numbers = joints.links[j], joints.numbers[j]
-        given = (link[L_GIVEN], link[L_GIVEN + 1])
-        link[L_GIVEN] = link[L_GIVEN + 1] = 0.0
-        numbers[J_PULL] += given[0]
-        numbers[J_PULL + 1] += given[1]
-        add_impulse(J_TOTAL, (-given[0], -given[1]), (link[L_ARM_A], link[L_ARM_A + 1]), numbers)
-        add_impulse(J_TOTAL + 3, given, (link[L_ARM_B], link[L_ARM_B + 1]), numbers)
+        add_given(link)
+        for k in range(2):
+            numbers[J_PULL + k] += link[L_PULL + k]
+            numbers[J_TOTAL + k] -= link[L_PULL + k]
+            numbers[J_TOTAL + 3 + k] += link[L_PULL + k]
+            numbers[J_APART + k] = max(numbers[J_APART + k], link[L_APART + k])
+            numbers[J_WARM + k] = link[L_WARM + k]
+        numbers[J_TOTAL + 2] += link[L_TURN_A]
+        numbers[J_TOTAL + 5] += link[L_TURN_B]
+        for k in range(L_PULL, L_TURN_B + 1):
+            link[k] = 0.0

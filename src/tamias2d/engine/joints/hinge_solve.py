@@ -92,7 +92,7 @@ from tamias2d.generated.joint_step import (
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array, Vector
 
-SLIGHT_TURN = 1e-4  # rad^2, of a substep times that of impulses in it: of arms, what it leaves
+SLIGHT_TURN = 1e-4  # rad^2, of a body in a substep times that by impulses: of arms, what it leaves
 
 
 def aim_tree(n: int, length: float, joints: Joints) -> None:
@@ -117,7 +117,7 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
     turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
     first, before, turned = 0.0, inf, False
     for k in range(MOST_ITERATIONS_OF_JOINTS):
-        fastest, size = find_gap_errors(n, substep, bodies, joints)
+        size = find_gap_errors(n, substep, bodies, joints)
         if k == 0:
             first = size
         if turned and not size < before:
@@ -128,9 +128,8 @@ def bring_tree_to_aims(n: int, substep: float, bodies: Bodies, joints: Joints) -
         turned = turning and size > SLOWLY * before
         if turned:
             turn_tree(n, substep, bodies, joints)
-        before, turn = size, substep * fastest
-        change_of_turn = substep * solve_hinges(n, bodies, joints)
-        if not change_of_turn * (turn + change_of_turn) > SLIGHT_TURN:
+        before = size
+        if not substep * substep * solve_hinges(n, bodies, joints) > SLIGHT_TURN:
             return
 
 
@@ -152,10 +151,11 @@ def fit_tree(n: int, bodies: Bodies, joints: Joints) -> None:
         begin_errors(joints.hinges[m], rate_x, rate_y)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         for r in range(joints.joints[j, J_ROWS]):
-            rate = rate_of_row(j, r, bodies, joints)
-            if joints.joints[j, J_LAW] == MOTOR:
-                rate = drive_error(rate, joints.laws[j, LAW_RATE])
-            joints.numbers[j, J_ERROR + r] = rate
+            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
+                rate = rate_of_row(j, r, bodies, joints)
+                if joints.joints[j, J_LAW] == MOTOR:
+                    rate = drive_error(rate, joints.laws[j, LAW_RATE])
+                joints.numbers[j, J_ERROR + r] = rate
     solve_hinges(n, bodies, joints)
 
 
@@ -170,17 +170,13 @@ def rates_of_hinge(m: int, bodies: Bodies, joints: Joints) -> Vector:
     return here[0] - there[0], here[1] - there[1]
 
 
-def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> tuple[float, float]:
-    """Write the rates that hinges have too much to get to their aims.
-
-    Returns the fastest spin, and the sum of the squares of these rates.
-    """
+def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:
+    """Write the rates that hinges have too much to get to their aims; return their squares' sum."""
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
     place_tree(n, substep, bodies, joints)
-    fastest = size = 0.0
+    size = 0.0
     if joints.members[first, JOINED_HINGE] < 0:
         begin_errors(joints.hinges[first], 0.0, 0.0)
-        fastest = abs(bodies.motion[joints.members[first, JOINED_SLOT], SPIN])
         first += 1
     for m in range(first, last):
         row = joints.hinges[m]
@@ -189,13 +185,12 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> t
         error_y = row_error(gap[1], row[H_AIM + 1], substep)
         begin_errors(row, error_x, error_y)
         size += error_x * error_x + error_y * error_y
-        fastest = max(fastest, abs(bodies.motion[joints.members[m, JOINED_SLOT], SPIN]))
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         errors_of_joint(j, substep, bodies, joints)
         for r in range(joints.joints[j, J_ROWS]):
             if joints.numbers[j, J_FIRMNESS + r] > 0.0:
                 size += joints.numbers[j, J_ERROR + r] * joints.numbers[j, J_ERROR + r]
-    return fastest, size
+    return size
 
 
 @inlined
@@ -206,11 +201,17 @@ def begin_errors(row: Array, error_x: float, error_y: float) -> None:
 
 
 def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
-    """Give a tree the impulses that take its errors away; return the largest change of a spin."""
+    """Give a tree the impulses that take its errors away.
+
+    Returns the largest product of what they change the spin of a body by and what it then is, at
+    most, 1/s^2.
+    """
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
     besides, end = first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
+            if joints.numbers[j, J_FIRMNESS + r] == 0.0:  # it does not hold
+                continue
             if joints.joints[j, J_NODE] >= 0 and joints.joints[j, J_NODE + 1] >= 0:
                 owe_law(j, joints)
             else:
@@ -225,14 +226,17 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
     largest = 0.0
     for m in range(first, last):
         impulse = pass_down(m, hinges[members[m, JOINED_ABOVE]], joints)
-        row = hinges[m]
-        largest = max(largest, abs(row[H_CHANGE + 2]))
+        row, spin = hinges[m], bodies.motion[members[m, JOINED_SLOT], SPIN]
+        change_of_spin = abs(row[H_CHANGE + 2])
+        largest = max(largest, change_of_spin * (abs(spin) + change_of_spin))
         row[H_IMPULSE], row[H_IMPULSE + 1] = impulse[0], impulse[1]
         push_through(m, first, impulse, bodies, joints)
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_IMPULSE + r] = impulse_besides(j, r, joints)
-            apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
+            joints.numbers[j, J_IMPULSE + r] = 0.0
+            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
+                joints.numbers[j, J_IMPULSE + r] = impulse_besides(j, r, joints)
+                apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
     return largest
 
 

@@ -40,6 +40,7 @@ from tamias2d.engine.tables import (
     I_NODE,
     J_APART,
     J_FIRMNESS,
+    J_LAW,
     J_NODE,
     J_PULL,
     J_ROW,
@@ -52,6 +53,7 @@ from tamias2d.engine.tables import (
     NODE_MASS,
     PLACE_X,
     PLACE_Y,
+    SPRING,
     Bodies,
     Joints,
 )
@@ -121,6 +123,9 @@ def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[J_ROWS]):
+            if substep == 0.0 and ends[J_LAW] == SPRING:
+                numbers[J_FIRMNESS + r] = 0.0
+                continue
             firm = firmness_of(r, ends, numbers, bodies, joints)
             numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
             if ends[J_NODE] >= 0 and ends[J_NODE + 1] >= 0:

@@ -13,12 +13,12 @@ from tamias2d.engine.tables import (
     JOINED_SLOT,
     SPIN,
     SUBSTEP_START,
+    UNUSED,
     VX,
     VY,
     Bodies,
     Joints,
 )
-from tamias2d.generated.hinge_tree import angular_momentum_hinged, momentum_hinged
 from tamias2d.generated.joint_rows import ROW
 from tamias2d.generated.joint_step import (
     angular_momentum_later,
@@ -26,8 +26,6 @@ from tamias2d.generated.joint_step import (
     momentum_later,
     velocity_later,
 )
-from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array, Vector
 
 
 def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: Joints) -> None:
@@ -39,6 +37,8 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
     numbers[J_PULL + r] += impulse
     numbers[J_GIVEN + r] += impulse
     for end in range(ENDS_OF_JOINT):
+        if ends[J_NODE + end] == UNUSED:
+            continue
         i, at = joints.members[ends[J_MEMBER + end], JOINED_SLOT], J_ROW + ROW * r + 1 + 3 * end
         slope, turning, to = (numbers[at], numbers[at + 1]), numbers[at + 2], J_TOTAL + 3 * end
         numbers[to], numbers[to + 1] = momentum_later(
@@ -55,10 +55,3 @@ def apply_joint_impulse(j: int, r: int, impulse: float, bodies: Bodies, joints: 
             state[SUBSTEP_START] += by_x
             state[SUBSTEP_START + 1] += by_y
             state[SUBSTEP_START + 2] += turn
-
-
-@inlined
-def add_impulse(at: int, impulse: Vector, arm: Vector, numbers: Array) -> None:
-    """Add an impulse at an arm to three totals of a joint: along both axes, and of turning."""
-    numbers[at], numbers[at + 1] = momentum_hinged((numbers[at], numbers[at + 1]), impulse)
-    numbers[at + 2] = angular_momentum_hinged(numbers[at + 2], arm, impulse)

@@ -41,6 +41,7 @@ from tamias2d.engine.tables import (
     LOWER_LIMIT,
     M_CHOOSING,
     M_GOVERNED,
+    M_HALF,
     M_JOINT,
     M_MESHED,
     MOTOR,
@@ -138,10 +139,11 @@ def bring_to_aims(n: int, again: bool, substep: float, bodies: Bodies, joints: J
     """
     if joints.mechanisms[n, M_MESHED] == 1:
         find_position_errors(n, substep, bodies, joints)
-        start_impulses(n, 0.0 if again else 1.0, joints)
+        share = 0.5 if joints.mechanisms[n, M_HALF] == 1 else 1.0
+        start_impulses(n, 0.0 if again else share, joints)
         solve_joint_errors(n, bodies, joints)
         if not again:
-            keep_impulses(n, joints)
+            keep_impulses(n, share, joints)
         return
     turning = joints.mechanisms[n, M_CHOOSING] == 0  # trial impulses of motors may go anywhere
     first, before, turned = 0.0, inf, False
@@ -200,11 +202,11 @@ def start_impulses(n: int, share: float, joints: Joints) -> None:
             numbers[J_IMPULSE + r] = own * numbers[J_WARM + r]
 
 
-def keep_impulses(n: int, joints: Joints) -> None:
-    """Keep the impulses of a mesh for the next substep."""
+def keep_impulses(n: int, share: float, joints: Joints) -> None:
+    """Keep the impulses of a mesh for the next substep: they are such a share of a whole one's."""
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         for r in range(joints.joints[j, J_ROWS]):
-            joints.numbers[j, J_WARM + r] = joints.numbers[j, J_IMPULSE + r]
+            joints.numbers[j, J_WARM + r] = joints.numbers[j, J_IMPULSE + r] / share
 
 
 def find_position_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> float:

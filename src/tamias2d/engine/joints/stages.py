@@ -10,10 +10,11 @@ from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
 from tamias2d.engine.joints.hinge_net import (
     aim_net,
+    begin_net,
     bring_net_to_aims,
     fit_net,
     linearise_net,
-    store_link_impulses,
+    store_links,
 )
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impulses
@@ -47,6 +48,7 @@ from tamias2d.engine.tables import (
     JOINTS_APART,
     M_CHOOSING,
     M_GOVERNED,
+    M_HALF,
     M_HINGED,
     M_JOINT,
     M_MESHED,
@@ -61,6 +63,7 @@ from tamias2d.engine.tables import (
     S_TREE,
     SLABS,
     SLEEP_ID,
+    SUBSTEP,
     SUBSTEP_START,
     SUBSTEPS,
     TICK,
@@ -166,8 +169,11 @@ def begin_joints(substep: float, world: World) -> None:
             note_node_masses(n, substep, bodies, joints)
             begin_rows(n, joints)
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
+            if joints.mechanisms[n, M_HINGED] == 1 and joints.mechanisms[n, M_MESHED] == 1:
+                begin_net(n, bodies, joints)
             write_mechanism(n, bodies, joints)
-            if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
+            joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS
+            if joints.mechanisms[n, M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
 
 
@@ -223,6 +229,7 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
                 aim_mechanism(n, length, joints)
                 begin_motors(n, substep, bodies, joints)
             bring_to_end(n, again, substep, bodies, joints)
+            joints.mechanisms[n, M_HALF] = 0
 
 
 def aim_mechanism(n: int, length: float, joints: Joints) -> None:
@@ -255,26 +262,29 @@ def relax_joints(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] != ASLEEP:
             write_mechanism(n, bodies, joints)
-    fit_velocities(GOVERNED_ALONE, bodies, joints)
+    fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], bodies, joints)
 
 
 def fit_touched(world: World) -> None:
     """Let the velocities of touched mechanisms fit their rows again, after those of contacts."""
-    fit_velocities(IN_CONTACT, world.bodies, world.joints)
+    fit_velocities(IN_CONTACT, world.control.settings[SUBSTEP], world.bodies, world.joints)
 
 
-def fit_velocities(least: int, bodies: Bodies, joints: Joints) -> None:
+def fit_velocities(least: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of their rows from the velocities of mechanisms with at least a status."""
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] >= least:
-            fit(n, 0.0, bodies, joints)
+            fit(n, 0.0, substep, bodies, joints)
 
 
-def fit(n: int, warm: float, bodies: Bodies, joints: Joints) -> None:
-    """Take the rates of its rows from the velocities of a mechanism; `warm` is for meshes."""
+def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
+    """Take the rates of its rows from the velocities of a mechanism; `warm` is for meshes.
+
+    What is left in a net parts it little in a substep, s.
+    """
     hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
     if hinged and meshed:
-        fit_net(n, warm, bodies, joints)
+        fit_net(n, warm, substep, bodies, joints)
     elif hinged:
         fit_tree(n, bodies, joints)
     else:
@@ -289,11 +299,11 @@ def end_joints(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
-            fit(n, 0.5, bodies, joints)
+            fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
             bound_mechanism(n, world.control, bodies, joints, world.islands)
         if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_HINGED] == 1:
             if joints.mechanisms[n, M_MESHED] == 1:
-                store_link_impulses(n, joints)
+                store_links(n, joints)
             else:
                 store_hinge_impulses(n, joints)
 

@@ -129,7 +129,9 @@ def judge_piece(
     if one_sided and not in_front:
         return Verdict(False, 0, 0)
     side = seen_from(0 if in_front else 1, piece, p, vertices, shapes)
-    if not round_ and (one_sided or not is_beyond_neighbour(side, p, q, x, y, vertices)):
+    if round_ or is_of_neighbour(ux, uy, side):
+        return verdict_of(False)
+    if one_sided or not is_beyond_neighbour(side, p, q, x, y, vertices):
         vertex = lowest if in_front else highest
         deep = not apart and (low if in_front else high) <= q.radius
         over = deep and is_over(side, p, q, vertex, x, y, vertices)
@@ -234,6 +236,21 @@ def leans_over_tip(ux: float, uy: float, side: Side) -> bool:
 def shows(cosine: float, sine: float) -> bool:
     """Return whether the pieces of a corner are both before what touches one of them."""
     return bool(cosine > -1.0 and (cosine >= 0.0 or sine < -STRAIGHT))
+
+
+def is_of_neighbour(ux: float, uy: float, side: Side) -> bool:
+    """Return whether a direction past a corner of more than a right angle is its other piece's.
+
+    It leans less over that one, and shows that what is there is not in the hollow of the corner. A
+    flat shape that lies on the other piece may be on both sides of the line of this one.
+    """
+    along, up = side.nx * uy - side.ny * ux, side.nx * ux + side.ny * uy
+    cosine, sine = side.end_cosine, side.end_sine
+    if along < 0.0:
+        cosine, sine = side.start_cosine, side.start_sine
+    facing = cosine * up + sine * abs(along)  # the cosine to the normal of the other piece
+    sharp = cosine < 0.0 and cosine > -1.0
+    return bool(sharp and abs(facing) > abs(up) and (facing < 0.0 or sine > 0.0))
 
 
 def leans_little(ux: float, uy: float, side: Side) -> bool:

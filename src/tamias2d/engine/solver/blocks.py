@@ -15,7 +15,7 @@ from tamias2d.engine.tables import (
     FILLED,
     INVERSE_INERTIA,
     INVERSE_MASS,
-    LANES,
+    LANE_CONTACT,
     NEXT_LANE,
     POINT_SIZE,
     POINTS,
@@ -43,6 +43,7 @@ from tamias2d.engine.tables import (
     Touching,
 )
 from tamias2d.engine.thickness import contact_extent
+from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array
 
 ALLOWED = 0.005  # of the extent: overlap for which no preload is learnt
@@ -98,6 +99,7 @@ def clear_lanes(first: int, last: int, idle: int, blocks: Array, lanes: Integers
     for b in range(first, last):
         for m in range(lanes[b, FILLED], LANES):
             lanes[b, BODY_A + m] = lanes[b, BODY_B + m] = idle
+            lanes[b, LANE_CONTACT + m] = 0
             for at in range(m, SHARED + POINT_SIZE * lanes[b, POINTS], LANES):
                 blocks[b, at] = 0.0
 
@@ -116,7 +118,8 @@ def fill_lanes(
         k = touching.by_slab[place]
         i, j, pair = touching.body_a[k], touching.body_b[k], contacts.pairs[touching.contact[k]]
         b, m = lane_of(k, touching)
-        constraints.lanes[b, BODY_A + m], constraints.lanes[b, BODY_B + m] = i, j
+        lane = constraints.lanes[b]
+        lane[BODY_A + m], lane[BODY_B + m], lane[LANE_CONTACT + m] = i, j, touching.contact[k]
         row, a_is, b_is = constraints.blocks[b], bodies.properties[i], bodies.properties[j]
         row[R_MASS_A + m], row[R_INERTIA_A + m] = a_is[INVERSE_MASS], a_is[INVERSE_INERTIA]
         row[R_MASS_B + m], row[R_INERTIA_B + m] = b_is[INVERSE_MASS], b_is[INVERSE_INERTIA]

@@ -48,7 +48,6 @@ from tamias2d.engine.tables import (
     GRAVITY_Y,
     INVERSE_MASS,
     KEPT_SHARE,
-    LANES,
     P_NORMAL_IMPULSE,
     P_TOTAL_IMPULSE,
     PART_TIME,
@@ -84,6 +83,7 @@ from tamias2d.generated.island_energy import (
     velocity_seen,
     work,
 )
+from tamias2d.kernels.lanes import LANES
 from tamias2d.state import Array, Vector
 
 

@@ -5,6 +5,8 @@ code takes several lanes in one instruction. Cost: a visit to two bodies for eac
 Source: Catto (2024), soft step.
 """
 
+from typing import NamedTuple
+
 from tamias2d.engine.tables import (
     B_ANGLE_A,
     B_ANGLE_B,
@@ -20,12 +22,8 @@ from tamias2d.engine.tables import (
     B_VY_B,
     BODY_A,
     BODY_B,
-    DANGLE,
-    DX,
-    DY,
     FIRST_POINT,
     FIRST_RESTITUTION,
-    LANES,
     P_APPROACH,
     P_GAP,
     P_GAP_NOW,
@@ -55,9 +53,6 @@ from tamias2d.engine.tables import (
     R_RESTITUTION,
     SECOND_POINT,
     SECOND_RESTITUTION,
-    SPIN,
-    VX,
-    VY,
     Bodies,
     Constraints,
     Integers,
@@ -75,6 +70,8 @@ from tamias2d.generated.soft_contact import (
     velocity_a_after,
     velocity_b_after,
 )
+from tamias2d.kernels.assembled import inlined
+from tamias2d.kernels.lanes import LANES, both_above, load_half, load_rows, store_half
 from tamias2d.state import Array, Vector
 
 OPEN = -1e-300  # m: a larger gap is one that closes, or has just closed
@@ -82,166 +79,216 @@ OPEN = -1e-300  # m: a larger gap is one that closes, or has just closed
 
 def load_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
     """Load the velocities of the bodies of a block into the scratch array."""
-    for m in range(LANES):
-        a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
-        scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m] = a[VX], a[VY], a[SPIN]
-        scratch[B_VX_B + m], scratch[B_VY_B + m], scratch[B_SPIN_B + m] = b[VX], b[VY], b[SPIN]
+    load_half(lane, BODY_A, motion, scratch, B_VX_A)
+    load_half(lane, BODY_B, motion, scratch, B_VX_B)
 
 
 def load_motions(lane: Integers, motion: Array, scratch: Array) -> None:
     """Load the velocities of the bodies of a block, and their displacements in the step."""
-    for m in range(LANES):
-        a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
-        scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m] = a[VX], a[VY], a[SPIN]
-        scratch[B_DX_A + m], scratch[B_DY_A + m], scratch[B_ANGLE_A + m] = a[DX], a[DY], a[DANGLE]
-        scratch[B_VX_B + m], scratch[B_VY_B + m], scratch[B_SPIN_B + m] = b[VX], b[VY], b[SPIN]
-        scratch[B_DX_B + m], scratch[B_DY_B + m], scratch[B_ANGLE_B + m] = b[DX], b[DY], b[DANGLE]
+    load_rows(lane, BODY_A, motion, scratch, B_VX_A)
+    load_rows(lane, BODY_B, motion, scratch, B_VX_B)
 
 
 def store_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
     """Store the velocities of the bodies of a block."""
-    for m in range(LANES):
-        a, b = motion[lane[BODY_A + m]], motion[lane[BODY_B + m]]
-        a[VX], a[VY], a[SPIN] = scratch[B_VX_A + m], scratch[B_VY_A + m], scratch[B_SPIN_A + m]
-        b[VX], b[VY], b[SPIN] = scratch[B_VX_B + m], scratch[B_VY_B + m], scratch[B_SPIN_B + m]
+    store_half(lane, BODY_A, motion, scratch, B_VX_A)
+    store_half(lane, BODY_B, motion, scratch, B_VX_B)
 
 
-def apply_impulse(
-    m: int, amount: float, line: Vector, arm_a: float, arm_b: float, row: Array, scratch: Array
-) -> None:
-    """Apply an impulse, N s, along a line to the bodies of a lane; turning arms in m."""
-    scratch[B_VX_A + m], scratch[B_VY_A + m] = velocity_a_after(
-        (scratch[B_VX_A + m], scratch[B_VY_A + m]), amount, line, row[R_MASS_A + m]
-    )
-    scratch[B_SPIN_A + m] = angular_velocity_a_after(
-        scratch[B_SPIN_A + m], amount, arm_a, row[R_INERTIA_A + m]
-    )
-    scratch[B_VX_B + m], scratch[B_VY_B + m] = velocity_b_after(
-        (scratch[B_VX_B + m], scratch[B_VY_B + m]), amount, line, row[R_MASS_B + m]
-    )
-    scratch[B_SPIN_B + m] = angular_velocity_b_after(
-        scratch[B_SPIN_B + m], amount, arm_b, row[R_INERTIA_B + m]
-    )
+class Velocities(NamedTuple):
+    """Those of both bodies of a lane."""
+
+    a: Vector  # m/s
+    spin_a: float  # rad/s
+    b: Vector
+    spin_b: float
 
 
-def apply_normal(m: int, at: int, amount: float, row: Array, scratch: Array) -> None:
-    """Apply an impulse, N s, along the normal of a lane."""
-    line = (row[R_NX + m], row[R_NY + m])
-    apply_impulse(
-        m, amount, line, row[at + P_NORMAL_ARM_A + m], row[at + P_NORMAL_ARM_B + m], row, scratch
-    )
-
-
-def apply_tangent(m: int, at: int, amount: float, row: Array, scratch: Array) -> None:
-    """Apply an impulse, N s, along the tangent of a lane."""
-    line = (-row[R_NY + m], row[R_NX + m])
-    apply_impulse(
-        m, amount, line, row[at + P_TANGENT_ARM_A + m], row[at + P_TANGENT_ARM_B + m], row, scratch
-    )
-
-
-def normal_speed(m: int, at: int, row: Array, scratch: Array) -> float:
-    """Return the normal velocity of a lane, m/s, at which its gap opens."""
-    return row_velocity(
+@inlined
+def velocities_of(m: int, scratch: Array) -> Velocities:
+    """Return the velocities of the bodies of a lane."""
+    return Velocities(
         (scratch[B_VX_A + m], scratch[B_VY_A + m]),
         scratch[B_SPIN_A + m],
-        row[at + P_NORMAL_ARM_A + m],
         (scratch[B_VX_B + m], scratch[B_VY_B + m]),
         scratch[B_SPIN_B + m],
+    )
+
+
+@inlined
+def set_velocities(m: int, now: Velocities, scratch: Array) -> None:
+    """Set the velocities of the bodies of a lane."""
+    scratch[B_VX_A + m], scratch[B_VY_A + m] = now.a
+    scratch[B_SPIN_A + m] = now.spin_a
+    scratch[B_VX_B + m], scratch[B_VY_B + m] = now.b
+    scratch[B_SPIN_B + m] = now.spin_b
+
+
+@inlined
+def pushed(
+    m: int, amount: float, line: Vector, arm_a: float, arm_b: float, now: Velocities, row: Array
+) -> Velocities:
+    """Return velocities after an impulse, N s, along a line; turning arms in m."""
+    return Velocities(
+        velocity_a_after(now.a, amount, line, row[R_MASS_A + m]),
+        angular_velocity_a_after(now.spin_a, amount, arm_a, row[R_INERTIA_A + m]),
+        velocity_b_after(now.b, amount, line, row[R_MASS_B + m]),
+        angular_velocity_b_after(now.spin_b, amount, arm_b, row[R_INERTIA_B + m]),
+    )
+
+
+@inlined
+def pushed_apart(m: int, at: int, amount: float, now: Velocities, row: Array) -> Velocities:
+    """Return velocities after an impulse, N s, along the normal of a point."""
+    line = (row[R_NX + m], row[R_NY + m])
+    arm_a, arm_b = row[at + P_NORMAL_ARM_A + m], row[at + P_NORMAL_ARM_B + m]
+    return pushed(m, amount, line, arm_a, arm_b, now, row)
+
+
+@inlined
+def pushed_along(m: int, at: int, amount: float, now: Velocities, row: Array) -> Velocities:
+    """Return velocities after an impulse, N s, along the tangent of a point."""
+    line = (-row[R_NY + m], row[R_NX + m])
+    arm_a, arm_b = row[at + P_TANGENT_ARM_A + m], row[at + P_TANGENT_ARM_B + m]
+    return pushed(m, amount, line, arm_a, arm_b, now, row)
+
+
+@inlined
+def normal_speed(m: int, at: int, now: Velocities, row: Array) -> float:
+    """Return the normal velocity of a point, m/s, at which its gap opens."""
+    arm_a, arm_b = row[at + P_NORMAL_ARM_A + m], row[at + P_NORMAL_ARM_B + m]
+    line = (row[R_NX + m], row[R_NY + m])
+    return row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line)
+
+
+@inlined
+def friction_impulse(m: int, at: int, now: Velocities, row: Array) -> float:
+    """Return the tangent impulse of a point, N s, within what friction allows."""
+    arm_a, arm_b = row[at + P_TANGENT_ARM_A + m], row[at + P_TANGENT_ARM_B + m]
+    line = (-row[R_NY + m], row[R_NX + m])
+    return limited_tangent_impulse(
+        row[at + P_TANGENT_IMPULSE + m],
+        row_velocity(now.a, now.spin_a, arm_a, now.b, now.spin_b, arm_b, line),
+        row[at + P_TANGENT_MASS + m],
+        row[R_FRICTION + m],
+        row[at + P_NORMAL_IMPULSE + m],
+    )
+
+
+@inlined
+def after_friction(m: int, at: int, now: Velocities, row: Array) -> Velocities:
+    """Correct the tangent impulse of a point; return the velocities after it."""
+    before = row[at + P_TANGENT_IMPULSE + m]
+    after = friction_impulse(m, at, now, row)
+    row[at + P_TANGENT_IMPULSE + m] = after
+    return pushed_along(m, at, after - before, now, row)
+
+
+@inlined
+def gap_in_substep(m: int, at: int, row: Array, scratch: Array) -> float:
+    """Return the gap of a point, m, where bodies are in this substep."""
+    return separation_later(
+        row[at + P_GAP + m],
+        (scratch[B_DX_A + m], scratch[B_DY_A + m]),
+        scratch[B_ANGLE_A + m],
+        row[at + P_NORMAL_ARM_A + m],
+        row[at + P_TANGENT_ARM_A + m] - row[R_RADIUS_A + m],
+        (scratch[B_DX_B + m], scratch[B_DY_B + m]),
+        scratch[B_ANGLE_B + m],
         row[at + P_NORMAL_ARM_B + m],
+        row[at + P_TANGENT_ARM_B + m] + row[R_RADIUS_B + m],
         (row[R_NX + m], row[R_NY + m]),
     )
 
 
-def tangent_speed(m: int, at: int, row: Array, scratch: Array) -> float:
-    """Return the tangent velocity of a lane, m/s."""
-    return row_velocity(
-        (scratch[B_VX_A + m], scratch[B_VY_A + m]),
-        scratch[B_SPIN_A + m],
-        row[at + P_TANGENT_ARM_A + m],
-        (scratch[B_VX_B + m], scratch[B_VY_B + m]),
-        scratch[B_SPIN_B + m],
-        row[at + P_TANGENT_ARM_B + m],
-        (-row[R_NY + m], row[R_NX + m]),
-    )
+@inlined
+def after_soft(
+    m: int, at: int, now: Velocities, row: Array, scratch: Array, substep: float
+) -> Velocities:
+    """Correct the normal impulse of a soft constraint; the substep in s."""
+    gap = gap_in_substep(m, at, row, scratch)
+    row[at + P_GAP_NOW + m] = gap
+    bias = bias_velocity(gap, row[R_BIAS_RATE + m], row[R_BIAS_LEAST + m], substep)
+    is_open = gap > 0.0
+    mass_share = 1.0 if is_open else row[R_MASS_SHARE + m]
+    impulse_share = 0.0 if is_open else row[R_IMPULSE_SHARE + m]
+    before, speed = row[at + P_NORMAL_IMPULSE + m], normal_speed(m, at, now, row)
+    mass = row[at + P_NORMAL_MASS + m]
+    after = soft_normal_impulse(before, speed, bias, mass, mass_share, impulse_share)
+    row[at + P_NORMAL_IMPULSE + m] = after
+    return pushed_apart(m, at, after - before, now, row)
+
+
+@inlined
+def after_relaxing(
+    m: int, at: int, now: Velocities, row: Array, substep: float, share: float
+) -> Velocities:
+    """Correct the normal impulse so that a point approaches by no more than its gap.
+
+    A share of it is counted: 1 where it is what a substep leaves, 0 elsewhere.
+    """
+    speed = normal_speed(m, at, now, row)
+    bias = bias_velocity_later(row[at + P_GAP_NOW + m], speed, substep)
+    before = row[at + P_NORMAL_IMPULSE + m]
+    after = soft_normal_impulse(before, speed, bias, row[at + P_NORMAL_MASS + m], 1.0, 0.0)
+    row[at + P_NORMAL_IMPULSE + m] = after
+    row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + share * after
+    return pushed_apart(m, at, after - before, now, row)
 
 
 def warm_start_lanes(at: int, row: Array, scratch: Array) -> None:
     """Apply the impulses of the last substep again."""
     for m in range(LANES):
-        apply_normal(m, at, row[at + P_NORMAL_IMPULSE + m], row, scratch)
-        apply_tangent(m, at, row[at + P_TANGENT_IMPULSE + m], row, scratch)
+        now = velocities_of(m, scratch)
+        now = pushed_apart(m, at, row[at + P_NORMAL_IMPULSE + m], now, row)
+        now = pushed_along(m, at, row[at + P_TANGENT_IMPULSE + m], now, row)
+        set_velocities(m, now, scratch)
 
 
-def friction_lanes(at: int, row: Array, scratch: Array) -> None:
-    """Correct the tangent impulses, within what friction allows."""
+def soft_lanes(row: Array, scratch: Array, substep: float) -> None:
+    """Correct the impulses of contacts with one point; the substep in s."""
     for m in range(LANES):
-        speed = tangent_speed(m, at, row, scratch)
-        before = row[at + P_TANGENT_IMPULSE + m]
-        after = limited_tangent_impulse(
-            before,
-            speed,
-            row[at + P_TANGENT_MASS + m],
-            row[R_FRICTION + m],
-            row[at + P_NORMAL_IMPULSE + m],
-        )
-        row[at + P_TANGENT_IMPULSE + m] = after
-        apply_tangent(m, at, after - before, row, scratch)
+        now = velocities_of(m, scratch)
+        now = after_friction(m, FIRST_POINT, now, row)
+        now = after_soft(m, FIRST_POINT, now, row, scratch, substep)
+        set_velocities(m, now, scratch)
 
 
-def soft_lanes(at: int, row: Array, scratch: Array, substep: float) -> None:
-    """Correct the normal impulses of soft constraints; the substep in s."""
+def soft_lanes_of_two(row: Array, scratch: Array, substep: float) -> None:
+    """Correct the impulses of contacts with two points; the substep in s."""
     for m in range(LANES):
-        gap = separation_later(
-            row[at + P_GAP + m],
-            (scratch[B_DX_A + m], scratch[B_DY_A + m]),
-            scratch[B_ANGLE_A + m],
-            row[at + P_NORMAL_ARM_A + m],
-            row[at + P_TANGENT_ARM_A + m] - row[R_RADIUS_A + m],
-            (scratch[B_DX_B + m], scratch[B_DY_B + m]),
-            scratch[B_ANGLE_B + m],
-            row[at + P_NORMAL_ARM_B + m],
-            row[at + P_TANGENT_ARM_B + m] + row[R_RADIUS_B + m],
-            (row[R_NX + m], row[R_NY + m]),
-        )
-        row[at + P_GAP_NOW + m] = gap
-        bias = bias_velocity(gap, row[R_BIAS_RATE + m], row[R_BIAS_LEAST + m], substep)
-        is_open = gap > 0.0
-        mass_share = 1.0 if is_open else row[R_MASS_SHARE + m]
-        impulse_share = 0.0 if is_open else row[R_IMPULSE_SHARE + m]
-        before = row[at + P_NORMAL_IMPULSE + m]
-        after = soft_normal_impulse(
-            before,
-            normal_speed(m, at, row, scratch),
-            bias,
-            row[at + P_NORMAL_MASS + m],
-            mass_share,
-            impulse_share,
-        )
-        row[at + P_NORMAL_IMPULSE + m] = after
-        apply_normal(m, at, after - before, row, scratch)
+        now = velocities_of(m, scratch)
+        now = after_friction(m, FIRST_POINT, now, row)
+        now = after_friction(m, SECOND_POINT, now, row)
+        now = after_soft(m, FIRST_POINT, now, row, scratch, substep)
+        now = after_soft(m, SECOND_POINT, now, row, scratch, substep)
+        set_velocities(m, now, scratch)
 
 
-def relax_lanes(at: int, row: Array, scratch: Array, substep: float, counted: bool) -> None:
-    """Correct the normal impulses so that no point approaches by more than its gap.
-
-    Where they are those that a substep leaves, they are counted.
-    """
-    share = 1.0 if counted else 0.0
+def relax_lanes(row: Array, scratch: Array, substep: float, share: float) -> None:
+    """Relax contacts with one point; the substep in s."""
     for m in range(LANES):
-        speed = normal_speed(m, at, row, scratch)
-        bias = bias_velocity_later(row[at + P_GAP_NOW + m], speed, substep)
-        before = row[at + P_NORMAL_IMPULSE + m]
-        after = soft_normal_impulse(before, speed, bias, row[at + P_NORMAL_MASS + m], 1.0, 0.0)
-        row[at + P_NORMAL_IMPULSE + m] = after
-        row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + share * after
-        apply_normal(m, at, after - before, row, scratch)
+        now = velocities_of(m, scratch)
+        now = after_friction(m, FIRST_POINT, now, row)
+        now = after_relaxing(m, FIRST_POINT, now, row, substep, share)
+        set_velocities(m, now, scratch)
+
+
+def relax_lanes_of_two(row: Array, scratch: Array, substep: float, share: float) -> None:
+    """Relax contacts with two points; the substep in s."""
+    for m in range(LANES):
+        now = velocities_of(m, scratch)
+        now = after_friction(m, FIRST_POINT, now, row)
+        now = after_friction(m, SECOND_POINT, now, row)
+        now = after_relaxing(m, FIRST_POINT, now, row, substep, share)
+        now = after_relaxing(m, SECOND_POINT, now, row, substep, share)
+        set_velocities(m, now, scratch)
 
 
 def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest: float) -> None:
     """Apply restitution to points that met faster than `slowest`, m/s, and have an impulse."""
     for m in range(LANES):
-        speed = normal_speed(m, at, row, scratch)
+        now = velocities_of(m, scratch)
         before = row[at + P_NORMAL_IMPULSE + m]
         meets = (
             (row[at + P_APPROACH + m] < -slowest)
@@ -250,7 +297,7 @@ def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest:
         )
         bounced = restitution_impulse(
             before,
-            speed,
+            normal_speed(m, at, now, row),
             row[at + P_APPROACH + m],
             row[R_RESTITUTION + m],
             row[at + P_NORMAL_MASS + m],
@@ -259,35 +306,25 @@ def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest:
         row[at + P_NORMAL_IMPULSE + m] = after
         row[bounce + m] = after - before
         row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + (after - before)
-        apply_normal(m, at, after - before, row, scratch)
+        now = pushed_apart(m, at, after - before, now, row)
+        set_velocities(m, now, scratch)
 
 
 def some_closed(at: int, closed: int, least: float, row: Array) -> bool:
     """Return whether a lane with a normal impulse has a gap, or a bounce, above the least."""
-    closed_lanes = 0
-    for m in range(LANES):
-        closed_lanes += (
-            1 if (row[closed + m] > least) & (row[at + P_NORMAL_IMPULSE + m] > 0.0) else 0
-        )
-    return closed_lanes > 0
+    return both_above(row, closed, least, at + P_NORMAL_IMPULSE, 0.0)
 
 
 def closed_friction_lanes(at: int, closed: int, least: float, row: Array, scratch: Array) -> None:
     """Correct the tangent impulses of points that have met or bounced in this substep."""
     for m in range(LANES):
-        speed = tangent_speed(m, at, row, scratch)
-        before = row[at + P_TANGENT_IMPULSE + m]
-        limited = limited_tangent_impulse(
-            before,
-            speed,
-            row[at + P_TANGENT_MASS + m],
-            row[R_FRICTION + m],
-            row[at + P_NORMAL_IMPULSE + m],
-        )
+        now = velocities_of(m, scratch)
+        before, limited = row[at + P_TANGENT_IMPULSE + m], friction_impulse(m, at, now, row)
         met = (row[closed + m] > least) & (row[at + P_NORMAL_IMPULSE + m] > 0.0)
         after = limited if met else before
         row[at + P_TANGENT_IMPULSE + m] = after
-        apply_tangent(m, at, after - before, row, scratch)
+        now = pushed_along(m, at, after - before, now, row)
+        set_velocities(m, now, scratch)
 
 
 def apply_closed_friction(
@@ -323,12 +360,10 @@ def solve_soft(
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
         load_motions(lane, motion, scratch)
-        friction_lanes(FIRST_POINT, row, scratch)
         if lane[POINTS] == 2:
-            friction_lanes(SECOND_POINT, row, scratch)
-        soft_lanes(FIRST_POINT, row, scratch, substep)
-        if lane[POINTS] == 2:
-            soft_lanes(SECOND_POINT, row, scratch, substep)
+            soft_lanes_of_two(row, scratch, substep)
+        else:
+            soft_lanes(row, scratch, substep)
         store_velocities(lane, motion, scratch)
 
 
@@ -345,16 +380,14 @@ def relax(
     Points that meet in this substep get their normal impulse here, and their friction after it. The
     impulses of the last time in a substep are counted.
     """
-    motion, scratch = bodies.motion, constraints.scratch
+    motion, scratch, share = bodies.motion, constraints.scratch, 1.0 if counted else 0.0
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
         load_velocities(lane, motion, scratch)
-        friction_lanes(FIRST_POINT, row, scratch)
         if lane[POINTS] == 2:
-            friction_lanes(SECOND_POINT, row, scratch)
-        relax_lanes(FIRST_POINT, row, scratch, substep, counted)
-        if lane[POINTS] == 2:
-            relax_lanes(SECOND_POINT, row, scratch, substep, counted)
+            relax_lanes_of_two(row, scratch, substep, share)
+        else:
+            relax_lanes(row, scratch, substep, share)
         apply_closed_friction(
             lane, FIRST_POINT + P_GAP_NOW, SECOND_POINT + P_GAP_NOW, OPEN, row, scratch
         )

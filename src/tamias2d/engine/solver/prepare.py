@@ -3,16 +3,26 @@
 Source: Catto (2024), soft step; the softness under a load, and the preload, are DD28 to DD31.
 """
 
-from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import (
+    BODY_A,
+    BODY_B,
+    F_FIRST_POINT,
+    F_GAP,
+    F_NORMAL_IMPULSE,
+    F_NX,
+    F_NY,
+    F_PRELOAD,
+    F_SECOND_POINT,
+    F_SPAN_X,
+    F_SPAN_Y,
+    F_TANGENT_IMPULSE,
+    F_X,
+    F_Y,
+    FILLED,
     FIRST_POINT,
     FORESEEN,
-    GAP,
     IMPULSE_RATIO,
-    LANES,
-    NORMAL_IMPULSE,
-    NX,
-    NY,
+    LANE_CONTACT,
     P_APPROACH,
     P_GAP,
     P_NORMAL_ARM_A,
@@ -28,8 +38,6 @@ from tamias2d.engine.tables import (
     POINT_SIZE,
     POINTS,
     PRELOAD,
-    PX,
-    PY,
     R_ALLOWED,
     R_BIAS_LEAST,
     R_BIAS_RATE,
@@ -48,13 +56,11 @@ from tamias2d.engine.tables import (
     SECOND_POINT,
     SHARED,
     SUBSTEP_START,
-    TANGENT_IMPULSE,
     Bodies,
     Constraints,
     Contacts,
     Control,
     Integers,
-    Touching,
     X,
     Y,
 )
@@ -73,7 +79,8 @@ from tamias2d.generated.soft_contact import (
     turning_arm,
 )
 from tamias2d.kernels.assembled import inlined
-from tamias2d.state import Array, Vector
+from tamias2d.kernels.lanes import LANES, load_part
+from tamias2d.state import Array
 
 FIRMER = 2.0  # frequency of a contact with a body that does not move freely, to that of others
 FIRMEST = 2.0  # frequency under load, to that without
@@ -90,42 +97,97 @@ def fill_blocks(
     control: Control,
     bodies: Bodies,
     contacts: Contacts,
-    touching: Touching,
     constraints: Constraints,
 ) -> None:
-    """Write the manifolds of touching contacts, which are listed by slabs."""
-    ratio = control.progress[IMPULSE_RATIO]
-    for place in range(first, last):
-        k = touching.by_slab[place]
-        i, j = touching.body_a[k], touching.body_b[k]
-        b, m = lane_of(k, touching)
-        row, manifold = constraints.blocks[b], contacts.manifolds[touching.contact[k]]
-        row[R_NX + m], row[R_NY + m] = manifold[NX], manifold[NY]
-        delta = (bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y])
-        ahead = manifold[FORESEEN]
+    """Write the manifolds of touching contacts to their blocks."""
+    ratio, found = control.progress[IMPULSE_RATIO], constraints.scratch
+    for b in range(first, last):
+        row, lane = constraints.blocks[b], constraints.lanes[b]
+        load_manifolds(lane, bodies, contacts, found)
+        for m in range(LANES):
+            row[R_NX + m], row[R_NY + m] = found[F_NX + m], found[F_NY + m]
+        arm_lanes(FIRST_POINT, F_FIRST_POINT, row, found)
+        impulse_lanes(FIRST_POINT, F_FIRST_POINT, ratio, row, found)
+        if lane[POINTS] == 2:
+            arm_lanes(SECOND_POINT, F_SECOND_POINT, row, found)
+            impulse_lanes(SECOND_POINT, F_SECOND_POINT, ratio, row, found)
+        for m in range(lane[FILLED]):
+            finish_lane(m, lane, row, bodies, contacts, found)
+
+
+@inlined
+def load_manifolds(lane: Integers, bodies: Bodies, contacts: Contacts, found: Array) -> None:
+    """Load the manifolds of a block, and where bodies are from each other; zeros where is none.
+
+    A manifold that is foreseen is that of the poses in which bodies will be then.
+    """
+    manifolds, start = contacts.manifolds, SUBSTEP_START
+    load_part(lane, LANE_CONTACT, manifolds, 0, found, F_NX)
+    if lane[POINTS] == 2:
+        load_part(lane, LANE_CONTACT, manifolds, POINT, found, F_SECOND_POINT - 2 * LANES)
+    for m in range(LANES):
+        a, b = bodies.pose[lane[BODY_A + m]], bodies.pose[lane[BODY_B + m]]
+        found[F_SPAN_X + m], found[F_SPAN_Y + m] = b[X] - a[X], b[Y] - a[Y]
+    for m in range(lane[FILLED]):
+        ahead = manifolds[lane[LANE_CONTACT + m], FORESEEN]
         if ahead > 0.0:
-            delta = span_ahead(delta, bodies.substep_state[i], bodies.substep_state[j], ahead)
-        for n in range(points_of(k, touching)):
-            at = SHARED + n * POINT_SIZE + m
-            fill_arms(m, n, delta, manifold, row)
-            fill_impulses(m, n, ratio, manifold, row)
-            if ahead > 0.0:
-                row[at + P_GAP] = gap_before(
-                    m, at, row, bodies.substep_state[i], bodies.substep_state[j], ahead
-                )
-            if row[R_RESTITUTION + m] > 0.0:
-                row[at + P_APPROACH] = approach_velocity(
-                    m, at, row, bodies.substep_state[i], bodies.substep_state[j]
-                )
+            a, b = bodies.substep_state[lane[BODY_A + m]], bodies.substep_state[lane[BODY_B + m]]
+            found[F_SPAN_X + m] += ahead * (b[start] - a[start])
+            found[F_SPAN_Y + m] += ahead * (b[start + 1] - a[start + 1])
+    for m in range(lane[FILLED], LANES):
+        for at in range(F_NX + m, F_SPAN_X, LANES):
+            found[at] = 0.0
 
 
-def span_ahead(delta: Vector, a: Array, b: Array, ahead: float) -> Vector:
-    """Return what leads from the centre of A to that of B after a time, s, at their velocities."""
-    start = SUBSTEP_START
-    return (
-        delta[0] + ahead * (b[start] - a[start]),
-        delta[1] + ahead * (b[start + 1] - a[start + 1]),
-    )
+def arm_lanes(at: int, of: int, row: Array, found: Array) -> None:
+    """Write the turning arms of points.
+
+    Arms of a contact with a body that does not move freely end on the surfaces, whose points meet
+    when the gap closes.
+    """
+    for m in range(LANES):
+        normal = (row[R_NX + m], row[R_NY + m])
+        x, y = found[of + F_X + m], found[of + F_Y + m]
+        bound = (row[R_MASS_A + m] == 0.0) | (row[R_MASS_B + m] == 0.0)
+        half = 0.5 * max(found[of + F_GAP + m], 0.0) if bound else 0.0
+        row[at + P_NORMAL_ARM_A + m] = turning_arm((x, y), normal)
+        row[at + P_TANGENT_ARM_A + m] = bend((x, y), normal) - half
+        x, y = x - found[F_SPAN_X + m], y - found[F_SPAN_Y + m]
+        row[at + P_NORMAL_ARM_B + m] = turning_arm((x, y), normal)
+        row[at + P_TANGENT_ARM_B + m] = bend((x, y), normal) + half
+
+
+def impulse_lanes(at: int, of: int, ratio: float, row: Array, found: Array) -> None:
+    """Write the gaps and the impulses of points, and learn the preloads."""
+    for m in range(LANES):
+        gap, normal = found[of + F_GAP + m], found[of + F_NORMAL_IMPULSE + m]
+        most = PRELOADED * row[R_SMALLER_RADIUS + m]
+        before = found[of + F_PRELOAD + m]
+        learnt = preload_later(before, gap, LEARNT, row[R_ALLOWED + m], most)
+        preload = learnt if normal > 0.0 else 0.0
+        found[of + F_PRELOAD + m] = preload
+        row[at + P_GAP + m] = gap - preload
+        row[at + P_NORMAL_IMPULSE + m] = ratio * normal
+        row[at + P_TANGENT_IMPULSE + m] = ratio * found[of + F_TANGENT_IMPULSE + m]
+        row[at + P_TOTAL_IMPULSE + m] = 0.0
+
+
+@inlined
+def finish_lane(
+    m: int, lane: Integers, row: Array, bodies: Bodies, contacts: Contacts, found: Array
+) -> None:
+    """Keep the preloads of a contact; find its gaps if it is foreseen, and how fast it meets."""
+    manifold, state = contacts.manifolds[lane[LANE_CONTACT + m]], bodies.substep_state
+    a, b, ahead = state[lane[BODY_A + m]], state[lane[BODY_B + m]], manifold[FORESEEN]
+    manifold[PRELOAD] = found[F_FIRST_POINT + F_PRELOAD + m]
+    if lane[POINTS] == 2:
+        manifold[PRELOAD + POINT] = found[F_SECOND_POINT + F_PRELOAD + m]
+    for n in range(lane[POINTS]):
+        at = SHARED + n * POINT_SIZE + m
+        if ahead > 0.0:
+            row[at + P_GAP] = gap_before(m, at, row, a, b, ahead)
+        if row[R_RESTITUTION + m] > 0.0:
+            row[at + P_APPROACH] = approach_velocity(m, at, row, a, b)
 
 
 def gap_before(m: int, at: int, row: Array, a: Array, b: Array, ahead: float) -> float:
@@ -144,41 +206,6 @@ def gap_before(m: int, at: int, row: Array, a: Array, b: Array, ahead: float) ->
         (row[R_NX + m], row[R_NY + m]),
     )
     return float(row[at + P_GAP] - closed)
-
-
-@inlined
-def fill_arms(m: int, n: int, delta: Vector, manifold: Array, row: Array) -> None:
-    """Write the turning arms of a point; `delta` goes from the centre of A to that of B, m.
-
-    Arms of a contact with a body that does not move freely end on the surfaces, whose points meet
-    when the gap closes.
-    """
-    at, normal = SHARED + n * POINT_SIZE + m, (manifold[NX], manifold[NY])
-    x, y = manifold[PX + POINT * n], manifold[PY + POINT * n]
-    normal_a, tangent_a = turning_arm((x, y), normal), bend((x, y), normal)
-    x, y = x - delta[0], y - delta[1]
-    normal_b, tangent_b = turning_arm((x, y), normal), bend((x, y), normal)
-    if row[R_MASS_A + m] == 0.0 or row[R_MASS_B + m] == 0.0:
-        half = 0.5 * max(manifold[GAP + POINT * n], 0.0)
-        tangent_a, tangent_b = tangent_a - half, tangent_b + half
-    row[at + P_NORMAL_ARM_A], row[at + P_TANGENT_ARM_A] = normal_a, tangent_a
-    row[at + P_NORMAL_ARM_B], row[at + P_TANGENT_ARM_B] = normal_b, tangent_b
-
-
-@inlined
-def fill_impulses(m: int, n: int, ratio: float, manifold: Array, row: Array) -> None:
-    """Write the gap and the impulses of a point, and learn the preload."""
-    at, to, radius = SHARED + n * POINT_SIZE + m, POINT * n, row[R_SMALLER_RADIUS + m]
-    gap, preload = manifold[GAP + to], 0.0
-    if manifold[NORMAL_IMPULSE + to] > 0.0:
-        before = manifold[PRELOAD + to]
-        allowed = row[R_ALLOWED + m]
-        preload = preload_later(before, gap, LEARNT, allowed, PRELOADED * radius)
-    manifold[PRELOAD + to] = preload
-    row[at + P_GAP] = gap - preload
-    row[at + P_NORMAL_IMPULSE] = ratio * manifold[NORMAL_IMPULSE + to]
-    row[at + P_TANGENT_IMPULSE] = ratio * manifold[TANGENT_IMPULSE + to]
-    row[at + P_TOTAL_IMPULSE] = 0.0
 
 
 @inlined

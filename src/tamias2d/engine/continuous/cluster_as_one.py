@@ -1,0 +1,98 @@
+"""A cluster keeps its angular momentum when bodies join it (IM17).
+
+From then on they go the way that they share, but their velocities stay: at the end of the step
+these act along other arms. What that gives the cluster is taken from its motion as one; bodies keep
+their spins, unless only these can give it.
+"""
+
+from tamias2d.engine.continuous.two_as_one import ROUNDED, place_at_end
+from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
+from tamias2d.engine.solver.energy import mass_and_inertia
+from tamias2d.engine.tables import FORCE_GAIN, SPIN, VX, VY, Bodies, Integers
+from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
+from tamias2d.generated.island_energy import inertia_origin, mass_moment
+from tamias2d.state import Vector
+
+
+def cluster_turning(
+    i: int, origin: Vector, bodies: Bodies, together: Integers
+) -> tuple[float, float]:
+    """Return the angular momentum of a cluster about a place, m, and the sum of its magnitudes.
+
+    Both in kg m^2/s, at the end of the step.
+    """
+    whole = size = 0.0
+    k, begun = i, False
+    while k != i or not begun:
+        begun = True
+        mass, inertia = mass_and_inertia(k, bodies.properties)
+        now, place = bodies.motion[k], place_at_end(k, origin, bodies)
+        own = angular_momentum(mass, place, (now[VX], now[VY]), inertia, now[SPIN])
+        whole, size = whole + own, size + abs(own)
+        k = together[k]
+    return whole, size
+
+
+def return_cluster_turning(
+    i: int,
+    origin: Vector,
+    before: tuple[float, float],
+    bodies: Bodies,
+    together: Integers,
+) -> None:
+    """Give a cluster back the angular momentum that it had, if it is pushed as one at most."""
+    after = cluster_turning(i, origin, bodies, together)
+    given = after[0] - before[0]
+    rounded = abs(given) <= ROUNDED * max(before[1], after[1])
+    if rounded or not is_pushed_as_one(i, bodies, together):
+        return
+    for turned in (False, True):
+        mass, moment, along, about, turning, energy = cluster_sums(
+            i, turned, origin, bodies, together
+        )
+        one = as_one(mass, moment, along, about, turning)
+        if can_turn(one, about) and suffices(one, given, energy, 0.0):
+            k, begun = i, False
+            while k != i or not begun:
+                begun = True
+                place = place_at_end(k, origin, bodies)
+                return_motion(one, given, energy, turned, place, bodies.motion[k])
+                k = together[k]
+            return
+
+
+def is_pushed_as_one(i: int, bodies: Bodies, together: Integers) -> bool:
+    """Return whether forces give all bodies of a cluster the same velocity in the step."""
+    flight, k = bodies.flight, together[i]
+    same = True
+    while k != i:
+        for n in range(2):
+            same = same & (flight[k, FORCE_GAIN + n] == flight[i, FORCE_GAIN + n])
+        k = together[k]
+    return bool(same)
+
+
+def cluster_sums(
+    i: int, turned: bool, origin: Vector, bodies: Bodies, together: Integers
+) -> tuple[float, Vector, Vector, float, float, float]:
+    """Return sums over a cluster, with or without the spins of its bodies, about a place, m.
+
+    These are its mass, kg, moment, kg m, momentum, kg m/s, inertia, kg m^2, angular momentum,
+    kg m^2/s, and energy, J.
+    """
+    mass = about = turning = energy = x = y = by_x = by_y = 0.0
+    k, begun = i, False
+    while k != i or not begun:
+        begun = True
+        own, inertia = mass_and_inertia(k, bodies.properties)
+        inertia = inertia if turned else 0.0
+        now, place = bodies.motion[k], place_at_end(k, origin, bodies)
+        velocity = (now[VX], now[VY])
+        along, moment = momentum(own, velocity), mass_moment(own, place)
+        mass, x, y = mass + own, x + moment[0], y + moment[1]
+        by_x, by_y = by_x + along[0], by_y + along[1]
+        about += inertia_origin(own, place, inertia)
+        turning += angular_momentum(own, place, velocity, inertia, now[SPIN])
+        energy += kinetic_energy(own, velocity, inertia, now[SPIN])
+        k = together[k]
+    return mass, (x, y), (by_x, by_y), about, turning, energy
