@@ -29,7 +29,7 @@ class Run(RunData):
         """Return the run as an `xarray.Dataset` over time, body and axis, units in `attrs`.
 
         Raises:
-            RecordingError: xarray is not installed (`pip install tamias2d[ensemble]`).
+            RecordingError: xarray is not installed (`pip install "tamias2d[ensemble]"`).
         """
         found: Dataset = record.to_xarray(self)
         return found
@@ -40,7 +40,7 @@ class Run(RunData):
         Columns are `position_x`, `position_y`, `orientation` and so on; units are in `attrs`.
 
         Raises:
-            RecordingError: pandas is not installed (`pip install tamias2d[ensemble]`).
+            RecordingError: pandas is not installed (`pip install "tamias2d[ensemble]"`).
         """
         found: DataFrame = record.to_dataframe(self)
         return found

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tamias2d import Simulator
+from tests.crowd_laws import crowd
 from tests.engine.conserved import totals
 from tests.engine.crowds import centre_of_mass, imploding, rain, standing_share
 
@@ -34,6 +35,23 @@ def test_nobody_stands_still_with_a_velocity(radius: float, fall: float) -> None
     assert standing_share(sim, rows, 40) <= 2e-3
     x, y = sim.position[rows].T
     assert (y[np.abs(x) < 400 * radius] > 0.0).all()
+
+
+@pytest.mark.parametrize("share", [0.003, 0.03])
+@pytest.mark.parametrize("seed", [18, 1052])  # many bodies go on together
+def test_forces_give_a_crowd_what_they_push(seed: int, share: float) -> None:
+    """Whatever meets, gravity and forces on single bodies change the momentum of all alike."""
+    sim, _ = crowd(seed)
+    chance, mass = np.random.default_rng(seed), sim.mass[:, None]
+    pull = share * np.hypot(*sim.velocity.T).max() / sim.time_step
+    sim.gravity = pull * chance.normal(size=2)
+    sim.force[:] = pull * mass * chance.normal(size=(len(mass), 2))
+    push = (mass * np.array(sim.gravity) + sim.force) * sim.time_step
+    for _ in range(12):
+        before = mass * sim.velocity
+        sim.step()
+        off = (mass * sim.velocity - before - push).sum(axis=0)
+        assert off == pytest.approx(0.0, abs=1e-12 * (np.abs(before) + np.abs(push)).sum())
 
 
 def test_a_step_says_in_how_many_parts_it_was_taken() -> None:

@@ -38,6 +38,6 @@ def test_p11_holds_in_a_crowd(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_p13_holds_in_a_crowd(seed: int) -> None:
-    """P13, srs/requirements.md:411."""
+    """P13, srs/requirements.md:413."""
     law = "sum(kinetic_energy_i_after) == sum(kinetic_energy_i_before)"
     holds(law, seed, within=1e-12, steady=False, at_most=True)

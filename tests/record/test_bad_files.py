@@ -255,4 +255,4 @@ def test_without_rerun(run: t2.Run, tmp_path: Path, missing: str) -> None:
     done = python(code)
     lines = done.stdout.splitlines()
     assert len(lines) == 2, done.stderr
-    assert all("`pip install tamias2d[record]`" in line for line in lines)
+    assert all('`pip install "tamias2d[record]"`' in line for line in lines)

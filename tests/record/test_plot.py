@@ -87,7 +87,7 @@ def test_without_matplotlib(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-c", textwrap.dedent(code)], capture_output=True, text=True, check=False
     )
-    assert "`pip install tamias2d[plot]`" in done.stdout, done.stderr
+    assert '`pip install "tamias2d[plot]"`' in done.stdout, done.stderr
 
 
 def test_a_chain_is_a_line_and_no_area(tmp_path: Path) -> None:

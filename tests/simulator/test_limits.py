@@ -63,6 +63,21 @@ def test_values_are_refused_before_a_step(view: str, value: float, says: str) ->
     assert (sim.position == before).all()
 
 
+def test_a_batch_ends_where_steps_one_by_one_would() -> None:
+    """A body that flies out of reach is refused by the step after, in a batch, too."""
+    batch, single = ground(), ground()
+    for sim in (batch, single):
+        sim.position[1] = 0.0, 0.5
+        sim.velocity[1] = 0.0, 0.0
+        fast = {"position": (3, 3), "velocity": (1e19, 0.0), "restitution": 0.0}
+        sim.add(t2.Disc(radius=0.1), mass=1.0, **fast)
+    single.step()
+    for sim in (single, batch):
+        with pytest.raises(t2.InputError, match=r"position\[2\] of body 2: .* must be within 1.1e"):
+            sim.step(20)
+    assert (batch.position == single.position).all()
+
+
 @pytest.mark.parametrize(
     ("view", "value"),
     [("angular_velocity", 1e90), ("torque", 1e90), ("velocity", 1e90), ("force", 1e100)],
@@ -208,3 +223,20 @@ def test_gravity_that_outruns_the_shortest_parts_of_a_step_is_told(pull: float) 
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         calm.step()
+
+
+def test_a_sensor_stays_one_after_a_step_that_was_refused() -> None:
+    sim = ground()
+    sim.gravity = 0.0, 0.0
+    gate = t2.Box(width=1.0, height=1.0)
+    sim.add_static(gate, position=(0.0, 15.0), sensor=True, restitution=0.5)
+    ball = sim.add(t2.Disc(radius=0.2), mass=1.0, position=(-0.6, 15.0), restitution=0.5)
+    light = sim.add(t2.Disc(radius=0.1), mass=1e-300, position=(3.0, 0.2), restitution=1.0)
+    sim.velocity[ball] = 1.0, 0.0
+    sim.step(3)
+    sim.force[light] = 1e70, -1e70
+    with pytest.raises(t2.InputError, match="cannot hold"):
+        sim.step()
+    sim.force[light] = 0.0
+    sim.step(60)
+    assert sim.velocity[ball].tolist() == [1.0, 0.0]

@@ -20,8 +20,9 @@ SEEDS = {
     "momentum-stepped": 15,
 }
 FOUND = (
-    *(("scenes", seed) for seed in (269, 3_501_452, 4_034_557, 4_035_833)),
-    *(("files", seed) for seed in (2_029_520, 2_060_850, 2_065_891)),
+    *(("sequences", seed) for seed in (3_502_565, 11_000_310, 11_008_086)),
+    *(("scenes", seed) for seed in (269, 7_002_818, 3_501_452, 4_034_557, 4_035_833)),
+    *(("files", seed) for seed in (8_005_959, 9_037_432, 2_029_520, 2_060_850, 2_065_891)),
 )
 """Cases that broke something once."""
 

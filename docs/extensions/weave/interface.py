@@ -7,6 +7,7 @@ become Markdown.
 import ast
 import re
 from collections.abc import Iterable, Iterator
+from itertools import accumulate
 
 from tamias2d import _HOME_OF
 from weave.markdown import as_markdown, bullets, code
@@ -98,15 +99,18 @@ def _arguments(args: ast.arguments) -> Iterator[str]:
 def described(node: Named | ast.Module) -> str:
     """A docstring as Markdown; the lines of a section such as `Raises:` become a list."""
     lines = (ast.get_docstring(node) or "").splitlines()
-    return "\n".join(_line(line) for line in lines)
+    marks = accumulate((len(re.findall("`+", line)) for line in lines), initial=0)
+    return "\n".join(_line(line, in_code=n % 2 == 1) for line, n in zip(lines, marks, strict=False))
 
 
-def _line(line: str) -> str:
+def _line(line: str, *, in_code: bool) -> str:
     if section := re.fullmatch(r"(\w+):", line):
         return f"\n*{section[1]}*\n"
     if entry := re.fullmatch(r" {4}(\w+): (.*)", line):
         return f"* `{entry[1]}`: {as_markdown(entry[2])}"
-    return as_markdown(re.sub(r"^ {5,}", "  ", line))
+    if re.match(r" {4}\S", line):
+        return line  # a formula, or the like, as it is
+    return as_markdown(re.sub(r"^ {5,}", "  ", line), in_code=in_code)
 
 
 def _members(node: ast.ClassDef) -> Iterator[str]:

@@ -43,8 +43,9 @@ def bullets(lines: Iterable[str]) -> str:
     return "\n".join(f"* {line}" for line in lines) + "\n"
 
 
-def as_markdown(text: str) -> str:
-    """Plain text in which nothing but `code` and *emphasis* is markup."""
-    halves = text.split("`")
-    halves[::2] = [re.sub(r"([_$<>{}\[\]|#])", r"\\\1", half) for half in halves[::2]]
-    return "`".join(halves)
+def as_markdown(text: str, *, in_code: bool = False) -> str:
+    """Plain text in which nothing but `code`, in which it may begin, and *emphasis* is markup."""
+    pieces = re.split(r"(`+)", text)  # a text, a mark, a code, a mark, a text
+    for k in range(2 if in_code else 0, len(pieces), 4):
+        pieces[k] = re.sub(r"([_$<>{}\[\]|#])", r"\\\1", pieces[k])
+    return "".join(pieces)

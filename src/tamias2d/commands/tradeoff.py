@@ -45,9 +45,9 @@ def show_tradeoff(
             "Give one such as 1e-6."
         )
     if plot is not None:
-        from tamias2d.record.aside import refuse_place
+        from tamias2d.record.plot import refuse_picture
 
-        refuse_place(plot)
+        refuse_picture(plot)
     if not any(body.dynamic for body in scene.bodies):
         raise InputError(
             f"SCENE: {name!r}: no body can move, so that nothing can be measured (R5). "

@@ -16,12 +16,12 @@ from tamias2d.engine.tables import (
     CONTACTS,
     FINEST,
     GAP,
-    IMPACT_NORMAL,
     IS_TOUCHING,
     NX,
     NY,
     POINT,
     POINT_COUNT,
+    PUSH,
     PX,
     PY,
     SLOT_A,
@@ -90,13 +90,16 @@ def contact_report(store: Store) -> Touching:
     now, before = (np.unique(code[bits & bit != 0]) for bit in (IS_TOUCHING, WAS_TOUCHING))
     count = flags[:, POINT_COUNT]
     split = store.world.control.counts[FINEST] > 0
-    pushed = _pushed(found, np.full_like(count, 2) if split else np.maximum(count, 1), bits)
+    normal, impulse = _impulses(found, count, split=split)
+    pair, number = np.nonzero((impulse > 0.0) & (bits & IS_TOUCHING != 0)[:, None])
+    pushed = _Points(pair, number, impulse[pair, number])
     sensed = np.setdiff1d(np.flatnonzero(bits & IS_TOUCHING), pushed.pair)
     points = _Points(
         np.concatenate((pushed.pair, sensed)),
         np.concatenate((pushed.number, np.zeros_like(sensed))),
         np.concatenate((pushed.impulse, np.zeros(len(sensed)))),
     )
+    normal[sensed] = found[sensed, NX : NY + 1]
     found[sensed, WORLD_POINT : WORLD_POINT + 2] = (
         state.pose[bodies[sensed, 0], :2] + found[sensed, PX : PY + 1]
     )
@@ -104,21 +107,26 @@ def contact_report(store: Store) -> Touching:
     ended = np.flatnonzero(np.isin(code, np.setdiff1d(before, now)))
     ended = np.sort(ended[np.unique(code[ended], return_index=True)[1]])
     return Touching(
-        contacts=_contacts(bodies, found, count, pushed),
-        began=_contacts(bodies, found, count, begun),
+        contacts=_contacts(bodies, found, count, normal, pushed),
+        began=_contacts(bodies, found, count, normal, begun),
         ended=pairs_of(bodies[ended]),
     )
 
 
-def _pushed(touch: Array, count: IntArray, bits: IntArray) -> _Points:
-    """Return all points that were pushed, in the order of the pairs.
+def _impulses(touch: Array, count: IntArray, *, split: bool) -> tuple[Array, Array]:
+    """Return the normals (m, 2) along which pairs pushed each other, and impulses at two points.
 
-    In flight a pair has one; where parts of a step add up, a point may be gone by its end.
+    In flight and over the parts of a step they pushed each other as one, by a sum of vectors.
     """
-    total = touch[:, [TOTAL_IMPULSE, TOTAL_IMPULSE + POINT]]
-    there = np.arange(2) < count[:, None]
-    pair, number = np.nonzero(there & (total > 0.0) & (bits & IS_TOUCHING != 0)[:, None])
-    return _Points(pair, number, total[pair, number])
+    totals = touch[:, [TOTAL_IMPULSE, TOTAL_IMPULSE + POINT]]
+    push = touch[:, PUSH : PUSH + 2] if split else totals
+    as_one = split | (count == 0)
+    size = np.hypot(push[:, 0], push[:, 1])
+    along = push / np.where(size > 0.0, size, 1.0)[:, None]
+    normal = np.where(as_one[:, None], along, touch[:, NX : NY + 1])
+    second = np.where(count == 2, totals[:, 1], 0.0)
+    first = np.where(as_one, size, totals[:, 0])
+    return normal, np.column_stack((first, np.where(as_one, 0.0, second)))
 
 
 def _strongest(found: _Points, code: IntArray, wanted: IntArray) -> _Points:
@@ -134,19 +142,17 @@ def _strongest(found: _Points, code: IntArray, wanted: IntArray) -> _Points:
     return _Points(found.pair[row], found.number[row], total)
 
 
-def _contacts(bodies: IntArray, touch: Array, count: IntArray, points: _Points) -> Contacts:
+def _contacts(
+    bodies: IntArray, touch: Array, count: IntArray, normal: Array, points: _Points
+) -> Contacts:
     """Return where points are, and their impulses."""
     pair, number, impulse = points
-    flown = count[pair] == 0
     row = touch[pair]
     at = np.arange(len(pair))
     place = WORLD_POINT + POINT * number
-    normal = np.where(
-        flown[:, None], row[:, IMPACT_NORMAL : IMPACT_NORMAL + 2], row[:, NX : NY + 1]
-    )
     point = np.column_stack((row[at, place], row[at, place + 1]))
-    separation = np.where(flown, 0.0, row[at, GAP + POINT * number])
-    return contacts_of((bodies[pair], point, normal, impulse, separation))
+    separation = np.where(count[pair] == 0, 0.0, row[at, GAP + POINT * number])
+    return contacts_of((bodies[pair], point, normal[pair], impulse, separation))
 
 
 def contacts_of(columns: Iterable[NDArray[Any]]) -> Contacts:

@@ -24,9 +24,11 @@ from tamias2d.engine.tables import (
     AT_START,
     BOUNDING_RADIUS,
     CLEAR,
+    CONTACTS,
     DONE,
     DYNAMIC,
     FINEST,
+    FIRST_RUN,
     FRICTION,
     GRAVITY_X,
     GRAVITY_Y,
@@ -79,8 +81,8 @@ _TOO_SHORT = {
 }
 
 
-_Take: TypeAlias = Callable[[int, bool], int]
-"""Takes some steps, of values that are known to be valid or not; returns how that ended."""
+_Take: TypeAlias = Callable[[int], int]
+"""Takes some steps; returns how that ended."""
 
 
 class Engine(Store):
@@ -310,13 +312,13 @@ class Engine(Store):
         """
         if untouched and self._skipped(count):
             return None
-        checked, timed = False, count > 1
+        timed = count > 1
         try:
             if count == 1 and not self._alone:  # what is called most takes the shortest way
-                status = (self._take or self._prepared())(1, False)
+                status = (self._take or self._prepared())(1)
                 if status == DONE:
                     return None
-                status = self._continued(status, checked)
+                status = self._continued(status)
                 return None if status in (DONE, CLEAR) else self._refused(status)
             while count > 0:
                 if self._alone and not self._connected:
@@ -328,8 +330,8 @@ class Engine(Store):
                 asked = min(count, self._steps_per_call.most)
                 if timed:
                     self._steps_per_call.begin()
-                status = self._solved_steps(asked, checked)
-                taken, checked = asked - int(self.world.control.counts[STEPS_LEFT]), True
+                status = self._solved_steps(asked)
+                taken = asked - int(self.world.control.counts[STEPS_LEFT])
                 if timed:
                     self._steps_per_call.end(taken)
                 if status not in (DONE, CLEAR):
@@ -378,18 +380,18 @@ class Engine(Store):
             self.world.control.counts[FINEST] = 0
         return taken
 
-    def _solved_steps(self, count: int, checked: bool) -> int:
+    def _solved_steps(self, count: int) -> int:
         """Take up to some steps through contacts; return how that ended."""
         self._alone = self._course_known = False
-        return self._continued((self._take or self._prepared())(count, checked), checked)
+        return self._continued((self._take or self._prepared())(count))
 
-    def _continued(self, status: int, checked: bool) -> int:
+    def _continued(self, status: int) -> int:
         """Go on with steps that ended somehow, as long as an array is too short for them."""
         while status in _TOO_SHORT:
             counts, (names, more) = self.world.control.counts, _TOO_SHORT[status]
             rows = int(counts[ROWS_NEEDED]) * 3 // 2 + more
             self.resize(**{name: max(rows, getattr(self.capacities, name)) for name in names})
-            status = self._prepared()(int(counts[STEPS_LEFT]), checked)
+            status = self._prepared()(int(counts[STEPS_LEFT]))
         self._alone = status == CLEAR
         return status
 
@@ -413,7 +415,8 @@ class Engine(Store):
         counts = world.control.counts
         counts[STAGE] = AT_START
         counts[TICK] = counts[RETAKEN] = counts[LEAST_LEVEL] = 0
-        world.broad_phase.counts[NEXT_LEVEL] = 0
+        broad_phase = world.broad_phase.counts
+        broad_phase[NEXT_LEVEL] = broad_phase[CONTACTS] = broad_phase[FIRST_RUN] = 0
         for values in (
             *(world.bodies.motion, world.bodies.moved, world.broad_phase.left),
             *(world.buffers.flags, world.buffers.manifolds, world.touching.counts),
@@ -428,9 +431,9 @@ class Engine(Store):
 def _overflowing(step: Callable[..., int]) -> Callable[..., int]:
     """Return plain Python steps that end where a number is not whole, as compiled ones do."""
 
-    def take(world: World, count: int, checked: bool) -> int:
+    def take(world: World, count: int) -> int:
         try:
-            return step(world, count, checked)
+            return step(world, count)
         except (ValueError, OverflowError, ZeroDivisionError):
             return OVERFLOWED  # Python makes no whole number of NaN; compiled code goes on
 

@@ -7,6 +7,7 @@ is a power of a half of the step; one that is longer than the last begins at a m
 length. Cost of choosing: a pass over contacts, and the gap of those that are fast.
 """
 
+from tamias2d.engine.broad_phase.contact_list import current_contacts
 from tamias2d.engine.broad_phase.pairs import TOO_CROWDED
 from tamias2d.engine.continuous.events import (
     THIN,
@@ -15,6 +16,7 @@ from tamias2d.engine.continuous.events import (
     smaller_radius,
 )
 from tamias2d.engine.narrow_phase.polygon import held_normal
+from tamias2d.engine.part_impulses import add_up_impulses, forget_impulses, forget_impulses_of_part
 from tamias2d.engine.tables import (
     AT_START,
     CONTACTS,
@@ -23,7 +25,6 @@ from tamias2d.engine.tables import (
     FINEST,
     FRAME_MOVES,
     GOES_FAR,
-    HAD_MET_IN_FLIGHT,
     LEAST_LEVEL,
     LEVEL,
     LIST_HOLDS,
@@ -32,7 +33,6 @@ from tamias2d.engine.tables import (
     NEXT_LEVEL,
     PART_SUBSTEPS,
     PART_TIME,
-    POINT,
     RETAKEN,
     SENSES,
     SLOT_A,
@@ -43,12 +43,9 @@ from tamias2d.engine.tables import (
     SUBSTEPS,
     TICK,
     TIME_STEP,
-    TOTAL_IMPULSE,
-    TOUCHES,
     UNMOVED,
     VX,
     VY,
-    WAS_TOUCHING,
     Bodies,
     Contacts,
     Control,
@@ -82,6 +79,8 @@ def end_part(world: World) -> bool:
     longer = level > counts[LEAST_LEVEL] and counts[TICK] % (1 << (MOST_LEVEL - level + 1)) == 0
     broad_phase.counts[NEXT_LEVEL] = level - 1 if longer else level
     counts[RETAKEN], counts[FINEST] = 0, max(counts[FINEST], level)
+    contacts = current_contacts(broad_phase, world.buffers)
+    add_up_impulses(broad_phase.counts[CONTACTS] if counts[FINEST] > 0 else 0, contacts)
     if counts[TICK] == 1 << MOST_LEVEL:
         counts[TICK] = counts[LEAST_LEVEL] = 0
         set_level(0, world)
@@ -122,8 +121,7 @@ def retake_part(world: World, contacts: Contacts) -> None:
         for n in range(3):
             bodies.pose[i, n], bodies.motion[i, n] = bodies.start[i, n], bodies.start[i, 3 + n]
             bodies.motion[i, DX + n] = 0.0
-    for p in range(broad_phase.counts[CONTACTS] if counts[TICK] == 0 else 0):
-        contacts.flags[p, TOUCHES] &= WAS_TOUCHING + HAD_MET_IN_FLIGHT
+    forget_impulses_of_part(counts[TICK] == 0, broad_phase.counts[CONTACTS], contacts)
     broad_phase.counts[NEXT_LEVEL] = counts[LEAST_LEVEL] = counts[LEVEL] + 1
     counts[RETAKEN], counts[STAGE] = 1, AT_START
 
@@ -165,7 +163,7 @@ def shorten_part(world: World, contacts: Contacts) -> None:
         highest -= 1
     set_level(highest, world)
     if highest > 0 and counts[TICK] == 0:
-        forget_totals(broad_phase.counts[CONTACTS], contacts)
+        forget_impulses(broad_phase.counts[CONTACTS], contacts)
 
 
 def find_wanted_levels(world: World, contacts: Contacts) -> None:
@@ -199,9 +197,3 @@ def motion_of_pair(i: int, j: int, time: float, bodies: Bodies) -> float:
     by_x, by_y = time * (motion[j, VX] - motion[i, VX]), time * (motion[j, VY] - motion[i, VY])
     of_i = motion_bound((0.0, 0.0), time * motion[i, SPIN], properties[i, CORE_RADIUS])
     return of_i + motion_bound((by_x, by_y), time * motion[j, SPIN], properties[j, CORE_RADIUS])
-
-
-def forget_totals(count: int, contacts: Contacts) -> None:
-    """Let the impulses of the parts of a step add up from zero."""
-    for p in range(count):
-        contacts.manifolds[p, TOTAL_IMPULSE] = contacts.manifolds[p, TOTAL_IMPULSE + POINT] = 0.0

@@ -90,25 +90,24 @@ from tamias2d.engine.tables import (
 SHORTEST_FOR_SPRINGS = 6  # level; networks for which that is too long go through the substeps
 
 
-def step(world: World, steps: int, checked: bool) -> int:
+def step(world: World, steps: int) -> int:
     """Take some steps, or return why not all of them can be taken.
 
     Called again with those that are left, it continues. It ends early, with CLEAR, where no contact
-    is on the list: bodies may go ballistically then. What users can set may have been `checked`.
+    is on the list: bodies may go ballistically then. Each step judges what it begins with, as if it
+    had been asked for alone.
     """
     counts = world.control.counts
     counts[STEPS_LEFT] = steps
     if still_asleep(world):
         skip_steps(world)
         return DONE
-    if counts[STAGE] == AT_START:
-        valid = gather_state(world.control, world.state, world.bodies)
-        if not (valid or checked):
-            return INVALID
     note_places(world)
     mark_joined(world)
     clear = False
     while counts[STEPS_LEFT] > 0 and not clear:
+        if counts[STAGE] == AT_START and not gather_state(world.control, world.state, world.bodies):
+            return INVALID
         status = take_step(world)
         if status != DONE:
             return status

@@ -366,7 +366,7 @@ GAP = _manifolds()  # m
 NORMAL_IMPULSE = _manifolds()  # N s, of the last substep
 TANGENT_IMPULSE = _manifolds()  # N s
 PRELOAD = _manifolds()  # m
-TOTAL_IMPULSE = _manifolds()  # N s, along the normal in the last step
+TOTAL_IMPULSE = _manifolds()  # N s, along the normal in the last step; see `part_impulses`
 WORLD_POINT = _manifolds(2)  # m, where it was
 AXIS_CACHE = _manifolds(4)  # cached separating axis
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
@@ -376,6 +376,8 @@ POINT = 16  # columns from a point to the next
 KNOWN_X, KNOWN_Y, KNOWN_ANGLE_A, KNOWN_ANGLE_B, KNOWN_WAY = 16, 17, 27, 28, 29
 SIDE_NORMAL = 28  # of the side of a piece on which the other shape is, two columns
 IMPACT_NORMAL = 30  # of an impact in flight, two columns
+# N s, of the parts of a step that have ended, two columns: where the second point of a step was
+PUSH = WORLD_POINT + POINT
 MANIFOLD = 32
 
 _flags = Columns()
@@ -769,6 +771,7 @@ JOINTS = _joint_counts()
 MECHANISMS = _joint_counts()
 MECHANISMS_AWAKE = _joint_counts()  # in this step
 MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts, or governed
+TREE_BLOCKS = _joint_counts()
 JOINTS_APART = _joint_counts()  # 1 if a joint was more than slightly apart, until it is asked
 
 _mechanisms = Columns()
@@ -782,6 +785,7 @@ M_GOVERNED = _mechanisms()  # 1 if it has limits, motors or springs
 M_CHOOSING = _mechanisms()  # 1 if it has limits or motors
 M_HINGED = _mechanisms()  # 1 if it is a net or a tree of hinges; of a tree nodes come after those
 # above them, and joints that are no hinges of nodes last
+M_IN_BLOCK = _mechanisms()  # 1 if it is a tree that is solved in a lane of a block
 M_HALF = _mechanisms()  # 1 in the first substep of a step whose forces came half before it
 # status: those of the second kind have no limits, motors and springs, those of the third have some
 ASLEEP, FREE_OF_CONTACTS, GOVERNED_ALONE, IN_CONTACT = range(4)
@@ -869,6 +873,91 @@ H_TURN = _hinges()  # N m s, likewise, about the body
 H_FAR_TURN = _hinges()  # N m s, likewise, about the body above
 H_APART = _hinges(2)  # m, by how much the hinge was apart at most in this part
 
+_tree_blocks = Columns()  # of equal trees that hinges alone make
+T_FIRST = _tree_blocks()  # row of what their roots hang on; those of nodes follow
+T_TIED = _tree_blocks()  # 1 if that is something
+T_MECHANISM = _tree_blocks(LANES)  # the tree of each lane, or -1
+
+_block_lanes = Columns(LANES)  # of a block
+T_ACTIVE = _block_lanes()  # 1 if it is being solved
+T_AGAIN = _block_lanes()  # 1 if it is solved with the hinges of the end, as errors stay large
+T_BACK = _block_lanes()  # 1 if its last solution is to be taken back
+T_EACH = _block_lanes()  # 1
+T_SIZE = _block_lanes()  # m^2/s^2, sum of squares of errors
+T_BEFORE = _block_lanes()  # the same, before the last solution
+T_SIZE_FIRST = _block_lanes()  # the same, as the substep is first looked at
+T_LARGEST = _block_lanes()  # 1/s^2, as `solve_hinges` returns it
+
+_tree_lanes = Columns(LANES)  # of a node of the trees of a block; else as those of hinges
+T_ANCHOR_X = _tree_lanes()
+T_ANCHOR_Y = _tree_lanes()
+T_FAR_ANCHOR_X = _tree_lanes()
+T_FAR_ANCHOR_Y = _tree_lanes()
+T_MASS = _tree_lanes()  # kg, of the body
+T_INERTIA = _tree_lanes()  # kg m^2, with which it counts in joints
+T_INVERSE_MASS = _tree_lanes()
+T_HELD_INVERSE_INERTIA = _tree_lanes()
+T_POSE_X = _tree_lanes()  # as the part began
+T_POSE_Y = _tree_lanes()
+T_POSE_ANGLE = _tree_lanes()
+T_VX = _tree_lanes()  # these six as `load_rows` writes them
+T_VY = _tree_lanes()
+T_SPIN = _tree_lanes()
+T_DX = _tree_lanes()
+T_DY = _tree_lanes()
+T_DANGLE = _tree_lanes()
+T_START_X = _tree_lanes()  # velocity as the substep began
+T_START_Y = _tree_lanes()
+T_START_SPIN = _tree_lanes()
+_tree_lanes(5 * LANES)  # unused: `load_part` writes eight
+T_X = _tree_lanes()  # where the body is placed
+T_Y = _tree_lanes()
+T_COSINE = _tree_lanes()
+T_SINE = _tree_lanes()
+T_ARM_X = _tree_lanes()
+T_ARM_Y = _tree_lanes()
+T_FAR_ARM_X = _tree_lanes()
+T_FAR_ARM_Y = _tree_lanes()
+T_GAP_X = _tree_lanes()
+T_GAP_Y = _tree_lanes()
+T_AIM_X = _tree_lanes()
+T_AIM_Y = _tree_lanes()
+T_ERROR_X = _tree_lanes()
+T_ERROR_Y = _tree_lanes()
+T_NODE_XX = _tree_lanes()
+T_NODE_XY = _tree_lanes()
+T_NODE_YY = _tree_lanes()
+T_NODE_MOMENT_X = _tree_lanes()
+T_NODE_MOMENT_Y = _tree_lanes()
+T_NODE_INERTIA = _tree_lanes()
+T_MOMENT_X = _tree_lanes()
+T_MOMENT_Y = _tree_lanes()
+T_HUNG_XX = _tree_lanes()
+T_HUNG_XY = _tree_lanes()
+T_HUNG_YY = _tree_lanes()
+T_LEVER_X = _tree_lanes()
+T_LEVER_Y = _tree_lanes()
+T_YIELD = _tree_lanes()
+T_OWED_X = _tree_lanes()
+T_OWED_Y = _tree_lanes()
+T_OWED_TURN = _tree_lanes()
+T_PASSED_X = _tree_lanes()  # what the node above gets of it
+T_PASSED_Y = _tree_lanes()
+T_PASSED_TURN = _tree_lanes()
+T_CHANGE_X = _tree_lanes()
+T_CHANGE_Y = _tree_lanes()
+T_CHANGE_SPIN = _tree_lanes()
+T_IMPULSE_X = _tree_lanes()
+T_IMPULSE_Y = _tree_lanes()
+T_GIVEN_X = _tree_lanes()
+T_GIVEN_Y = _tree_lanes()
+T_PULL_X = _tree_lanes()  # these from here on are sums over a part
+T_PULL_Y = _tree_lanes()
+T_TURN = _tree_lanes()
+T_FAR_TURN = _tree_lanes()
+T_APART_X = _tree_lanes()
+T_APART_Y = _tree_lanes()
+
 _links = Columns(2)  # of a hinge in a net
 L_ARM_A = _links()  # m
 L_ARM_B = _links()  # m
@@ -910,6 +999,11 @@ class Joints(NamedTuple):
     places: Annotated[FloatRows, Sized("joined", _places.width)]
     turns: Annotated[FloatRows, Sized(3, "turned")]  # angle, rad, its cosine and sine, for lanes
     hinges: Annotated[FloatRows, Sized("joined", _hinges.width)]
+    tree_blocks: Annotated[RankRows, Sized("tree_blocks", _tree_blocks.width)]
+    block_lanes: Annotated[FloatRows, Sized("tree_blocks", _block_lanes.width)]
+    tree_above: Annotated[Ranks, Sized("tree_rows")]  # of a row that on which its nodes hang
+    tree_slots: Annotated[PlaceRows, Sized("tree_rows", LANES)]
+    tree_lanes: Annotated[FloatRows, Sized("tree_rows", _tree_lanes.width)]
     links: Annotated[FloatRows, Sized("joints", _links.width)]
     net_nodes: Annotated[FloatRows, Sized("joined", 8)]
     bends: Annotated[Floats, Sized(9)]  # m, second derivatives of the rows of a joint

@@ -43,6 +43,8 @@ class Capacities:
     turned: int = 0  # the same, with whole lanes behind the last
     mechanisms: int = 1  # one more than mechanisms
     joint_sparse: int = 0
+    tree_blocks: int = 1  # one more than blocks of equal trees
+    tree_rows: int = 0
     apart_bodies: int = 1  # one more than rows that joints keep apart from others
     apart: int = 0
     clip: int = 9  # vertices of two shapes, and one

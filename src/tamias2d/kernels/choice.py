@@ -7,7 +7,7 @@ choice: compiled and plain code have the same bits.
 import logging
 import sys
 from collections.abc import Callable
-from functools import cache
+from functools import cache, cached_property
 from time import perf_counter
 from typing import Any
 
@@ -63,10 +63,15 @@ class Kernel:
     def _price(self) -> float:
         """Return what compiling costs now, s."""
         compiler = 0.0 if "numba" in sys.modules else _IMPORT
-        if is_kept(self._text):
+        if self._is_kept:
             return compiler + _LOAD
         least, pace = _COMPILE
         return compiler + least + len(self._text) / pace
+
+    @cached_property
+    def _is_kept(self) -> bool:
+        """Whether it was compiled before: asked once, for each call pays what the disk takes."""
+        return is_kept(self._text)
 
 
 @cache

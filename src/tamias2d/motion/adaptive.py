@@ -182,7 +182,7 @@ class Adaptive:
                 np.stack((q / allowed[0], rate / allowed[1]))
                 for q, rate in zip(pair.position_errors, pair.velocity_errors, strict=True)
             )
-            error = float(np.max(combined(*estimates)))
+            error = float(np.max(combined(*estimates), initial=0.0))
         return pair, error if math.isfinite(error) else math.inf
 
     def _refuse_small(self, start: float, step: float, error: float) -> None:
@@ -218,7 +218,8 @@ class Adaptive:
 
 
 def _largest(values: Array) -> float:
-    return float(np.max(np.abs(values)))
+    """Return the largest magnitude; 0 where no body is free, so that one step is enough."""
+    return float(np.max(np.abs(values), initial=0.0))
 
 
 def combined(first: Scalar, second: Scalar = 0.0) -> Scalar:

@@ -209,7 +209,10 @@ class Mechanism:
         if not np.isfinite(slopes).all():
             raise self._torn(time, "has no finite slope", slopes.sum(axis=(1, 2)))
         rows = slopes.reshape(len(slopes), self._weights.size)
-        return slopes, LeastSolution(rows, self._weights.ravel(), self._reach)
+        try:
+            return slopes, LeastSolution(rows, self._weights.ravel(), self._reach)
+        except np.linalg.LinAlgError:
+            raise self._unsolved(time, slopes) from None
 
     def length(self, position: Array) -> float:
         """Return a length that is not small, m: of the mechanism, or else where it is."""
@@ -228,6 +231,14 @@ class Mechanism:
         return JointError(
             f"joint '{name}' at {time!r} s: {what} (GD18). Take a smaller step or a smaller "
             "tolerance, or end the run before."
+        )
+
+    def _unsolved(self, time: float, slopes: Array) -> JointError:
+        """Return that inverse masses times slopes are numbers which float64 cannot hold."""
+        (name,) = self.named([int(np.argmin(np.abs(slopes).max(axis=(1, 2))))])
+        return JointError(
+            f"joint '{name}' at {time!r} s: float64 cannot solve it and those it is connected with "
+            "(GD18). Give their bodies masses and sizes that are less different."
         )
 
     def _contradiction(self, time: float, least: LeastSolution) -> JointError:

@@ -54,7 +54,7 @@ def extra() -> Iterator[None]:
     except ImportError as fault:
         raise RecordingError(
             f"{fault.name}: is needed for labelled arrays, and not installed ({fault}). "
-            "Install it by `pip install tamias2d[ensemble]`."
+            'Install it by `pip install "tamias2d[ensemble]"`.'
         ) from fault
 
 

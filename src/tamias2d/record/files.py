@@ -87,5 +87,5 @@ def rerun(path: Path) -> Any:
     except ImportError as fault:
         raise RecordingError(
             f"{path}: .rrd needs rerun, which is not installed ({fault}). "
-            "Install it by `pip install tamias2d[record]`, or save as .npz."
+            'Install it by `pip install "tamias2d[record]"`, or save as .npz.'
         ) from fault

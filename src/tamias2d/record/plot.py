@@ -74,7 +74,7 @@ def _figure(path: Path) -> Any:
     except ImportError as fault:
         raise RecordingError(
             f"{path}: a plot needs matplotlib, which is not installed ({fault}). "
-            "Install it by `pip install tamias2d[plot]`."
+            'Install it by `pip install "tamias2d[plot]"`.'
         ) from fault
     figure = Figure(figsize=(10, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.1, h_pad=0.1))
     FigureCanvasAgg(figure)

@@ -181,7 +181,7 @@ def _figure(path: Path) -> Any:
     except ImportError as fault:
         raise RecordingError(
             f"{path}: a plot needs matplotlib, which is not installed ({fault}). "
-            "Install it by `pip install tamias2d[plot]`."
+            'Install it by `pip install "tamias2d[plot]"`.'
         ) from fault
     figure = Figure(figsize=(12, 6), layout="constrained")
     FigureCanvasAgg(figure)

@@ -7,13 +7,16 @@ found. The list stands in one of two buffers; a new one is made in the other. Co
 
 from tamias2d.engine.tables import (
     ARRANGED,
+    AXIS_CACHE,
     BUFFER,
+    CACHED_AXIS,
     CONTACTS,
     FIRST_RUN,
     ISLANDS_KNOWN,
     KNOWN_SIDE,
     LOCATED,
     MANIFOLD,
+    MET_IN_FLIGHT,
     POINT,
     POINT_COUNT,
     RANK,
@@ -43,7 +46,7 @@ def buffered(side: int, buffers: ContactBuffers) -> Contacts:
 
 
 def replace_contacts(
-    total: int, shapes: Shapes, broad_phase: BroadPhase, buffers: ContactBuffers
+    total: int, in_parts: bool, shapes: Shapes, broad_phase: BroadPhase, buffers: ContactBuffers
 ) -> int:
     """Make the sorted candidates the list in use, with what is known of those that were on it.
 
@@ -74,7 +77,7 @@ def replace_contacts(
             known = has_ranks(old, a, b, rank, pairs)
             if known or contacts.flags[old, TOUCHES] != 0:
                 if size < len(pairs):
-                    copy_contact(old, contacts, following, size)
+                    copy_contact(old, in_parts, contacts, following, size)
                 size += 1
         if p < total and not known:
             if size < len(pairs):
@@ -114,7 +117,12 @@ def note_first_of_rank(rank: Integers, pairs: Integers, size: int, starts: Integ
 
 
 def add_contacts(
-    total: int, shapes: Shapes, broad_phase: BroadPhase, contacts: Contacts, touching: Touching
+    total: int,
+    in_parts: bool,
+    shapes: Shapes,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    touching: Touching,
 ) -> bool:
     """Merge the sorted candidates that are not on the list into its second run.
 
@@ -131,7 +139,7 @@ def add_contacts(
     while new > 0:  # from the end, so that each moves once
         a, b = broad_phase.candidates[new - 1, 0], broad_phase.candidates[new - 1, 1]
         if old >= counts[FIRST_RUN] and is_after(old, a, b, rank, contacts.pairs):
-            copy_contact(old, contacts, contacts, place)
+            copy_contact(old, in_parts, contacts, contacts, place)
             old -= 1
         else:
             begin_contact(a, b, shapes, broad_phase, contacts, place)
@@ -160,20 +168,37 @@ def keep_new_candidates(total: int, broad_phase: BroadPhase, contacts: Contacts)
     return new
 
 
-def copy_contact(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
-    """Copy a contact; its manifold only if it has points, touched, will, or knows its side."""
+def copy_contact(
+    old: int, in_parts: bool, contacts: Contacts, following: Contacts, new: int
+) -> None:
+    """Copy a contact; its manifold only if it has points, touched, will, or knows its side.
+
+    In a step in parts, and after an impact in flight, the columns of a second point tell of it. Of
+    others the cached axis is kept: to find those of a crowd costs more than all else here.
+    """
     for k in range(4):
         following.pairs[new, k] = contacts.pairs[old, k]
     touches = contacts.flags[old, TOUCHES] + contacts.flags[old, LOCATED] != 0
     points, known = contacts.flags[old, POINT_COUNT], contacts.flags[old, KNOWN_SIDE]
     if points > 0 or touches or known == 1:
-        for k in range(POINT if points == 1 and known == 0 else MANIFOLD):
+        met = in_parts or contacts.flags[old, TOUCHES] >= MET_IN_FLIGHT
+        for k in range(POINT if points == 1 and known == 0 and not met else MANIFOLD):
             following.manifolds[new, k] = contacts.manifolds[old, k]
         for k in range(contacts.flags.shape[1]):
             following.flags[new, k] = contacts.flags[old, k]
     else:
         clear_flags(new, following.flags)
         following.flags[new, SENSES] = contacts.flags[old, SENSES]
+        if contacts.flags[old, CACHED_AXIS] != 0:
+            copy_axis(old, contacts, following, new)
+
+
+def copy_axis(old: int, contacts: Contacts, following: Contacts, new: int) -> None:
+    """Copy the cached axis of a contact."""
+    for k in range(2):
+        following.flags[new, CACHED_AXIS + k] = contacts.flags[old, CACHED_AXIS + k]
+    for k in range(4):
+        following.manifolds[new, AXIS_CACHE + k] = contacts.manifolds[old, AXIS_CACHE + k]
 
 
 def begin_contact(

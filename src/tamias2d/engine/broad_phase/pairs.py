@@ -17,6 +17,7 @@ from tamias2d.engine.tables import (
     FRAME_MOVES,
     HORIZON,
     ISLANDS_KNOWN,
+    LEVEL,
     LIST_HOLDS,
     MORE_CANDIDATES,
     MORE_CONTACTS,
@@ -73,7 +74,7 @@ def rebuild_pairs(world: World) -> int:
         control.counts[ROWS_NEEDED] = total
         return MORE_CANDIDATES
     sort_candidates(total, broad_phase)
-    size = replace_contacts(total, shapes, broad_phase, world.buffers)
+    size = replace_contacts(total, control.counts[LEVEL] > 0, shapes, broad_phase, world.buffers)
     if size > world.buffers.pairs.shape[1]:
         control.counts[ROWS_NEEDED] = size
         return MORE_CONTACTS

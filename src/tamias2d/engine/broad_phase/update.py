@@ -29,6 +29,7 @@ from tamias2d.engine.tables import (
     HORIZON,
     LEAF,
     LEAVES,
+    LEVEL,
     PART_TIME,
     UPDATED,
     Bodies,
@@ -67,7 +68,8 @@ def update_incrementally(world: World) -> bool:
         return False
     sort_candidates(total, broad_phase)
     contacts = current_contacts(broad_phase, world.buffers)
-    return add_contacts(total, shapes, broad_phase, contacts, world.touching)
+    in_parts = world.control.counts[LEVEL] > 0
+    return add_contacts(total, in_parts, shapes, broad_phase, contacts, world.touching)
 
 
 def fatten_left_bounds(control: Control, bodies: Bodies, broad_phase: BroadPhase) -> None:

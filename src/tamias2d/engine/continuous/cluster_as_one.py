@@ -1,16 +1,24 @@
-"""A cluster keeps its angular momentum when bodies join it (IM17).
+"""A cluster keeps its momentum and angular momentum when bodies join it (IM17).
 
 From then on they go the way that they share, but their velocities stay: at the end of the step
 these act along other arms. What that gives the cluster is taken from its motion as one; bodies keep
-their spins, unless only these can give it.
+their spins, unless only these can give it. Forces do other work on that way; where they do less,
+what is too much is taken from the motion about the centre of mass (DD36).
 """
 
 from tamias2d.engine.continuous.two_as_one import ROUNDED, place_at_end
 from tamias2d.engine.solver.angular_momentum import as_one, can_turn, return_motion, suffices
 from tamias2d.engine.solver.energy import mass_and_inertia
-from tamias2d.engine.tables import FORCE_GAIN, SPIN, VX, VY, Bodies, Integers
+from tamias2d.engine.tables import FORCE_GAIN, SPIN, VX, VY, Bodies, Integers, X, Y
 from tamias2d.generated.definitions import angular_momentum, kinetic_energy, momentum
-from tamias2d.generated.island_energy import inertia_origin, mass_moment
+from tamias2d.generated.island_energy import (
+    angular_velocity_damped,
+    damped_share,
+    inertia_origin,
+    mass_moment,
+    velocity_damped,
+    velocity_island,
+)
 from tamias2d.state import Vector
 
 
@@ -59,6 +67,26 @@ def return_cluster_turning(
                 return_motion(one, given, energy, turned, place, bodies.motion[k])
                 k = together[k]
             return
+
+
+def take_energy_of_cluster_back(i: int, surplus: float, bodies: Bodies, together: Integers) -> None:
+    """Take a surplus from the energy of a cluster about its centre of mass, J, if there is one."""
+    if not surplus > 0.0:
+        return
+    origin = (bodies.pose[i, X], bodies.pose[i, Y])
+    mass, _, along, _, _, energy = cluster_sums(i, True, origin, bodies, together)
+    velocity = velocity_island(along, mass)
+    least = kinetic_energy(mass, velocity, 0.0, 0.0)
+    if not energy > least:
+        return
+    share = damped_share(energy, max(energy - surplus, least), least)
+    k, begun = i, False
+    while k != i or not begun:
+        begun = True
+        now = bodies.motion[k]
+        now[VX], now[VY] = velocity_damped((now[VX], now[VY]), velocity, share)
+        now[SPIN] = angular_velocity_damped(now[SPIN], 0.0, share)
+        k = together[k]
 
 
 def is_pushed_as_one(i: int, bodies: Bodies, together: Integers) -> bool:

@@ -5,7 +5,11 @@ that is driven or stands, such as a wall, is carried along. Those that go togeth
 circles. Cost: linear in their number, for each that joins them.
 """
 
-from tamias2d.engine.continuous.cluster_as_one import cluster_turning, return_cluster_turning
+from tamias2d.engine.continuous.cluster_as_one import (
+    cluster_turning,
+    return_cluster_turning,
+    take_energy_of_cluster_back,
+)
 from tamias2d.engine.continuous.trajectory import redirect_path, relative_place
 from tamias2d.engine.continuous.work import take_energy_back, work_ahead
 from tamias2d.engine.tables import (
@@ -97,19 +101,20 @@ def join(i: int, j: int, now: float, control: Control, bodies: Bodies, together:
     together[i], together[j] = together[j], together[i]
     origin = (bodies.pose[i, X], bodies.pose[i, Y])
     before = cluster_turning(i, origin, bodies, together)
-    take_along(i, now, by, control, bodies)
+    undone = take_along(i, now, by, control, bodies)
     k = together[i]
     while k != i:
-        take_along(k, now, by, control, bodies)
+        undone += take_along(k, now, by, control, bodies)
         k = together[k]
+    take_energy_of_cluster_back(i, undone, bodies, together)
     return_cluster_turning(i, origin, before, bodies, together)
     return True
 
 
-def take_along(i: int, now: float, by: Vector, control: Control, bodies: Bodies) -> None:
-    """Let a body go the way that it shares, and not turn."""
-    redirect(i, now, by, 0.0, control, bodies)
+def take_along(i: int, now: float, by: Vector, control: Control, bodies: Bodies) -> float:
+    """Let a body go the way that it shares, and not turn; return by how much forces do less, J."""
     bodies.flight[i, REDIRECTED] = 1.0
+    return change_way(i, now, by, 0.0, control, bodies)
 
 
 def leave(i: int, together: Integers) -> None:
@@ -137,10 +142,18 @@ def redirect(i: int, now: float, to: Vector, turn: float, control: Control, bodi
 
     But what forces have given it for the part of its path that it does not go is taken back.
     """
-    left, time_step = 1.0 - now, control.progress[PART_TIME]
+    time_step = control.progress[PART_TIME]
+    undone = change_way(i, now, to, turn, control, bodies)
+    support = (to[0] / time_step, to[1] / time_step)
+    take_energy_back(i, undone, support, turn / time_step, bodies.motion, bodies.properties)
+
+
+def change_way(
+    i: int, now: float, to: Vector, turn: float, control: Control, bodies: Bodies
+) -> float:
+    """Give a body another displacement over a whole step; return by how much forces do less, J."""
+    left = 1.0 - now
     before = work_ahead(i, left, control, bodies)
     by = (to[0] - bodies.motion[i, DX], to[1] - bodies.motion[i, DY])
     redirect_path(i, now, by, turn - bodies.motion[i, DANGLE], bodies.pose, bodies.motion)
-    undone = before - work_ahead(i, left, control, bodies)
-    support = (to[0] / time_step, to[1] / time_step)
-    take_energy_back(i, undone, support, turn / time_step, bodies.motion, bodies.properties)
+    return before - work_ahead(i, left, control, bodies)

@@ -343,7 +343,8 @@ def resolve_impact(
         return False
     if impulse > 0.0:
         recorded, flags = contacts.manifolds[p], contacts.flags[p]
-        record_impact(impulse, i, now, sense, bodies, manifold, recorded, flags)
+        in_parts = control.counts[LEVEL] > 0
+        record_impact(impulse, i, now, sense, in_parts, bodies, manifold, recorded, flags)
     bodies.flight[i, REDIRECTED] = bodies.flight[j, REDIRECTED] = 1.0
     leave(i, events.together)
     leave(j, events.together)

@@ -28,6 +28,7 @@ from tamias2d.engine.continuous.work import (
     take_energy_back,
     work_ahead,
 )
+from tamias2d.engine.part_impulses import forget_impulses_of
 from tamias2d.engine.tables import (
     DX,
     DY,
@@ -216,21 +217,28 @@ def record_impact(
     i: int,
     now: float,
     sense: float,
+    in_parts: bool,
     bodies: Bodies,
     manifold: Array,
     recorded: Array,
     flags: Integers,
 ) -> None:
-    """Add an impact to what is told of a contact in this step, at the place of the first one."""
+    """Add an impact to what is told of a contact in this step, at the place of the first one.
+
+    Several impacts in flight are told as one, along the sum of their impulses.
+    """
+    met = flags[TOUCHES] & IS_TOUCHING
+    if not met:
+        flags[TOUCHES] |= IS_TOUCHING
+        forget_impulses_of(recorded)
     if flags[POINT_COUNT] == 0:
-        recorded[NX], recorded[NY] = sense * manifold[NX], sense * manifold[NY]
         flags[TOUCHES] |= MET_IN_FLIGHT
-    if flags[TOUCHES] & IS_TOUCHING:
+    elif not in_parts:
         recorded[TOTAL_IMPULSE] += impulse
         return
-    flags[TOUCHES] |= IS_TOUCHING
-    recorded[TOTAL_IMPULSE] = impulse
-    if flags[POINT_COUNT] == 0:
+    recorded[TOTAL_IMPULSE] += sense * impulse * manifold[NX]
+    recorded[TOTAL_IMPULSE + POINT] += sense * impulse * manifold[NY]
+    if not met:
         at, shift = bodies.pose[i], bodies.motion[i]
         at_x, at_y = position_later((at[X], at[Y]), (shift[DX], shift[DY]), now)
         x, y = contact_point(manifold)

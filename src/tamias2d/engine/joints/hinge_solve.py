@@ -6,10 +6,16 @@ Source: Featherstone (2008), articulated bodies.
 
 from math import inf
 
+from tamias2d.engine.joints.angle_laws import (
+    error_of_law,
+    impulse_of_law,
+    is_law,
+    owe_law,
+    turn_by_law,
+)
 from tamias2d.engine.joints.hinge_tree import (
     arms_of_hinge,
     first_besides,
-    hung_by_law,
     place_tree,
     turn_tree,
 )
@@ -71,7 +77,6 @@ from tamias2d.generated.hinge_tree import (
     change,
     hinge_change,
     hinge_impulse,
-    law_impulse,
     momentum_hung,
     momentum_passed,
     root_change,
@@ -186,6 +191,10 @@ def find_gap_errors(n: int, substep: float, bodies: Bodies, joints: Joints) -> f
         begin_errors(row, error_x, error_y)
         size += error_x * error_x + error_y * error_y
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
+        if is_law(j, joints):
+            error = error_of_law(j, substep, bodies, joints)
+            size += error * error if joints.numbers[j, J_FIRMNESS] > 0.0 else 0.0
+            continue
         errors_of_joint(j, substep, bodies, joints)
         for r in range(joints.joints[j, J_ROWS]):
             if joints.numbers[j, J_FIRMNESS + r] > 0.0:
@@ -212,7 +221,7 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
         for r in range(joints.joints[j, J_ROWS]):
             if joints.numbers[j, J_FIRMNESS + r] == 0.0:  # it does not hold
                 continue
-            if joints.joints[j, J_NODE] >= 0 and joints.joints[j, J_NODE + 1] >= 0:
+            if is_law(j, joints):
                 owe_law(j, joints)
             else:
                 owe_tie(j, r, joints)
@@ -234,8 +243,13 @@ def solve_hinges(n: int, bodies: Bodies, joints: Joints) -> float:
     for j in range(besides, end):
         for r in range(joints.joints[j, J_ROWS]):
             joints.numbers[j, J_IMPULSE + r] = 0.0
-            if joints.numbers[j, J_FIRMNESS + r] > 0.0:
-                joints.numbers[j, J_IMPULSE + r] = impulse_besides(j, r, joints)
+            if joints.numbers[j, J_FIRMNESS + r] == 0.0:
+                continue
+            if is_law(j, joints):
+                joints.numbers[j, J_IMPULSE] = impulse_of_law(j, joints)
+                turn_by_law(j, joints.numbers[j, J_IMPULSE], bodies, joints)
+            else:
+                joints.numbers[j, J_IMPULSE + r] = impulse_of_tie(j, r, joints)
                 apply_joint_impulse(j, r, joints.numbers[j, J_IMPULSE + r], bodies, joints)
     return largest
 
@@ -316,13 +330,6 @@ def push_hinged(m: int, arm: Vector, impulse: Vector, bodies: Bodies, joints: Jo
     state[SUBSTEP_START + 2] += turn
 
 
-def owe_law(j: int, joints: Joints) -> None:
-    """Note what the error of a law asks for about the hinge whose angle it governs."""
-    m, turning = hung_by_law(j, joints)
-    numbers = joints.numbers[j]
-    joints.hinges[m, H_LAW] += law_impulse(numbers[J_FIRMNESS], turning * numbers[J_ERROR])
-
-
 def owe_tie(j: int, r: int, joints: Joints) -> None:
     """Let the node of a tied body owe what the error of a firm row asks for."""
     ends, numbers = joints.joints[j], joints.numbers[j]
@@ -335,7 +342,7 @@ def owe_tie(j: int, r: int, joints: Joints) -> None:
             row[H_OWED + 2] = angular_momentum_later(row[H_OWED + 2], asked, numbers[at + 2])
 
 
-def impulse_besides(j: int, r: int, joints: Joints) -> float:
+def impulse_of_tie(j: int, r: int, joints: Joints) -> float:
     """Return the impulse of a firm row, N s."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     rate = numbers[J_ERROR + r]

@@ -6,6 +6,7 @@ Cost: cosine and sine and one division for each body. Source: Featherstone (2008
 bodies.
 """
 
+from tamias2d.engine.joints.angle_laws import add_law, is_law
 from tamias2d.engine.joints.linearise import (
     ENDS_OF_JOINT,
     firmness_by_law,
@@ -48,6 +49,7 @@ from tamias2d.engine.tables import (
     J_TOTAL,
     JOINED_ABOVE,
     JOINED_HINGE,
+    M_GOVERNED,
     M_JOINT,
     NODE_INERTIA,
     NODE_MASS,
@@ -79,7 +81,10 @@ from tamias2d.state import Array, Vector
 
 
 def linearise_tree(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Write the rows of a tree where its bodies are, and what hangs on its hinges."""
+    """Write the rows of a tree where its bodies are, and what hangs on its hinges.
+
+    That is found later for a governed one, where its springs are known.
+    """
     first, last = joints.sparse[n, I_NODE] + 1, joints.sparse[n + 1, I_NODE] + 1
     place_tree(n, 0.0, bodies, joints)
     for m in range(first, last):
@@ -89,7 +94,8 @@ def linearise_tree(n: int, bodies: Bodies, joints: Joints) -> None:
         row[H_APART + 1] = max(row[H_APART + 1], abs(row[H_GAP + 1]))
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         write_rows(j, joints)
-    hang_tree(n, 0.0, bodies, joints)
+    if joints.mechanisms[n, M_GOVERNED] == 0:
+        hang_tree(n, 0.0, bodies, joints)
 
 
 def turn_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
@@ -122,15 +128,14 @@ def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
         begin_node(m, joints)
     for j in range(first_besides(n, joints), joints.mechanisms[n + 1, M_JOINT]):
         ends, numbers = joints.joints[j], joints.numbers[j]
-        for r in range(ends[J_ROWS]):
-            if substep == 0.0 and ends[J_LAW] == SPRING:
-                numbers[J_FIRMNESS + r] = 0.0
-                continue
-            firm = firmness_of(r, ends, numbers, bodies, joints)
-            numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
-            if ends[J_NODE] >= 0 and ends[J_NODE + 1] >= 0:
-                add_law(j, joints)
-            else:
+        if substep == 0.0 and ends[J_LAW] == SPRING:
+            numbers[J_FIRMNESS] = 0.0
+        elif is_law(j, joints):
+            add_law(j, substep, joints)
+        else:
+            for r in range(ends[J_ROWS]):
+                firm = firmness_of(r, ends, numbers, bodies, joints)
+                numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
                 add_tie(j, r, joints)
     for m in range(last - 1, first, -1):
         hang(joints.hinges[m])
@@ -194,21 +199,6 @@ def begin_node(m: int, joints: Joints) -> None:
     row[H_NODE_INERTIA] = inertia
     row[H_YIELD] = 1.0 if inertia > 0.0 else 0.0
     row[H_FIRM] = 0.0
-
-
-def hung_by_law(j: int, joints: Joints) -> tuple[int, float]:
-    """Return which body hangs on the hinge whose angle a law governs, and its turning slope."""
-    ends, numbers = joints.joints[j], joints.numbers[j]
-    one, other = ends[J_NODE] + 1, ends[J_NODE + 1] + 1
-    if joints.members[other, JOINED_ABOVE] == one:
-        return other, numbers[J_ROW + 6]
-    return one, numbers[J_ROW + 3]
-
-
-def add_law(j: int, joints: Joints) -> None:
-    """Add the firmness of a law to those of the hinge whose angle it governs."""
-    m, turning = hung_by_law(j, joints)
-    joints.hinges[m, H_FIRM] += coupled_inertia(turning, turning, joints.numbers[j, J_FIRMNESS])
 
 
 def add_tie(j: int, r: int, joints: Joints) -> None:

@@ -36,6 +36,7 @@ from tamias2d.engine.tables import (
     LAW_DAMPING,
     LAW_STIFFNESS,
     LEANING,
+    M_GOVERNED,
     M_JOINT,
     M_MESHED,
     N_BODY,
@@ -79,12 +80,16 @@ TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
 
 def linearise(n: int, bodies: Bodies, joints: Joints) -> None:
-    """Write the rows of a mechanism where its bodies are, and factor its matrix for velocities."""
+    """Write the rows of a mechanism where its bodies are, and factor its matrix for velocities.
+
+    That of a governed one is found where its springs are known.
+    """
     first, last = joints.sparse[n, I_NODE], joints.sparse[n + 1, I_NODE]
     place_members(first + 1, last + 1, 0.0, bodies, joints)
     for j in range(joints.mechanisms[n, M_JOINT], joints.mechanisms[n + 1, M_JOINT]):
         write_rows(j, joints)
-    factor_mechanism(n, 0.0, bodies, joints)
+    if joints.mechanisms[n, M_GOVERNED] == 0:
+        factor_mechanism(n, 0.0, bodies, joints)
 
 
 def write_rows(j: int, joints: Joints) -> None:
@@ -203,6 +208,12 @@ def firmness_of(r: int, ends: Integers, numbers: Array, bodies: Bodies, joints: 
             yielding += row_yield(
                 slope, numbers[at + 2], inverse_mass, inverse[HELD_INVERSE_INERTIA]
             )
+    return firmness_that_yields(yielding)
+
+
+@inlined
+def firmness_that_yields(yielding: float) -> float:
+    """Return how firm a row is that yields so much, 1/kg."""
     return firmness(FIRM, yielding) if yielding > 0.0 else 0.0
 
 

@@ -6,6 +6,7 @@ from itertools import chain, combinations
 import numpy as np
 
 from tamias2d.engine.joints.elimination import Elimination, eliminated
+from tamias2d.engine.joints.equal_trees import equal_trees, rows_of, write_blocks_of
 from tamias2d.engine.joints.hinges import HingeTree, by_level, hinge_tree, is_net
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.linearise import TURNED_TOGETHER
@@ -75,6 +76,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
         else _plan(store, [member[body] - 1 for body in own], [rows[k] for k in mechanism], member)
         for own, mechanism, tree in zip(nodes, mechanisms, trees, strict=True)
     ]
+    blocks = equal_trees(trees, rows)
     edges = sum(len(plan.edges) for plan in plans)
     fill = sum(map(len, (own for plan in plans for own in plan.fill)))
     apart = sorted({pair for row in rows if row.apart for pair in _pairs_of(row)})
@@ -84,6 +86,8 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
         turned=len(member) + 1 + TURNED_TOGETHER if rows else 0,
         mechanisms=len(mechanisms) + 1,
         joint_sparse=max(len(member), edges, fill, len(plans)) + 2 if rows else 0,
+        tree_blocks=len(blocks) + 1,
+        tree_rows=rows_of(blocks),
         apart=len(apart),
         apart_bodies=max((low for low, _ in apart), default=-1) + 2,
     )
@@ -98,6 +102,7 @@ def set_joints(store: Store, rows: Sequence[JointRow]) -> list[int]:
     _write_plans(store, plans)
     places = _write_joints(store, rows, mechanisms, plans, trees, member)
     _write_trees(store, rows, trees, member, places)
+    write_blocks_of(store, blocks)
     joints.apart[:] = [high for _, high in apart]
     lows = [low for low, _ in apart]
     joints.apart_first[:] = np.searchsorted(lows, np.arange(len(joints.apart_first)))

@@ -17,9 +17,22 @@ from tamias2d.engine.joints.hinge_net import (
     store_links,
 )
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
-from tamias2d.engine.joints.hinge_tree import linearise_tree, store_hinge_impulses
-from tamias2d.engine.joints.linearise import linearise, note_node_masses, place_members
+from tamias2d.engine.joints.hinge_tree import hang_tree, linearise_tree, store_hinge_impulses
+from tamias2d.engine.joints.linearise import (
+    factor_mechanism,
+    linearise,
+    note_node_masses,
+    place_members,
+)
 from tamias2d.engine.joints.solve import aim_joints, keep_positions, keep_velocities
+from tamias2d.engine.joints.tree_blocks import (
+    aim_blocks,
+    begin_blocks,
+    bring_blocks_to_aims,
+    fit_blocks,
+    store_blocks,
+    write_blocks,
+)
 from tamias2d.engine.solver.energy import UNLIMITED
 from tamias2d.engine.solver.slabs import list_all
 from tamias2d.engine.springs.substep import activate
@@ -50,6 +63,7 @@ from tamias2d.engine.tables import (
     M_GOVERNED,
     M_HALF,
     M_HINGED,
+    M_IN_BLOCK,
     M_JOINT,
     M_MESHED,
     M_STATUS,
@@ -171,10 +185,12 @@ def begin_joints(substep: float, world: World) -> None:
             begin_impulses(n, world.control.progress[IMPULSE_RATIO], joints)
             if joints.mechanisms[n, M_HINGED] == 1 and joints.mechanisms[n, M_MESHED] == 1:
                 begin_net(n, bodies, joints)
-            write_mechanism(n, bodies, joints)
+            if joints.mechanisms[n, M_IN_BLOCK] == 0:
+                write_mechanism(n, bodies, joints)
             joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS
             if joints.mechanisms[n, M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
+    begin_blocks(bodies, joints)
 
 
 def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -222,8 +238,14 @@ def solve_joints(again: bool, substep: float, world: World) -> None:
         return
     control = world.control
     length = min(substep * control.counts[SUBSTEPS] / control.settings[TIME_STEP], 1.0)
+    if not again:
+        aim_blocks(length, joints)
+    least = IN_CONTACT if again else FREE_OF_CONTACTS
+    bring_blocks_to_aims(least, IN_CONTACT, substep, bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
         status = joints.mechanisms[n, M_STATUS]
+        if joints.mechanisms[n, M_IN_BLOCK] == 1:
+            continue
         if status == IN_CONTACT or (status != ASLEEP and not again):
             if not again:
                 aim_mechanism(n, length, joints)
@@ -255,39 +277,50 @@ def bring_to_end(n: int, again: bool, substep: float, bodies: Bodies, joints: Jo
 
 
 def relax_joints(world: World) -> None:
-    """Find the rows where bodies are, and let the velocities of touched mechanisms fit them."""
+    """Find the rows of mechanisms where bodies are."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
+    write_blocks(bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] != ASLEEP:
+        alone = joints.mechanisms[n, M_IN_BLOCK] == 0
+        if alone and joints.mechanisms[n, M_STATUS] != ASLEEP:
             write_mechanism(n, bodies, joints)
-    fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], bodies, joints)
 
 
 def fit_touched(world: World) -> None:
-    """Let the velocities of touched mechanisms fit their rows again, after those of contacts."""
-    fit_velocities(IN_CONTACT, world.control.settings[SUBSTEP], world.bodies, world.joints)
+    """Let the velocities of touched and of governed mechanisms fit their rows as a step ends.
+
+    Nothing is lost in the substeps before: what they do not fit, the next solution takes away.
+    """
+    fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], world.bodies, world.joints)
 
 
 def fit_velocities(least: int, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of their rows from the velocities of mechanisms with at least a status."""
+    fit_blocks(least, IN_CONTACT, bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
-        if joints.mechanisms[n, M_STATUS] >= least:
+        alone = joints.mechanisms[n, M_IN_BLOCK] == 0
+        if alone and joints.mechanisms[n, M_STATUS] >= least:
             fit(n, 0.0, substep, bodies, joints)
 
 
 def fit(n: int, warm: float, substep: float, bodies: Bodies, joints: Joints) -> None:
     """Take the rates of its rows from the velocities of a mechanism; `warm` is for meshes.
 
-    What is left in a net parts it little in a substep, s.
+    What is left in a net parts it little in a substep, s. Springs do not count.
     """
     hinged, meshed = joints.mechanisms[n, M_HINGED] == 1, joints.mechanisms[n, M_MESHED] == 1
+    governed = joints.mechanisms[n, M_GOVERNED] == 1
     if hinged and meshed:
         fit_net(n, warm, substep, bodies, joints)
     elif hinged:
+        if governed:
+            hang_tree(n, 0.0, bodies, joints)
         fit_tree(n, bodies, joints)
     else:
+        if governed:
+            factor_mechanism(n, 0.0, bodies, joints)
         keep_velocities(n, warm, bodies, joints)
 
 
@@ -299,9 +332,16 @@ def end_joints(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
             kick_half(n, True, bodies, joints)
-            fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
+    fit_blocks(FREE_OF_CONTACTS, FREE_OF_CONTACTS, bodies, joints)
+    store_blocks(joints)
+    for n in range(joints.counts[MECHANISMS]):
+        alone = joints.mechanisms[n, M_IN_BLOCK] == 0
+        if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
+            if alone:
+                fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
             bound_mechanism(n, world.control, bodies, joints, world.islands)
-        if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_HINGED] == 1:
+        awake = joints.mechanisms[n, M_STATUS] != ASLEEP
+        if alone and awake and joints.mechanisms[n, M_HINGED] == 1:
             if joints.mechanisms[n, M_MESHED] == 1:
                 store_links(n, joints)
             else:

@@ -1,13 +1,11 @@
 """Impulses stored from blocks to manifolds: for the next step's warm start, and for users."""
 
+from tamias2d.engine.part_impulses import store_impulse_of_part
 from tamias2d.engine.solver.blocks import lane_of, points_of
 from tamias2d.engine.tables import (
-    IMPACT_NORMAL,
     IS_TOUCHING,
     LEVEL,
     NORMAL_IMPULSE,
-    NX,
-    NY,
     P_NORMAL_IMPULSE,
     P_TANGENT_IMPULSE,
     P_TOTAL_IMPULSE,
@@ -17,7 +15,6 @@ from tamias2d.engine.tables import (
     PY,
     SHARED,
     TANGENT_IMPULSE,
-    TICK,
     TOTAL_IMPULSE,
     TOUCHES,
     WORLD_POINT,
@@ -42,9 +39,10 @@ def store_impulses(
 ) -> None:
     """Store the impulses of touching contacts, which are listed by slabs, and where they acted.
 
-    A contact with an impulse touched. Impulses of the parts of a step add up.
+    A contact with an impulse touched. The impulses of the parts of a step are added up as each
+    ends (`add_up_impulses`).
     """
-    adds = control.counts[TICK] > 0
+    in_parts = control.counts[LEVEL] > 0
     for place in range(first, last):
         k = touching.by_slab[place]
         p, pose = touching.contact[k], bodies.pose[touching.body_a[k]]
@@ -53,13 +51,13 @@ def store_impulses(
         for n in range(points_of(k, touching)):
             at, to = SHARED + n * POINT_SIZE + m, POINT * n
             total = row[at + P_TOTAL_IMPULSE]
-            manifold[TOTAL_IMPULSE + to] = total + (manifold[TOTAL_IMPULSE + to] if adds else 0.0)
-            manifold[WORLD_POINT + to] = pose[X] + manifold[PX + to]
-            manifold[WORLD_POINT + to + 1] = pose[Y] + manifold[PY + to]
-            if total > 0.0:
-                contacts.flags[p, TOUCHES] |= IS_TOUCHING
-                if control.counts[LEVEL] > 0:  # the next part may part them
-                    manifold[IMPACT_NORMAL] = manifold[NX]
-                    manifold[IMPACT_NORMAL + 1] = manifold[NY]
+            if in_parts:
+                store_impulse_of_part(n, total, pose, manifold, contacts.flags[p])
+            else:
+                manifold[TOTAL_IMPULSE + to] = total
+                manifold[WORLD_POINT + to] = pose[X] + manifold[PX + to]
+                manifold[WORLD_POINT + to + 1] = pose[Y] + manifold[PY + to]
+                if total > 0.0:
+                    contacts.flags[p, TOUCHES] |= IS_TOUCHING
             manifold[NORMAL_IMPULSE + to] = row[at + P_NORMAL_IMPULSE]
             manifold[TANGENT_IMPULSE + to] = row[at + P_TANGENT_IMPULSE]

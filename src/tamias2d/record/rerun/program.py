@@ -21,7 +21,7 @@ def program() -> Path:
     spec = find_spec("rerun_cli")
     if spec is None or not spec.submodule_search_locations:
         raise RecordingError(
-            "rerun: its viewer is not installed. Install it by `pip install tamias2d[record]`."
+            'rerun: its viewer is not installed. Install it by `pip install "tamias2d[record]"`.'
         )
     name = "rerun.exe" if sys.platform == "win32" else "rerun"
     return Path(spec.submodule_search_locations[0], name)
