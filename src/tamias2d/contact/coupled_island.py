@@ -61,7 +61,7 @@ class CoupledIsland(Island):
         super().__init__(cores, placed, contacts, free, slight)
         self._free = free
         self._time = pair_friction.time
-        self._states = {i: placed[i].state for i in self.bodies}
+        self._states = {i: body.state for i, body in placed.items()}
         self._mode: Mode = ()
         self._rests = False
         pull = max(abs(x) + abs(y) for x, y, _ in free.values())
