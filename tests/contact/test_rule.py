@@ -103,6 +103,25 @@ def test_ordinary_drops_are_located_to_the_end(seed: int):
     assert np.diff(run.energy).max() <= 1e-13 * run.energy[0]
 
 
+def test_contacts_that_change_too_often_are_stepped(monkeypatch: pytest.MonkeyPatch):
+    """Unless the method was asked for: then what is asked is done."""
+    monkeypatch.setattr("tamias2d.solve.located.MOST_COUPLED", 2)
+    run = t2.simulate(drop(71004), duration=3.0)
+    assert isinstance(run.method, t2.Stepped)
+    assert "have changed 2 times" in run.notes[0]
+    asked = t2.simulate(drop(71004), duration=3.0, method=t2.ClosedForm())
+    assert "ClosedForm" in asked.notes[0]
+
+
+def test_a_tolerance_is_met_by_steps_where_a_rule_bounds_nothing():
+    """Dominoes lean on one another: past the first impacts only steps tell how wrong they are."""
+    scene = t2.catalogue.load("dominoes")
+    with pytest.raises(t2.ToleranceError, match=r"by a rule \(A18\)") as refused:
+        t2.simulate(scene, duration=0.6, tolerance=1e-2)
+    assert refused.value.until is not None
+    assert t2.recommend(scene, duration=0.2, tolerance=1e-2).choice.method == t2.ClosedForm()
+
+
 def test_lemke_solves_what_it_is_given():
     rng = np.random.default_rng(7)
     for _ in range(50):

@@ -31,6 +31,9 @@ from tamias2d.work_limit import Work
 
 RULED = "rule"
 """With this a note begins that tells of what was decided by rule."""
+MOST_COUPLED = 1000
+"""Instants at which several moving bodies go on together, of a run whose method was not asked for:
+they take some ten seconds, and steps through contacts far less."""
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
 
 
@@ -45,11 +48,13 @@ class Located:
         follower: Follower | None = None,
         *,
         alone: bool = True,
+        most_coupled: float = math.inf,
     ) -> None:
         """Take a scene, what makes the paths of its bodies, and what counts its impacts.
 
         A `follower` goes on from impact to impact where it can and that pays, with the same bits;
-        where it must be given up and `alone` says so, the rest is done without it.
+        where it must be given up and `alone` says so, the rest is done without it. The contacts of
+        several moving bodies may change `most_coupled` times.
         """
         refuse_stepwise(scene)
         self._scene = scene
@@ -68,6 +73,7 @@ class Located:
         """The paths of each body so far, in order."""
         self._rests: tuple[str, ...] = ()
         self._ruled: list[tuple[float, frozenset[int]]] = []
+        self._most_coupled = self._coupled_left = most_coupled
         self._impacts: list[Array] = []
         self._constraints: list[Constraint | None] = [None for _ in self._cores]
         self._lasting: dict[PairOf, list[Contact]] = {}
@@ -449,7 +455,20 @@ class Located:
                 self._schedule(time, body, body)
 
     def _schedule_coupled_loss(self, constraint: CoupledConstraint) -> None:
-        """Schedule the change of the contacts of several moving bodies."""
+        """Schedule the change of the contacts of several moving bodies.
+
+        Raises:
+            LastingContactError: they have changed too often.
+        """
+        self._coupled_left -= 1
+        if self._coupled_left < 0:
+            names = named(*(self._cores[i].name for i in constraint.bodies))
+            raise LastingContactError(
+                f"{names} at {self.time!r} s: contacts of several moving bodies have changed "
+                f"{self._most_coupled} times (IM18). End the run before, take method=ClosedForm(), "
+                "which goes on, or method=Stepped(), which is quick.",
+                time=self.time,
+            )
         held = set(constraint.bodies)
         contacts = [c for pair, own in self._lasting.items() if held & set(pair) for c in own]
         paths = {i: self._path(i) for i in sorted(held | {i for c in contacts for i in (c.a, c.b)})}

@@ -127,6 +127,12 @@ def _certified(run: Run, way: Callable[[], _Way], *, told: bool = False) -> Run:
     return replace(run, certificate=_with_rule(certificate, run))
 
 
+def is_bounded(run: Run) -> bool:
+    """Return whether the certificate of a run states a bound."""
+    certificate = certify(run).certificate
+    return certificate is not None and certificate.bound is not None
+
+
 def _with_rule(certificate: Certificate, run: Run) -> Certificate:
     """Return a certificate that tells what was decided by rule, and when (A18)."""
     told = tuple(
