@@ -105,11 +105,11 @@ def test_ordinary_drops_are_located_to_the_end(seed: int):
 
 def test_contacts_that_change_too_often_are_stepped(monkeypatch: pytest.MonkeyPatch):
     """Unless the method was asked for: then what is asked is done."""
-    monkeypatch.setattr("tamias2d.solve.located.MOST_COUPLED", 2)
-    run = t2.simulate(drop(71004), duration=3.0)
+    monkeypatch.setattr("tamias2d.solve.located.MOST_RULED", 2)
+    run = t2.simulate(drop(113), duration=3.0)
     assert isinstance(run.method, t2.Stepped)
-    assert "have changed 2 times" in run.notes[0]
-    asked = t2.simulate(drop(71004), duration=3.0, method=t2.ClosedForm())
+    assert "have changed 2 times since a rule" in run.notes[0]
+    asked = t2.simulate(drop(113), duration=3.0, method=t2.ClosedForm())
     assert "ClosedForm" in asked.notes[0]
 
 

@@ -31,9 +31,9 @@ from tamias2d.work_limit import Work
 
 RULED = "rule"
 """With this a note begins that tells of what was decided by rule."""
-MOST_COUPLED = 1000
-"""Instants at which several moving bodies go on together, of a run whose method was not asked for:
-they take some ten seconds, and steps through contacts far less."""
+MOST_RULED = 1000
+"""Instants at which contacts last, after a rule decided something, of a run whose method was not
+asked for: they take some ten seconds, and steps through contacts far less."""
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
 
 
@@ -48,13 +48,13 @@ class Located:
         follower: Follower | None = None,
         *,
         alone: bool = True,
-        most_coupled: float = math.inf,
+        most_ruled: float = math.inf,
     ) -> None:
         """Take a scene, what makes the paths of its bodies, and what counts its impacts.
 
         A `follower` goes on from impact to impact where it can and that pays, with the same bits;
-        where it must be given up and `alone` says so, the rest is done without it. The contacts of
-        several moving bodies may change `most_coupled` times.
+        where it must be given up and `alone` says so, the rest is done without it. Once a rule
+        decided something, contacts may last at `most_ruled` more instants.
         """
         refuse_stepwise(scene)
         self._scene = scene
@@ -73,7 +73,7 @@ class Located:
         """The paths of each body so far, in order."""
         self._rests: tuple[str, ...] = ()
         self._ruled: list[tuple[float, frozenset[int]]] = []
-        self._most_coupled = self._coupled_left = most_coupled
+        self._most_ruled, self._lasting_since = most_ruled, 0
         self._impacts: list[Array] = []
         self._constraints: list[Constraint | None] = [None for _ in self._cores]
         self._lasting: dict[PairOf, list[Contact]] = {}
@@ -377,6 +377,7 @@ class Located:
             self._work.impacts(len(instant.contact_impulses), time)
         if instant.ruled:
             self._ruled.append((time, frozenset(instant.ruled)))
+        self._refuse_many(instant)
         self._rest_times.update(instant)
         self._update_lasting(instant)
         ended = {i for i in bodies if self._path(i).end == time and time < end}
@@ -395,6 +396,21 @@ class Located:
         if self._following is not None:
             touched = {i for pair in instant.touching_pairs for i in pair}
             self._following.remember(touched | set(changed), self._memory())
+
+    def _refuse_many(self, instant: Instant) -> None:
+        """Refuse to go on by rule through more instants with lasting contacts than are worth it."""
+        coupled = any(isinstance(each, CoupledConstraint) for each in instant.constraints.values())
+        lasts = any(touch.staying for touch in instant.touching_pairs.values())
+        if self._ruled or self._lasting_since or coupled:
+            self._lasting_since += lasts
+        if self._lasting_since > self._most_ruled:
+            names = named(*(self._cores[i].name for i in sorted(instant.changed)))
+            raise LastingContactError(
+                f"{names} at {instant.time!r} s: contacts have changed {self._most_ruled} times "
+                "since a rule decided them (A18). End the run before, take method=ClosedForm(), "
+                "which goes on, or method=Stepped(), which is quick.",
+                time=instant.time,
+            )
 
     def _near(self, body: int) -> list[int]:
         """Return the bodies that may touch a body now."""
@@ -455,20 +471,7 @@ class Located:
                 self._schedule(time, body, body)
 
     def _schedule_coupled_loss(self, constraint: CoupledConstraint) -> None:
-        """Schedule the change of the contacts of several moving bodies.
-
-        Raises:
-            LastingContactError: they have changed too often.
-        """
-        self._coupled_left -= 1
-        if self._coupled_left < 0:
-            names = named(*(self._cores[i].name for i in constraint.bodies))
-            raise LastingContactError(
-                f"{names} at {self.time!r} s: contacts of several moving bodies have changed "
-                f"{self._most_coupled} times (IM18). End the run before, take method=ClosedForm(), "
-                "which goes on, or method=Stepped(), which is quick.",
-                time=self.time,
-            )
+        """Schedule the change of the contacts of several moving bodies."""
         held = set(constraint.bodies)
         contacts = [c for pair, own in self._lasting.items() if held & set(pair) for c in own]
         paths = {i: self._path(i) for i in sorted(held | {i for c in contacts for i in (c.a, c.b)})}

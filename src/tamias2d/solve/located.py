@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tamias2d.contact import MANY, MOST_COUPLED, Located, RangeError, is_event_driven
+from tamias2d.contact import MANY, MOST_RULED, Located, RangeError, is_event_driven
 from tamias2d.errors import SimulationError
 from tamias2d.event_driven import Discs
 from tamias2d.kernels import flight, joint_code, march_by_kernels
@@ -41,7 +41,7 @@ def run_by_paths(
         motion.work,
         discs,
         alone=asked or not are_many(scene),
-        most_coupled=math.inf if asked else MOST_COUPLED,
+        most_ruled=math.inf if asked else MOST_RULED,
     )
     try:
         if not located.can_meet:
