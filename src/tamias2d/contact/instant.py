@@ -8,7 +8,7 @@ import math
 from collections.abc import Sequence
 
 from tamias2d.contact.constrained_acceleration import opening_acceleration
-from tamias2d.contact.core import Placed, place
+from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.frictional_rest import LASTING_NOISE, island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
 from tamias2d.contact.impacts import Impacts, quieten, refuse_jointed, with_mechanisms
@@ -23,15 +23,16 @@ from tamias2d.contact.manifold import (
     speed_scale,
 )
 from tamias2d.contact.pair_friction import PairFriction
-from tamias2d.contact.refusal import RangeError, UndecidedContactError, named
+from tamias2d.contact.refusal import LastingContactError, RangeError, UndecidedContactError, named
 from tamias2d.contact.simultaneous_impact import apply
 from tamias2d.contact.terrain import is_behind, normals
 from tamias2d.contact.touching import ContactImpulse, PairOf, TouchingPair
-from tamias2d.generated import impact, rest
+from tamias2d.generated import definitions, impact, rest
 from tamias2d.state import Acceleration, Constraint, State, Vector
 
 _MAX_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
 _MAX_JAMS = 8  # of one instant, one after another
+_GAIN = 1e-9  # of the kinetic energy: more than rounding adds
 
 
 class Instant:
@@ -60,6 +61,8 @@ class Instant:
         self.ruled = impacts.ruled
         """Bodies for which a rule decided what rigid bodies leave open (A18)."""
         self._keep_lasting()
+        if self.ruled:
+            self._refuse_gain()
 
     def state(self, body: int) -> State:
         """Return the state of a body after the instant, as far as it is known."""
@@ -111,6 +114,19 @@ class Instant:
         """Let a pair go whose corners have slid off each other."""
         self.parted.append(pair)
         self.changed |= {i for i in pair if self._world.cores[i].dynamic}
+
+    def _refuse_gain(self) -> None:
+        """Refuse what a rule decided if it makes energy: as where sliding bodies jam in a row."""
+        moving = [i for i in self.states if self._world.cores[i].dynamic]
+        before = math.fsum(_energy(self._world.cores[i], self._world.state(i)) for i in moving)
+        after = math.fsum(_energy(self._world.cores[i], self.states[i]) for i in moving)
+        if after > before * (1 + _GAIN):
+            names = named(*(self._world.cores[i].name for i in sorted(self.ruled)))
+            raise LastingContactError(
+                f"{names} at {self.time!r} s: no impulses between them were found that make no "
+                "energy (A18). End the run before, take method=Stepped(), or change the scene.",
+                time=self.time,
+            )
 
     def _refuse_far(self, a: Placed, b: Placed, tolerance: float) -> None:
         """Refuse a contact where positions in float64 are coarse beside the size of a body."""
@@ -298,6 +314,15 @@ class Instant:
         self.constraints.update(island.constraints(self.states, self.time))
         self.senses.update(island.senses)
         self.changed.update(island.bodies)
+
+
+def _energy(core: Core, state: State) -> float:
+    """Return the kinetic energy of a moving body, J."""
+    inertia = 1 / core.inverse_inertia if core.inverse_inertia else 0.0
+    energy = definitions.kinetic_energy(
+        1 / core.inverse_mass, state.velocity, inertia, state.angular_velocity
+    )
+    return float(energy)
 
 
 def _touch(a: Placed, b: Placed, tolerance: float) -> bool:

@@ -31,9 +31,9 @@ from tamias2d.work_limit import Work
 
 RULED = "rule"
 """With this a note begins that tells of what was decided by rule."""
-MOST_RULED = 1000
+MOST_RULED = 500
 """Instants at which contacts last, after a rule decided something, of a run whose method was not
-asked for: they take some ten seconds, and steps through contacts far less."""
+asked for: they take some seconds, and steps through contacts far less."""
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
 
 
