@@ -9,10 +9,10 @@ from scipy.integrate import solve_ivp
 
 import tamias2d as t2
 from tamias2d.contact import FrictionError, Refusal
+from tests.contact.meetings import Meeting, angles, meetings, sizes, thrown
 
 G = 9.81
-angles = st.floats(0, 2 * math.pi)
-sizes = st.floats(0.1, 2)
+boxes = st.builds(lambda w, h: t2.Box(width=w, height=h), sizes, sizes)
 
 
 def slope(angle: float, shape: t2.Disc | t2.Box, friction: float, **body: object) -> t2.Scene:
@@ -219,40 +219,21 @@ def test_several_motions_are_refused():
     max_examples=1000, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
 )
 @given(
-    st.tuples(sizes, sizes),
-    st.tuples(sizes, sizes),
-    st.floats(-6, 6),
-    angles,
-    angles,
-    st.floats(-5, 5),
-    st.floats(-5, 5),
+    meetings(
+        thrown(boxes, st.just(1.0)),
+        thrown(boxes, st.floats(-6, 6).map(lambda power: 10.0**power)),
+        aside=1.0,
+        speeds=st.just(3.0),
+    ),
     st.floats(0, 1),
     st.floats(0, 3),
-    st.floats(-1, 1),
-    angles,
 )
 def test_impacts_keep_momentum_and_gain_no_energy(
-    size_a, size_b, ratio, angle_a, angle_b, spin_a, spin_b, restitution, friction, aside, towards
+    meeting: Meeting, restitution: float, friction: float
 ):
     """Random boxes that meet, mostly corner on side, where normal and tangent are coupled."""
-    shape_a, shape_b = (t2.Box(width=w, height=h) for w, h in (size_a, size_b))
-    reach = shape_a.bounding_radius + shape_b.bounding_radius
-    c, s = math.cos(towards), math.sin(towards)
-    mass = 10.0**ratio
-    scene = t2.Scene(gravity=(0, 0))
-    common = {"restitution": restitution, "friction": friction}
-    scene.add_body(
-        shape_a, mass=1, position=(0, 0), orientation=angle_a, angular_velocity=spin_a, **common
-    )
-    scene.add_body(
-        shape_b,
-        mass=mass,
-        position=(1.5 * reach * c - aside * s, 1.5 * reach * s + aside * c),
-        velocity=(-3 * c, -3 * s),
-        orientation=angle_b,
-        angular_velocity=spin_b,
-        **common,
-    )
+    scene = meeting.scene(restitution=restitution, friction=friction)
+    reach, mass = meeting.reach, meeting.second.mass
     try:
         times = np.linspace(0, reach, 9)
         run = t2.simulate(scene, duration=reach, times=times, method=t2.ClosedForm())

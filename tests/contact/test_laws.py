@@ -8,6 +8,7 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 
 import tamias2d as t2
 from tamias2d.contact import LastingContactError, UndecidedContactError
+from tests.contact.meetings import Meeting, Shape, meetings, sizes, thrown
 
 
 def regular(corners: int, radius: float) -> t2.Polygon:
@@ -15,18 +16,15 @@ def regular(corners: int, radius: float) -> t2.Polygon:
     return t2.Polygon(vertices=[(radius * math.cos(a), radius * math.sin(a)) for a in angles])
 
 
-sizes = st.floats(0.1, 2)
 shapes = st.one_of(
     st.builds(lambda r: t2.Disc(radius=r), sizes),
     st.builds(lambda w, h: t2.Box(width=w, height=h), sizes, sizes),
     st.builds(regular, st.integers(3, 8), sizes),
 )
-masses = st.floats(-6, 6).map(lambda power: 10.0**power)
-angles = st.floats(0, 7)
-spins = st.floats(-5, 5)
+bodies = thrown(shapes, st.floats(-6, 6).map(lambda power: 10.0**power))
 
 
-def world_points(shape: t2.Disc | t2.Box | t2.Polygon, position, angle: float) -> np.ndarray:
+def world_points(shape: Shape, position, angle: float) -> np.ndarray:
     c, s = math.cos(angle), math.sin(angle)
     return np.array(shape.vertices or [(0, 0)]) @ [[c, s], [-s, c]] + position
 
@@ -49,58 +47,26 @@ def separation(first, second) -> float:
 @settings(
     max_examples=2000, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
 )
-@given(
-    shapes,
-    shapes,
-    masses,
-    masses,
-    angles,
-    angles,
-    spins,
-    spins,
-    st.floats(0, 1),
-    st.floats(-1.5, 1.5),
-    st.floats(0.1, 10),
-    angles,
-)
-def test_pairs(
-    shape_a, shape_b, mass_a, mass_b, angle_a, angle_b, spin_a, spin_b, e, aside, speed, towards
-):
+@given(meetings(bodies, bodies, aside=1.5, speeds=st.floats(0.1, 10)), st.floats(0, 1))
+def test_pairs(meeting: Meeting, restitution: float):
     """Momentum stays to rounding, energy never rises, nothing overlaps."""
-    reach = shape_a.bounding_radius + shape_b.bounding_radius
-    c, s = math.cos(towards), math.sin(towards)
-    scene = t2.Scene(gravity=(0, 0))
-    scene.add_body(
-        shape_a,
-        mass=mass_a,
-        position=(0, 0),
-        orientation=angle_a,
-        angular_velocity=spin_a,
-        restitution=e,
-    )
-    scene.add_body(
-        shape_b,
-        mass=mass_b,
-        position=(1.5 * reach * c - aside * s, 1.5 * reach * s + aside * c),
-        velocity=(-speed * c, -speed * s),
-        orientation=angle_b,
-        angular_velocity=spin_b,
-    )
+    scene, reach, speed = meeting.scene(restitution=restitution), meeting.reach, meeting.speed
+    mass = meeting.second.mass
     try:
         times = np.linspace(0, 3 * reach / speed, 12)
         run = t2.simulate(scene, duration=3 * reach / speed, times=times, method=t2.ClosedForm())
     except (LastingContactError, UndecidedContactError) as refusal:
         run = refusal.run  # what was computed until then obeys the laws just as well
-    assert np.abs(run.momentum - run.momentum[0]).max() <= 1e-12 * mass_b * speed
+    assert np.abs(run.momentum - run.momentum[0]).max() <= 1e-12 * mass * speed
     assert (np.diff(run.energy) <= 1e-12 * run.energy[0]).all()
     turning = run.angular_momentum - run.angular_momentum[0]
     assert np.abs(turning).max() <= 1e-12 * (
-        mass_b * speed * 10 * reach + np.abs(run.angular_momentum[0])
+        mass * speed * 10 * reach + np.abs(run.angular_momentum[0])
     ) * (1 + len(run.impacts))
     for position, orientation in zip(run.position, run.orientation, strict=True):
         placed = [
             (shape, world_points(shape, position[i], orientation[i]))
-            for i, shape in enumerate((shape_a, shape_b))
+            for i, shape in enumerate((meeting.first.shape, meeting.second.shape))
         ]
         assert separation(*placed) > -1e-11 * reach
 

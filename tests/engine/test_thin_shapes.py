@@ -1,6 +1,7 @@
 """Bodies as thin as nothing, thrown on floors as thin, stay above them, stepped or located."""
 
 import math
+from typing import Any
 
 import pytest
 
@@ -37,3 +38,28 @@ def test_a_segment_comes_to_rest_on_a_segment(tilt: float, height: float) -> Non
     sim.step(300)
     assert abs(sim.position[1, 1]) < 1e-2
     assert abs(sim.velocity[1]).max() < 1e-3
+
+
+def test_a_segment_that_falls_flat_on_a_long_free_one_stays_above() -> None:
+    """Where they meet, rounding at an arm of 200 m hides the gap, and with it the side."""
+    assert not stepped(throw(922_401))
+
+
+@pytest.mark.parametrize(
+    ("tilt", "height", "speed", "spin"),
+    [(0.03344, 0.0167, 0.4743, 0.2964), (0.0445, 0.0216, 0.474, 0.3)],
+)
+def test_a_rod_whose_end_lies_in_a_sheet_comes_down_on_it(
+    tilt: float, height: float, speed: float, spin: float
+) -> None:
+    """The end is behind the sheet by as much as contacts yield; the other one comes later."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    surface: dict[str, Any] = {"restitution": 0.0, "friction": 0.0}
+    scene.add_static(t2.Box(width=4.0, height=1e-8), position=(0.0, -0.5e-8), **surface)
+    scene.add_body(
+        t2.Segment(length=0.4), mass=1.0, position=(0.0, height), orientation=tilt,
+        velocity=(0.0, -speed), angular_velocity=spin, **surface,
+    )  # fmt: skip
+    sim = t2.Simulator(scene, time_step=1 / 240)
+    sim.step(240)
+    assert sim.position[1, 1] > -1e-3  # 0.3 m below it without the rule of `is_located`

@@ -9,7 +9,7 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.commands import run as run_command
-from tamias2d.record.aside import refuse_place
+from tamias2d.recording_file import refuse_place
 
 SUFFIXES = [".rrd", ".npz"]
 

@@ -91,7 +91,7 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     sim, path = lively(5), tmp_path / "game.npz"
     with pytest.raises(t2.RecordingError, match="a simulator is saved as"):
         sim.save(tmp_path / "game.zip")
-    with pytest.raises(t2.RecordingError, match="cannot be written"):
+    with pytest.raises(t2.RecordingError, match=r"there is no directory .* Make it first"):
         sim.save(tmp_path / "nowhere" / "game.npz")
     with pytest.raises(t2.RecordingError, match="no such file"):
         t2.Simulator.restore(path)
@@ -112,7 +112,7 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     np.savez(path, mark=np.array("tamias2d simulator"), version=VERSION, about=np.array("{}"))
     with pytest.raises(t2.RecordingError, match="its digest is not that"):
         t2.Simulator.restore(path)
-    for name in ("a\0b.npz", "\0.npz"):
+    for name in ("a\0b.npz", "\0.npz", "x" * 252 + ".npz"):
         with pytest.raises(t2.RecordingError, match="cannot be written"):
             sim.save(tmp_path / name)
         with pytest.raises(t2.RecordingError, match="no such file"):

@@ -4,12 +4,14 @@ import ctypes
 import itertools
 import json
 import signal
+from copy import deepcopy
+from dataclasses import replace
 from multiprocessing.connection import Connection
 
 import pytest
 
 from tools.fuzz import runner
-from tools.measurements import drops, fuzz, throws
+from tools.measurements import closed_boxes, drops, fuzz, throws
 
 SEEDS = {
     "scenes": 150,
@@ -73,6 +75,21 @@ def test_throws_run_small() -> None:
     heads, rows = throws.table(found)
     assert {len(row) for row in rows} == {len(heads)}
     assert len(throws.notes(found)) == 2
+
+
+def test_closed_boxes_run_small() -> None:
+    found = closed_boxes.measure(first=5, count=8, bodies=4)
+    assert json.loads(json.dumps(found)) == found
+    heads, rows = closed_boxes.table(found)
+    assert {len(row) for row in rows} == {len(heads)}
+    assert closed_boxes.notes(found) == ["8 of 8 boxes kept all bodies; 0 told that they may not"]
+
+
+def test_a_box_with_a_hole_loses_a_body() -> None:
+    box = closed_boxes.closed_box(0, 4)
+    open_box = deepcopy(box.scene)
+    open_box._bodies[:] = open_box._bodies[1 - len(open_box.bodies) :]
+    assert closed_boxes.leaks(replace(box, scene=open_box)) is False
 
 
 def test_drops_run_small() -> None:

@@ -19,6 +19,8 @@ from tamias2d.engine.tables import (
     IS_TOUCHING,
     NX,
     NY,
+    PART_PUSH_X,
+    PART_PUSH_Y,
     POINT,
     POINT_COUNT,
     PUSH,
@@ -119,7 +121,7 @@ def _impulses(touch: Array, count: IntArray, *, split: bool) -> tuple[Array, Arr
     In flight and over the parts of a step they pushed each other as one, by a sum of vectors.
     """
     totals = touch[:, [TOTAL_IMPULSE, TOTAL_IMPULSE + POINT]]
-    push = touch[:, PUSH : PUSH + 2] if split else totals
+    push = touch[:, PUSH : PUSH + 2] if split else touch[:, [PART_PUSH_X, PART_PUSH_Y]]
     as_one = split | (count == 0)
     size = np.hypot(push[:, 0], push[:, 1])
     along = push / np.where(size > 0.0, size, 1.0)[:, None]

@@ -12,12 +12,13 @@ from tamias2d.engine.tables import (
     MET_IN_FLIGHT,
     NX,
     NY,
+    PART_PUSH_X,
+    PART_PUSH_Y,
     POINT,
     PUSH,
     PX,
     PY,
     SENSES,
-    TOTAL_IMPULSE,
     TOUCHES,
     WAS_TOUCHING,
     WORLD_POINT,
@@ -37,7 +38,7 @@ def forget_impulses(count: int, contacts: Contacts) -> None:
 
 def forget_impulses_of(manifold: Array) -> None:
     """Let the impulses of a contact add up from zero."""
-    manifold[TOTAL_IMPULSE] = manifold[TOTAL_IMPULSE + POINT] = 0.0
+    manifold[PART_PUSH_X] = manifold[PART_PUSH_Y] = 0.0
     manifold[PUSH] = manifold[PUSH + 1] = 0.0
 
 
@@ -46,9 +47,9 @@ def add_up_impulses(count: int, contacts: Contacts) -> None:
     for p in range(count):
         manifold = contacts.manifolds[p]
         if contacts.flags[p, TOUCHES] & IS_TOUCHING:
-            manifold[PUSH] += manifold[TOTAL_IMPULSE]
-            manifold[PUSH + 1] += manifold[TOTAL_IMPULSE + POINT]
-            manifold[TOTAL_IMPULSE] = manifold[TOTAL_IMPULSE + POINT] = 0.0
+            manifold[PUSH] += manifold[PART_PUSH_X]
+            manifold[PUSH + 1] += manifold[PART_PUSH_Y]
+            manifold[PART_PUSH_X] = manifold[PART_PUSH_Y] = 0.0
 
 
 def forget_impulses_of_part(first: bool, count: int, contacts: Contacts) -> None:
@@ -58,7 +59,7 @@ def forget_impulses_of_part(first: bool, count: int, contacts: Contacts) -> None
     """
     for p in range(count):
         manifold, flags = contacts.manifolds[p], contacts.flags[p]
-        manifold[TOTAL_IMPULSE] = manifold[TOTAL_IMPULSE + POINT] = 0.0
+        manifold[PART_PUSH_X] = manifold[PART_PUSH_Y] = 0.0
         if first:
             flags[TOUCHES] &= WAS_TOUCHING + HAD_MET_IN_FLIGHT
         elif flags[SENSES] == 0 and manifold[PUSH] == 0.0 and manifold[PUSH + 1] == 0.0:
@@ -75,8 +76,8 @@ def store_impulse_of_part(
     to = POINT * n
     if flags[TOUCHES] & IS_TOUCHING == 0:
         forget_impulses_of(manifold)
-    manifold[TOTAL_IMPULSE] += total * manifold[NX]
-    manifold[TOTAL_IMPULSE + POINT] += total * manifold[NY]
+    manifold[PART_PUSH_X] += total * manifold[NX]
+    manifold[PART_PUSH_Y] += total * manifold[NY]
     if total > 0.0:
         flags[TOUCHES] |= IS_TOUCHING
         manifold[IMPACT_NORMAL], manifold[IMPACT_NORMAL + 1] = manifold[NX], manifold[NY]

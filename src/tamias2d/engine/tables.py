@@ -366,7 +366,7 @@ GAP = _manifolds()  # m
 NORMAL_IMPULSE = _manifolds()  # N s, of the last substep
 TANGENT_IMPULSE = _manifolds()  # N s
 PRELOAD = _manifolds()  # m
-TOTAL_IMPULSE = _manifolds()  # N s, along the normal in the last step; see `part_impulses`
+TOTAL_IMPULSE = _manifolds()  # N s, of a point along the normal in the last step
 WORLD_POINT = _manifolds(2)  # m, where it was
 AXIS_CACHE = _manifolds(4)  # cached separating axis
 FORESEEN = _manifolds()  # s, until shapes meet whose manifold is that of this instant; 0 else
@@ -376,7 +376,9 @@ POINT = 16  # columns from a point to the next
 KNOWN_X, KNOWN_Y, KNOWN_ANGLE_A, KNOWN_ANGLE_B, KNOWN_WAY = 16, 17, 27, 28, 29
 SIDE_NORMAL = 28  # of the side of a piece on which the other shape is, two columns
 IMPACT_NORMAL = 30  # of an impact in flight, two columns
-# N s, of the parts of a step that have ended, two columns: where the second point of a step was
+# N s: a pair that met in flight or in parts of a step is told one impulse, as a vector: that of the
+# part that runs, where those of two points stand else, and of parts that have ended, two columns
+PART_PUSH_X, PART_PUSH_Y = TOTAL_IMPULSE, TOTAL_IMPULSE + POINT
 PUSH = WORLD_POINT + POINT
 MANIFOLD = 32
 

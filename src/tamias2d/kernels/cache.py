@@ -29,6 +29,8 @@ def njit(source: str) -> Callable[..., Callable[[FunctionType], Any]]:
     """Return numba's `njit` for one source; with `cache=True`, code is kept as this module says."""
 
     def decorator(*signatures: str, cache: bool = False, **options: Any) -> Any:
+        """Return what compiles a function, at once for these signatures."""
+
         def compile_(function: FunctionType) -> Any:
             compiler = HelperCompiler if options.get("no_cpython_wrapper") else EntryCompiler
             made: Any = numba.njit(pipeline_class=compiler, **options)(function)

@@ -121,7 +121,10 @@ def array_at(array: Any) -> Any:
 
     @intrinsic
     def view(_typing: Any, table: Any, row: Any) -> Any:
+        """Make an array (numba: type of the call, and what prints its code) from a row."""
+
         def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            """Print the code that reads address and lengths, and strides as of a whole array."""
             found = numba.make_array(signature.args[0])(context, builder, arguments[0])
             width, index = context.get_constant(types.intp, 4), arguments[1]
 

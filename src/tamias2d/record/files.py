@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from tamias2d.errors import InputError, RecordingError
 from tamias2d.record import header as headers, history
-from tamias2d.record.aside import refuse_place
+from tamias2d.recording_file import refuse_missing, refuse_place
 
 if TYPE_CHECKING:
     from tamias2d.record.header import Header
@@ -52,17 +52,9 @@ def load(path: str | Path) -> RunData:
 def stored(path: Path) -> tuple[Header, Arrays]:
     """Read the header and the arrays of a recording; raises as `load` does."""
     kind = _kind(path)
-    if not _is_file(path):
-        raise RecordingError(f"{path}: there is no such file. Make it by `run.save(path)`.")
+    refuse_missing(path, made_by="run.save(path)")
     found: tuple[Header, Arrays] = kind.read(path)
     return found
-
-
-def _is_file(path: Path) -> bool:
-    try:
-        return path.is_file()
-    except OSError:  # a name that is too long
-        return False
 
 
 def _kind(path: Path) -> Any:

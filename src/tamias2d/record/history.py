@@ -16,7 +16,7 @@ from tamias2d.certificate import Certificate, from_json
 from tamias2d.errors import RecordingError, TamiasError
 from tamias2d.motion.joint_events import WORDS, JointEvents, joint_events
 from tamias2d.record import header as headers
-from tamias2d.record.aside import aside
+from tamias2d.recording_file import aside
 from tamias2d.run_data import Impacts, RunData
 from tamias2d.scene import Scene
 from tamias2d.scene.reading import read_scene

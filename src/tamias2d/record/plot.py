@@ -10,7 +10,7 @@ import numpy as np
 from tamias2d.balance import kinetic_energy
 from tamias2d.errors import InputError, RecordingError
 from tamias2d.record import drawing, joint_drawing
-from tamias2d.record.aside import aside, refuse_place
+from tamias2d.recording_file import aside, refuse_place
 from tamias2d.scene import HalfPlane
 
 if TYPE_CHECKING:

@@ -14,10 +14,10 @@ from tamias2d import archive
 from tamias2d.engine.contact_report import Contacts, Touching, contacts_of, pairs_of
 from tamias2d.engine.saved_checks import UnfitError, require
 from tamias2d.errors import RecordingError, TamiasError
+from tamias2d.recording_file import aside, refuse_missing
 from tamias2d.scene import Scene
 from tamias2d.scene.reading import read_scene
 from tamias2d.simulator.settings import checked_count, checked_substeps, checked_time_step
-from tamias2d.storage import aside
 
 Arrays = Mapping[str, NDArray[Any]]
 VERSION = 11  # of the saved state: its arrays, and the columns of the engine's
@@ -52,15 +52,8 @@ def write(path: Path, arrays: Arrays) -> None:
         raise RecordingError(
             f"{path}: a simulator is saved as .npz. Give the name this ending, e.g. game.npz."
         )
-    try:
-        with aside(path) as draft, draft.open("wb") as file:
-            np.savez(file, allow_pickle=False, **arrays)
-    except (OSError, ValueError) as error:  # a name with a null byte
-        why = getattr(error, "strerror", None) or str(error) or type(error).__name__
-        raise RecordingError(
-            f"{path}: cannot be written: {why}. Check the directory, the disk's space and the "
-            "permissions."
-        ) from error
+    with aside(path) as draft, draft.open("wb") as file:
+        np.savez(file, allow_pickle=False, **arrays)
 
 
 def read(path: Path) -> dict[str, NDArray[Any]]:
@@ -69,8 +62,7 @@ def read(path: Path) -> dict[str, NDArray[Any]]:
     Raises:
         RecordingError: there is no file, or it is none of arrays.
     """
-    if not path.is_file():
-        raise RecordingError(f"{path}: there is no such file. Make it by `sim.save(path)`.")
+    refuse_missing(path, made_by="sim.save(path)")
     return archive.read(path, remedy="Save it again.")
 
 

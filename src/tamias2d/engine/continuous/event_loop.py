@@ -35,6 +35,7 @@ from tamias2d.engine.continuous.events import (
 )
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED
 from tamias2d.engine.continuous.impact import contact_point, rebound, record_impact
+from tamias2d.engine.narrow_phase.core import core_of, is_thin
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
 from tamias2d.engine.narrow_phase.seams import extend_ground, goes_on, is_seam
@@ -326,11 +327,14 @@ def resolve_impact(
         s, t = t, s
         sense = -1.0
     i, j = shapes.slot[s], shapes.slot[t]
+    held = held_normal(contacts.manifolds[p], contacts.flags[p])
     if contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies):
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         if now > 1.0:
             return False
-    held = held_normal(contacts.manifolds[p], contacts.flags[p])
+        a, b = core_of(s, shapes), core_of(t, shapes)
+        if is_thin(a, b) and held[0] == 0.0 and held[1] == 0.0:
+            held = (events.scratch[0, NX], events.scratch[0, NY])  # rounding hides the gap
     gap = manifold_at(s, t, now, held, bodies, shapes, events)
     if gap >= UNBOUNDED:  # it is beside a piece
         return False

@@ -39,6 +39,8 @@ from tamias2d.engine.tables import (
     MET_IN_FLIGHT,
     NX,
     NY,
+    PART_PUSH_X,
+    PART_PUSH_Y,
     PART_TIME,
     POINT,
     POINT_COUNT,
@@ -236,8 +238,8 @@ def record_impact(
     elif not in_parts:
         recorded[TOTAL_IMPULSE] += impulse
         return
-    recorded[TOTAL_IMPULSE] += sense * impulse * manifold[NX]
-    recorded[TOTAL_IMPULSE + POINT] += sense * impulse * manifold[NY]
+    recorded[PART_PUSH_X] += sense * impulse * manifold[NX]
+    recorded[PART_PUSH_Y] += sense * impulse * manifold[NY]
     if not met:
         at, shift = bodies.pose[i], bodies.motion[i]
         at_x, at_y = position_later((at[X], at[Y]), (shift[DX], shift[DY]), now)

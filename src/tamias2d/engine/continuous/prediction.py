@@ -128,13 +128,13 @@ def is_located(
     Where bodies bounce and nothing holds them, those that touch already may meet, too: one after
     the other they pass an impact on.
     """
+    s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
+    gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, POINT_COUNT])
+    a, b = core_of(s, shapes), core_of(t, shapes)
+    if is_thin(a, b) and not gap > 0.0:
+        return False  # behind a gap of 0 is the other side
     held = holds(i, bodies, touching) + holds(j, bodies, touching)
     if bounces(p, shapes, contacts) and held == 0:
-        s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
-        gap = smallest_gap(contacts.manifolds[p], contacts.flags[p, POINT_COUNT])
-        a, b = core_of(s, shapes), core_of(t, shapes)
-        if is_thin(a, b):  # behind a gap of 0 is the other side
-            return gap > 0.0
         return gap > -CLOSE * smaller_radius(s, t, shapes.material)  # the solver parts others
     return meets and is_alone(i, bodies, touching) and is_alone(j, bodies, touching)
 

@@ -10,8 +10,8 @@ import rerun as rr
 from tamias2d.balance import kinetic_energy
 from tamias2d.errors import RecordingError
 from tamias2d.record import document, drawing, header as headers, history
-from tamias2d.record.aside import aside, refuse_place
 from tamias2d.record.rerun import bodies, exact, impacts, joint_events, joints, layout
+from tamias2d.recording_file import aside, refuse_place
 from tamias2d.scene import scene_text
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""A recording appears whole or not at all."""
+"""The file of a recording, or of a saved simulator: it appears whole or not at all."""
 
 from __future__ import annotations
 
@@ -34,6 +34,12 @@ def refuse_place(path: Path) -> None:
         raise RecordingError(f"{path}: there is no directory {target.parent}. Make it first.")
     if not os.access(target.parent, os.W_OK | os.X_OK):
         raise RecordingError(f"{path}: {target.parent} cannot be written. Choose another place.")
+
+
+def refuse_missing(path: Path, *, made_by: str) -> None:
+    """Raise `RecordingError` if there is no file at this path; say which code makes one."""
+    if not os.path.isfile(path):  # False for what is no name, too
+        raise RecordingError(f"{path}: there is no such file. Make it by `{made_by}`.")
 
 
 @contextmanager
