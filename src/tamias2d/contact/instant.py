@@ -75,9 +75,12 @@ class Instant:
             self._place(body)
             for other in self._world.overlapping(body):
                 pair = (min(body, other), max(body, other))
-                if pair in self.touching_pairs or not (touch := self._touch(pair)):
+                if pair in self.touching_pairs or pair in self.parted:
                     continue
-                self.touching_pairs[pair] = touch
+                if touch := self._touch(pair):
+                    self.touching_pairs[pair] = touch
+                elif pair not in self._world.lasting:  # a pair that parts reaches others, too
+                    continue
                 for i in with_mechanisms(self._world.cores, pair):
                     if i not in seen and self._world.cores[i].dynamic:
                         seen.add(i)
