@@ -1,6 +1,7 @@
 """Positions and velocities of bodies: at one instant, between two, and over a run."""
 
-from typing import NamedTuple, Protocol, TypeAlias
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +36,16 @@ class Constraint(Protocol):
 
     def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
         """Return the constrained acceleration for one by the loads alone, in a state."""
+
+
+@runtime_checkable
+class SharedConstraint(Protocol):
+    """The accelerations of several bodies on lasting contacts that couple them."""
+
+    bodies: tuple[int, ...]
+
+    def together(self, accelerations: Array, states: Sequence[State]) -> Array:
+        """Return the constrained accelerations (n, 3) for those by the loads alone, in states."""
 
 
 class History(NamedTuple):

@@ -9,6 +9,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.contact import Refusal
 from tamias2d.motion import ClosedForm
+from tools.fuzz.momentum import located
 
 ROUNDING = 1e-12  # of the sum of magnitudes; impacts round some hundred times
 
@@ -63,3 +64,8 @@ def test_momentum_and_angular_momentum_are_kept(seed):
     for parts in (mass * u, mass * v, mass * (x * v - y * u) + spins):
         whole, size = parts.sum(axis=1), np.abs(parts).sum(axis=1).max()
         assert np.ptp(whole) <= ROUNDING * max(size, float(np.abs(mass * np.hypot(u, v)).max()))
+
+
+def test_what_slips_off_one_of_several_bodies_in_contact_lets_all_of_them_go():
+    """It was the last contact of its own, so that the others went on as if it still pressed."""
+    assert located(15_000_011) == "done"

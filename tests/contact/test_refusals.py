@@ -6,13 +6,11 @@ import pytest
 
 import tamias2d as t2
 from tamias2d.contact import (
-    LastingContactError,
     OverlapError,
-    SimultaneousImpactsError,
     UndecidedContactError,
     UnlocatedContactError,
 )
-from tamias2d.errors import SceneError, SimulationError
+from tamias2d.errors import SceneError
 
 DISC = t2.Disc(radius=0.5)
 
@@ -32,15 +30,13 @@ def test_cradle_with_gaps_passes_the_blow_on():
     assert run.velocity[-1, :, 0].tolist() == [0, 0, 0, 0, 1]
 
 
-def test_touching_cradle_is_refused():
-    """B7: rigid bodies do not say how a blow goes through bodies that touch."""
-    with pytest.raises(SimultaneousImpactsError, match="small gap") as refusal:
-        t2.simulate(cradle(0.0), duration=4.0, method=t2.ClosedForm())
-    assert refusal.value.time == pytest.approx(2.0)
-    assert refusal.value.code == "simultaneous-impacts"
-    assert isinstance(refusal.value, SimulationError)
-    assert refusal.value.run.times[-1] <= 2.0
-    assert refusal.value.run.velocity[-1, 0, 0] == 1.0
+def test_touching_cradle_passes_the_blow_on():
+    """B7: rigid bodies do not say how a blow goes through bodies that touch; A18 does."""
+    run = t2.simulate(cradle(0.0), duration=4.0)
+    assert run.velocity[-1, :, 0].tolist() == [0, 0, 0, 0, 1]
+    assert run.impacts.time.tolist() == [2.0] * 4
+    assert run.notes[-1].startswith("rule: 1 instants")
+    assert "at 2.0 s" in run.notes[-1]
 
 
 def wedge(angle: float) -> t2.Scene:
@@ -60,9 +56,12 @@ def test_disc_into_a_right_corner_comes_straight_back():
     assert abs(run.position[:, 2, 0]).max() < 1e-14
 
 
-def test_disc_into_another_corner_is_refused():
-    with pytest.raises(SimultaneousImpactsError, match=r"'body0'.*'body2' meet 'body1'"):
-        t2.simulate(wedge(0.6), duration=2.0, method=t2.ClosedForm())
+def test_disc_into_another_corner_comes_straight_back():
+    """Both walls answer together, so that it stays on the line of symmetry, to the bit."""
+    run = t2.simulate(wedge(0.6), duration=2.0, method=t2.ClosedForm())
+    assert run.impacts.time[0] == run.impacts.time[1]
+    assert set(run.position[:, 2, 0].tolist()) == {0.0}
+    assert run.energy[-1] == pytest.approx(run.energy[0], rel=1e-14)
 
 
 @pytest.mark.parametrize(("speed", "restitution"), [(0, 1), (1, 0)])
@@ -74,15 +73,6 @@ def test_corner_that_stays_on_a_corner_is_refused(speed: float, restitution: flo
     scene.add_body(box, mass=1, position=(apart, apart), velocity=(-speed, -speed))
     scene.set_restitution(0, 1, restitution)
     with pytest.raises(UndecidedContactError, match="corner meets corner"):
-        t2.simulate(scene, duration=4.0, method=t2.ClosedForm())
-
-
-def test_moving_bodies_that_press_and_turn_are_refused():
-    """One disc lies on another that moves: it would roll off along a path that turns."""
-    scene = t2.Scene(gravity=(0, 0))
-    scene.add_body(DISC, mass=1, position=(0, 0), force=(0, 1), restitution=0)
-    scene.add_body(DISC, mass=1, position=(math.sin(0.1), math.cos(0.1)), force=(0, -1))
-    with pytest.raises(LastingContactError, match="turns"):
         t2.simulate(scene, duration=4.0, method=t2.ClosedForm())
 
 

@@ -5,7 +5,7 @@ Serves: `solve`, which makes a run of the paths and impulses. Hides: how an impa
 """
 
 from tamias2d.contact.event_driven_scenes import is_event_driven
-from tamias2d.contact.located import Located
+from tamias2d.contact.located import MOST_RULED, RULED, Located
 from tamias2d.contact.overlap import refuse_contact
 from tamias2d.contact.refusal import (
     FrictionError,
@@ -22,6 +22,8 @@ from tamias2d.contact.stepping_choice import MANY, MEANT_TO_TOUCH, steps_because
 __all__ = [
     "MANY",
     "MEANT_TO_TOUCH",
+    "MOST_RULED",
+    "RULED",
     "FrictionError",
     "LastingContactError",
     "Located",

@@ -150,6 +150,8 @@ class Pair:
         """Return the safe step for all other corners along the axis of a lasting contact."""
         if self._lasting[0].axis.side is None:  # around a corner there is only one
             return math.inf
+        if len(self._lasting) > 1:  # sides that lie flat on each other do not turn
+            return math.inf
         axis, near = self._other_corners(a, b)
         same = axis[:2] == self._lasting[0].axis[:2]
         if same:

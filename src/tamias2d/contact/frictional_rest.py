@@ -1,17 +1,16 @@
 """Frictional lasting contacts: which of them stick, slide or roll (GD8)."""
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from tamias2d.contact.constrained_acceleration import (
-    Constant,
     constrained_accelerations,
     opening_acceleration,
     without_normal_velocity,
 )
 from tamias2d.contact.core import Core, Placed
+from tamias2d.contact.coupled_island import CoupledIsland
 from tamias2d.contact.friction_constraint import FrictionConstraint, TurningFrictionConstraint
 from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.lasting_contact import Island
@@ -26,7 +25,8 @@ from tamias2d.contact.modes import (
     forces,
     modes,
 )
-from tamias2d.contact.refusal import FrictionError, LastingContactError, named
+from tamias2d.contact.pair_friction import PairFriction
+from tamias2d.contact.refusal import FrictionError, named
 from tamias2d.state import Acceleration, Constraint, State
 
 LASTING_NOISE = 1e-9
@@ -34,16 +34,6 @@ LASTING_NOISE = 1e-9
 _SAME = 1e-8
 """Of the loads: by how much two equal answers may differ."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)
-
-
-class PairFriction(NamedTuple):
-    """The friction of all pairs at one instant."""
-
-    time: float
-    of: Callable[[int, int], float]
-    """The coefficient of friction of a pair."""
-    noise: Callable[[Contact], float]
-    """What counts as no tangential velocity, m/s."""
 
 
 def island_of(
@@ -55,13 +45,15 @@ def island_of(
     pair_friction: PairFriction,
 ) -> Island:
     """Return the island of bodies that contacts connect, with friction or without."""
+    if sum(cores[i].dynamic for i in {i for c in contacts for i in (c.a, c.b)}) > 1:
+        return CoupledIsland(cores, placed, contacts, free, slight, pair_friction)
     if any(pair_friction.of(contact.a, contact.b) for contact in contacts):
         return FrictionalIsland(cores, placed, contacts, free, slight, pair_friction)
     return Island(cores, placed, contacts, free, slight)
 
 
 class FrictionalIsland(Island):
-    """An island in which some contacts have friction."""
+    """One moving body, of whose contacts some have friction."""
 
     def __init__(
         self,
@@ -81,23 +73,15 @@ class FrictionalIsland(Island):
         super().__init__(cores, placed, contacts, free, slight)
         self._states = {i: body.state for i, body in placed.items()}
         self._mode: Mode = ()
-        if len(self.bodies) > 1:
-            self._rest_several(contacts, free, pair_friction)
-        else:
-            self._find_mode(
-                self._patches(contacts, free, pair_friction), contacts, free, pair_friction.time
-            )
+        self._find_mode(
+            self._patches(contacts, free, pair_friction), contacts, free, pair_friction.time
+        )
         self.senses.update(_senses(self._mode))
 
     def projected(self, states: Mapping[int, State]) -> dict[int, State]:
         """Return the states projected on the velocities that the contacts allow."""
         if not self._pressing:
             return super().projected(states)
-        if len(self.bodies) > 1:
-            return {
-                i: states[i]._replace(velocity=(0.0, 0.0), angular_velocity=0.0)
-                for i in self.bodies
-            }
         (body,) = self.bodies
         if self._moves_on(states):
             return {body: without_normal_velocity(self._cores, self._closed, states)[body]}
@@ -112,9 +96,6 @@ class FrictionalIsland(Island):
         """
         if not self._pressing:
             return super().constraints(states, time)
-        if len(self.bodies) > 1:
-            self._refuse_unsteady(states, time)
-            return {i: Constant(_STILL) for i in self.bodies}
         (body,) = self.bodies
         moving = self._moves_on(states)
         if not moving:
@@ -235,54 +216,6 @@ class FrictionalIsland(Island):
         return tangential_acceleration(
             contact, self._placed[a], self._placed[b], by.get(a, _STILL), by.get(b, _STILL)
         )
-
-    def _rest_several(
-        self,
-        contacts: Sequence[Contact],
-        free: Mapping[int, Acceleration],
-        pair_friction: PairFriction,
-    ) -> None:
-        """Keep several bodies at rest, if forces within the friction cones can.
-
-        Raises:
-            LastingContactError: they move, or cannot be kept.
-        """
-        patches = self._patches(contacts, free, pair_friction)
-        mode = next(modes(patches))
-        still = all(
-            max(map(abs, (*state.velocity, state.angular_velocity * self._cores[i].size)))
-            <= max(pair_friction.noise(c) for c in contacts)
-            for i, state in ((i, self._states[i]) for i in self.bodies)
-        )
-        if still and forces(*self._equilibrium(mode, free)) is not None:
-            self._mode = mode
-            self.accelerations = dict.fromkeys(self.bodies, _STILL)
-            self._pressed = self.lasting = list(contacts)
-            return
-        rubbing = [c for c in self._pressed if pair_friction.of(c.a, c.b)]
-        if rubbing:
-            names = named(*dict.fromkeys(self._cores[i].name for i in (rubbing[0].a, rubbing[0].b)))
-            raise LastingContactError(
-                f"{names} at {pair_friction.time!r} s: several moving bodies rub on each "
-                "other while they touch, which located contacts do not cover (GD8). End the run "
-                "before, take method=Stepped(), or change the scene.",
-                time=pair_friction.time,
-            )
-
-    def _equilibrium(
-        self, mode: Mode, free: Mapping[int, Acceleration]
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Return the bodies' accelerations under a unit of each force, and under the loads."""
-        columns = [
-            self._with_forces([edge], [1.0], dict.fromkeys(free, _STILL))
-            for edge in cone_edges(mode)
-        ]
-        weights = np.array([(1.0, 1.0, self._cores[i].size) for i in self.bodies]).ravel()
-        matrix = np.array([[by[i] for i in self.bodies] for by in columns]).reshape(
-            len(columns), -1
-        )
-        loads = np.array([free[i] for i in self.bodies]).ravel()
-        return (matrix * weights).T, loads * weights
 
 
 def _senses(mode: Mode) -> dict[tuple[int, int], int]:

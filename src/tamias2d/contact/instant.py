@@ -1,25 +1,19 @@
 """All impacts and lasting contacts at one instant.
 
-In this order: find all touching pairs; resolve the impacts of those that approach (IM3), unless
-impacts act on each other; keep the contacts that neither approach nor separate (GD3).
+In this order: find all touching pairs; answer the impacts of those that approach (`Impacts`); keep
+the contacts that neither approach nor separate (GD3).
 """
 
 import math
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import NamedTuple
+from collections.abc import Sequence
 
 from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.frictional_impact import after_frictional_impulse, frictional_impulses
-from tamias2d.contact.frictional_rest import LASTING_NOISE, PairFriction, island_of
+from tamias2d.contact.frictional_rest import LASTING_NOISE, island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
-from tamias2d.contact.jointed_impact import (
-    Struck,
-    change_by_unit,
-    changed,
-    impulses as jointed_impulses,
-)
+from tamias2d.contact.impacts import Impacts, quieten, refuse_jointed, with_mechanisms
+from tamias2d.contact.inelastic_impact import JammedError, jam_impulses
+from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import (
     Contact,
@@ -27,77 +21,18 @@ from tamias2d.contact.manifold import (
     manifold,
     normal_velocity,
     speed_scale,
-    tangent_of,
 )
-from tamias2d.contact.refusal import (
-    JointedContactError,
-    RangeError,
-    SimultaneousImpactsError,
-    UndecidedContactError,
-    named,
-)
-from tamias2d.contact.response import after_impulse, coupling, impulses
+from tamias2d.contact.pair_friction import PairFriction
+from tamias2d.contact.refusal import LastingContactError, RangeError, UndecidedContactError, named
+from tamias2d.contact.simultaneous_impact import apply
 from tamias2d.contact.terrain import is_behind, normals
-from tamias2d.generated import impact, rest
+from tamias2d.contact.touching import ContactImpulse, PairOf, TouchingPair
+from tamias2d.generated import definitions, impact, rest
 from tamias2d.state import Acceleration, Constraint, State, Vector
 
-PairOf = tuple[int, int]
-
 _MAX_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
-_MAX_IMPULSES = (
-    10_000  # impulses of one pair at one instant; their speeds fall as a geometric series
-)
-
-
-class InstantInputs(NamedTuple):
-    """The state of the simulation that an instant reads."""
-
-    cores: Sequence[Core]
-    state: Callable[[int], State]
-    """Of a body, now."""
-    overlapping: Callable[[int], Iterable[int]]
-    """The bodies whose bounding boxes overlap with that of a body."""
-    free: Callable[[int, Callable[[int], State]], Acceleration]
-    """The acceleration of an unconstrained body, now, for given states."""
-    struck: Struck
-    """What impulses on jointed bodies change, now."""
-    lasting: Mapping[PairOf, Sequence[Contact]]
-    """The contacts that have lasted until now."""
-    sticking: Collection[PairOf]
-    """The pairs of these that stick."""
-    separating_direction: Mapping[PairOf, Vector]
-    """The directions in which pairs were last apart."""
-    restitution: Callable[[int, int], float]
-    friction: Callable[[int, int], float]
-    until: float
-    """When the run ends, s."""
-
-
-class ContactImpulse(NamedTuple):
-    """One impulse at a contact."""
-
-    contact: Contact
-    impulse: float
-    normal_velocity: float
-
-
-@dataclass
-class TouchingPair:
-    """A touching pair."""
-
-    pair: PairOf
-    contacts: list[Contact]
-    tolerance: float
-    """The largest gap that counts as 0, m."""
-    speed: float
-    """The size of the terms that make up its velocities, m/s."""
-    noise: float
-    """The largest normal velocity that counts as 0, m/s."""
-    staying: list[Contact] = field(default_factory=list)
-    rest_at: float = 0.0
-    """When its bounces end if they go on as a geometric series of times, s; 0 if they do not."""
-    rest_noise: float = 0.0
-    """The error of `rest_at` by rounding, s."""
+_MAX_JAMS = 8  # of one instant, one after another
+_GAIN = 1e-9  # of the kinetic energy: more than rounding adds
 
 
 class Instant:
@@ -110,58 +45,46 @@ class Instant:
         self.states: dict[int, State] = {}
         """Of the bodies that were examined, after the instant."""
         self.touching_pairs: dict[PairOf, TouchingPair] = {}
-        self.contact_impulses: list[ContactImpulse] = []
         self.changed: set[int] = set()
+        self.parted: list[PairOf] = []
+        """Pairs in lasting contact until now whose corners part."""
         self.constraints: dict[int, Constraint] = {}
         self.senses: dict[PairOf, int] = {}
         """Of lasting pairs with friction: 0 if they stick, else the sense in which they slide."""
         self.separating: dict[PairOf, float] = {}
         """Pairs that separate without normal velocity, with the second derivative of the gap."""
         self._find_touching(bodies)
-        self._resolve_impacts()
+        impacts = Impacts(time, world, self.states, self.touching_pairs)
+        impacts.resolve()
+        self.contact_impulses = impacts.impulses
+        self.changed |= impacts.changed
+        self.ruled = impacts.ruled
+        """Bodies for which a rule decided what rigid bodies leave open (A18)."""
         self._keep_lasting()
+        if self.ruled:
+            self._refuse_gain()
 
     def state(self, body: int) -> State:
         """Return the state of a body after the instant, as far as it is known."""
         return self.states[body] if body in self.states else self._world.state(body)
 
     def _find_touching(self, bodies: Sequence[int]) -> None:
-        todo = self._with_mechanisms(bodies)
+        todo = with_mechanisms(self._world.cores, bodies)
         seen = set(todo)
         for body in todo:  # grows while it is gone through
             self._place(body)
             for other in self._world.overlapping(body):
                 pair = (min(body, other), max(body, other))
-                if pair in self.touching_pairs or not (touch := self._touch(pair)):
+                if pair in self.touching_pairs or pair in self.parted:
                     continue
-                self.touching_pairs[pair] = touch
-                for i in self._with_mechanisms(pair):
+                if touch := self._touch(pair):
+                    self.touching_pairs[pair] = touch
+                elif pair not in self._world.lasting:  # a pair that parts reaches others, too
+                    continue
+                for i in with_mechanisms(self._world.cores, pair):
                     if i not in seen and self._world.cores[i].dynamic:
                         seen.add(i)
                         todo.append(i)
-
-    def _refuse_jointed(self, contacts: Iterable[Contact], what: str) -> None:
-        """Refuse contacts of bodies that a joint holds, which are not within the models."""
-        for contact in contacts:
-            jointed = [i for i in (contact.a, contact.b) if self._world.cores[i].jointed]
-            if jointed:
-                name = self._world.cores[jointed[0]].name
-                touch = self.touching_pairs[contact.a, contact.b]
-                raise JointedContactError(
-                    f"{self._names(touch)} at {self.time!r} s: {what}, and a joint holds "
-                    f"'{name}': that is not solved yet (R13). End the run before, move one away, "
-                    "or let them pass through each other: give them one negative group, or no "
-                    "shape.",
-                    time=self.time,
-                )
-
-    def _with_mechanisms(self, bodies: Iterable[int]) -> list[int]:
-        """Return bodies, and those that joints tie to them, which an impulse reaches too."""
-        cores = self._world.cores
-        found = dict.fromkeys(bodies)
-        for body in list(found):
-            found |= dict.fromkeys(sorted(cores[body].group) if cores[body].jointed else ())
-        return list(found)
 
     def _place(self, body: int) -> Placed:
         if body not in self._placed:
@@ -180,10 +103,33 @@ class Instant:
             pair
         ) or self._pressed_direction(a, b, tolerance)
         contacts = manifold(a, b, tolerance, self.time, lasting, separating_direction)
+        if not contacts:
+            self._part(pair)
+            return None
         self._refuse_behind(a, b, contacts)
         speed = max(speed_scale(contact, a.state, b.state) for contact in contacts)
         noise = speed * (LASTING_NOISE if lasting else 64 * EPSILON)
+        if speed <= 64 * EPSILON * self.time * max(math.hypot(*self._pull(x)) for x in (a, b)):
+            noise = speed  # nothing but rounding moves them
         return TouchingPair(pair, contacts, tolerance, speed, noise)
+
+    def _part(self, pair: PairOf) -> None:
+        """Let a pair go whose corners have slid off each other."""
+        self.parted.append(pair)
+        self.changed |= {i for i in pair if self._world.cores[i].dynamic}
+
+    def _refuse_gain(self) -> None:
+        """Refuse what a rule decided if it makes energy: as where sliding bodies jam in a row."""
+        moving = [i for i in self.states if self._world.cores[i].dynamic]
+        before = math.fsum(_energy(self._world.cores[i], self._world.state(i)) for i in moving)
+        after = math.fsum(_energy(self._world.cores[i], self.states[i]) for i in moving)
+        if after > before * (1 + _GAIN):
+            names = named(*(self._world.cores[i].name for i in sorted(self.ruled)))
+            raise LastingContactError(
+                f"{names} at {self.time!r} s: no impulses between them were found that make no "
+                "energy (A18). End the run before, take method=Stepped(), or change the scene.",
+                time=self.time,
+            )
 
     def _refuse_far(self, a: Placed, b: Placed, tolerance: float) -> None:
         """Refuse a contact where positions in float64 are coarse beside the size of a body."""
@@ -231,154 +177,12 @@ class Instant:
         share = LASTING_NOISE if pair in self._world.sticking else 64 * EPSILON
         return self.touching_pairs[pair].speed * share
 
-    def _approaches(self, touch: TouchingPair) -> bool:
-        return any(self._rate(contact) < -touch.noise for contact in touch.contacts)
-
     def _rate(self, contact: Contact) -> float:
         return normal_velocity(contact, self.states[contact.a], self.states[contact.b])
 
-    def _resolve_impacts(self) -> None:
-        approaching = [touch for touch in self.touching_pairs.values() if self._approaches(touch)]
-        self._refuse_coupled(approaching)
-        for touch in approaching:
-            count = 0
-            while self._approaches(touch):
-                self._resolve_pair(touch)
-                if (count := count + 1) > _MAX_IMPULSES:
-                    raise UndecidedContactError(
-                        f"{self._names(touch)} at {self.time!r} s: their corners meet in turn "
-                        "without end (IM3). End the run before, or change the scene a little.",
-                        time=self.time,
-                    )
-            reached = self._with_mechanisms(touch.pair)
-            self.changed.update(i for i in reached if self._world.cores[i].dynamic)
-        self._refuse_driven_together(approaching)
-
-    def _resolve_pair(self, touch: TouchingPair) -> None:
-        """Resolve together the contacts that do not separate yet.
-
-        A separating one is left out: if the others drive it together, it is resolved in turn.
-        """
-        cores, states, (a, b) = self._world.cores, self.states, touch.pair
-        approaching = [contact for contact in touch.contacts if self._rate(contact) <= touch.noise]
-        restitution = self._world.restitution(a, b)
-        if cores[a].jointed or cores[b].jointed:
-            self._resolve_jointed_pair(touch.pair, approaching, restitution)
-            return
-        if coefficient := self._world.friction(a, b):
-            self._resolve_frictional_pair(touch.pair, approaching, restitution, coefficient)
-            return
-        found = impulses(cores, approaching, states[a], states[b], restitution)
-        contact_impulses = [
-            ContactImpulse(contact, impulse, self._rate(contact))
-            for contact, impulse in zip(approaching, found, strict=True)
-            if impulse > 0
-        ]
-        for impulse in contact_impulses:
-            states[a], states[b] = after_impulse(
-                cores, impulse.contact, impulse.impulse, states[a], states[b]
-            )
-        self.contact_impulses += contact_impulses
-
-    def _resolve_jointed_pair(
-        self, pair: PairOf, approaching: Sequence[Contact], restitution: float
-    ) -> None:
-        """Resolve the contacts of a pair together with the joints that hold it (GD20)."""
-        if self._world.friction(*pair):
-            self._refuse_jointed(approaching, "they meet with friction")
-        cores, states = self._world.cores, self.states
-        changes = [change_by_unit(cores, contact, self._world.struck) for contact in approaching]
-        found = jointed_impulses(approaching, changes, states.__getitem__, restitution)
-        self.contact_impulses += [
-            ContactImpulse(contact, impulse, self._rate(contact))
-            for contact, impulse in zip(approaching, found, strict=True)
-            if impulse > 0
-        ]
-        for change, impulse in zip(changes, found, strict=True):
-            for body, by_unit in change.items():
-                states[body] = changed(states[body], by_unit, impulse)
-
-    def _resolve_frictional_pair(
-        self, pair: PairOf, approaching: Sequence[Contact], restitution: float, coefficient: float
-    ) -> None:
-        """Resolve the contacts of a pair with friction (IM9)."""
-        cores, states, (a, b) = self._world.cores, self.states, pair
-        found = frictional_impulses(
-            cores, approaching, states[a], states[b], restitution, coefficient
-        )
-        found_pairs = [
-            (ContactImpulse(contact, both[0], self._rate(contact)), both)
-            for contact, both in zip(approaching, found, strict=True)
-            if both[0] > 0
-        ]
-        for impulse, both in found_pairs:
-            states[a], states[b] = after_frictional_impulse(
-                cores, impulse.contact, both, states[a], states[b]
-            )
-        self.contact_impulses += [impulse for impulse, _ in found_pairs]
-
-    def _refuse_coupled(self, approaching: Sequence[TouchingPair]) -> None:
-        for k, first in enumerate(approaching):
-            for second in approaching[k + 1 :]:
-                if self._joined(first, second):
-                    self._refuse(first, second, "meet")
-                directions = self._impulse_directions(first), self._impulse_directions(second)
-                if any(
-                    self._coupled(one, other) for one in directions[0] for other in directions[1]
-                ):
-                    self._refuse(first, second, "meet")
-
-    def _joined(self, first: TouchingPair, second: TouchingPair) -> bool:
-        """Whether joints carry an impulse from one pair to another."""
-        cores = self._world.cores
-        return any(
-            cores[i].jointed and j in cores[i].group for i in first.pair for j in second.pair
-        )
-
-    def _impulse_directions(self, touch: TouchingPair) -> list[Contact]:
-        """Return the contacts of a pair, once for each direction of their impulses."""
-        frictional = self._world.friction(*touch.pair) > 0
-        return touch.contacts + [tangent_of(contact) for contact in touch.contacts if frictional]
-
-    def _coupled(self, first: Contact, second: Contact) -> bool:
-        cores = self._world.cores
-        both = coupling(cores, first, second)
-        own = coupling(cores, first, first) * coupling(cores, second, second)
-        return both * both > 1e-24 * own
-
-    def _refuse_driven_together(self, approaching: Sequence[TouchingPair]) -> None:
-        """Refuse impacts that drive a touching pair into another impact."""
-        for touch in self.touching_pairs.values():
-            if approaching and self._approaches(touch):
-                by = next((m for m in approaching if set(m.pair) & set(touch.pair)), approaching[0])
-                self._refuse(by, touch, "drive together")
-
-    def _refuse(self, first: TouchingPair, second: TouchingPair, what: str) -> None:
-        one, other = self._names(first), self._names(second)
-        raise SimultaneousImpactsError(
-            f"{one} {what} {other} at {self.time!r} s: impacts at one instant act on each other, "
-            "and rigid bodies leave open what follows (IM3). Put a small gap between them.",
-            time=self.time,
-        )
-
-    def _names(self, touch: TouchingPair) -> str:
-        return named(*(self._world.cores[i].name for i in touch.pair))
-
     def _keep_lasting(self) -> None:
         """Keep contacts that neither approach nor separate, or bounce below resolution."""
-        staying = [
-            contact
-            for touch in self.touching_pairs.values()
-            for contact in touch.contacts
-            if abs(self._rate(contact)) <= touch.noise
-        ]
-        self._refuse_jointed(staying, "they stay in contact")
-        self._refuse_corners(staying)
-        islands = self._islands(staying)
-        while low := self._unresolved_bounces(islands, staying):
-            self._refuse_jointed(low, "they come to rest on each other")
-            staying += low
-            islands = self._islands(staying)
+        staying, islands = self._staying_islands()
         lasting = [contact for island in islands for contact in island.lasting]
         self._note_separating(islands, [contact for contact in staying if contact not in lasting])
         for contact in lasting:
@@ -390,6 +194,48 @@ class Instant:
             i for pair in self.touching_pairs if pair in self._world.lasting for i in pair
         }
         self.changed |= {i for i in constrained if self._world.cores[i].dynamic}
+
+    def _staying_islands(self) -> tuple[list[Contact], list[Island]]:
+        """Return the contacts that stay, and their islands, after impulses where contacts jam."""
+        for _ in range(_MAX_JAMS):
+            try:
+                return self._settled()
+            except JammedError as jam:
+                if not self._resolve_jam(jam):
+                    raise
+        return self._settled()
+
+    def _settled(self) -> tuple[list[Contact], list[Island]]:
+        staying = [
+            contact
+            for touch in self.touching_pairs.values()
+            for contact in touch.contacts
+            if abs(self._rate(contact)) <= touch.noise
+        ]
+        refuse_jointed(self._world.cores, staying, "they stay in contact", self.time)
+        self._refuse_corners(staying)
+        islands = self._islands(staying)
+        while low := self._unresolved_bounces(islands, staying):
+            refuse_jointed(self._world.cores, low, "they come to rest on each other", self.time)
+            staying += low
+            islands = self._islands(staying)
+        return staying, islands
+
+    def _resolve_jam(self, jam: JammedError) -> bool:
+        """Apply the impulses that end the sliding of contacts that jam (DD68), if there are any."""
+        found = jam_impulses(self._world.cores, jam.patches, self.states, jam.free)
+        quieten(self.touching_pairs.values())
+        self.contact_impulses += [
+            ContactImpulse(contact, push, self._rate(contact))
+            for contact, push, _ in found
+            if push > 0
+        ]
+        apply(self._world.cores, found, self.states)
+        bodies = {i for contact, *_ in found for i in (contact.a, contact.b)}
+        moving = {i for i in bodies if self._world.cores[i].dynamic}
+        self.changed |= moving
+        self.ruled |= moving
+        return bool(found)
 
     def _refuse_corners(self, staying: Sequence[Contact]) -> None:
         for contact in staying:
@@ -416,17 +262,13 @@ class Instant:
             for contact in contacts
         ]
         pair_friction = PairFriction(self.time, self._world.friction, self._slide_noise)
-        return [
-            island_of(
-                cores,
-                placed,
-                joined,
-                {i: self._free(i) for i in sorted(bodies)},
-                min(slight),
-                pair_friction,
-            )
-            for bodies, joined in groups
-        ]
+        found = []
+        for bodies, joined in groups:
+            free = {i: self._free(i) for i in sorted(bodies)}
+            island = island_of(cores, placed, joined, free, min(slight), pair_friction)
+            alone = len(island.bodies) == 1 or len(island.lasting) == len(joined)
+            found += [island] if alone else self._islands(island.lasting)
+        return found
 
     def _free(self, body: int) -> Acceleration:
         return self._world.free(body, self.state)
@@ -475,6 +317,15 @@ class Instant:
         self.constraints.update(island.constraints(self.states, self.time))
         self.senses.update(island.senses)
         self.changed.update(island.bodies)
+
+
+def _energy(core: Core, state: State) -> float:
+    """Return the kinetic energy of a moving body, J."""
+    inertia = 1 / core.inverse_inertia if core.inverse_inertia else 0.0
+    energy = definitions.kinetic_energy(
+        1 / core.inverse_mass, state.velocity, inertia, state.angular_velocity
+    )
+    return float(energy)
 
 
 def _touch(a: Placed, b: Placed, tolerance: float) -> bool:

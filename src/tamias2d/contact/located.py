@@ -10,9 +10,12 @@ import numpy as np
 from tamias2d.contact.conservative_advancement import Pair
 from tamias2d.contact.contact_loss import ContactLossWatch
 from tamias2d.contact.core import cores_of, place
+from tamias2d.contact.coupled_constraint import CoupledConstraint
+from tamias2d.contact.coupled_loss import CoupledLossWatch
 from tamias2d.contact.follower import Follower, Memory
 from tamias2d.contact.gap import EPSILON, slight_opening
-from tamias2d.contact.instant import ContactImpulse, Instant, InstantInputs, PairOf
+from tamias2d.contact.instant import Instant
+from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.manifold import Contact
 from tamias2d.contact.overlap import refuse_overlap
 from tamias2d.contact.refusal import LastingContactError, UndecidedContactError, named
@@ -20,11 +23,17 @@ from tamias2d.contact.rest_time import RestTimes
 from tamias2d.contact.stepping_choice import MANY
 from tamias2d.contact.stepwise import refuse_stepwise
 from tamias2d.contact.swept_aabb import SweptAabbs
+from tamias2d.contact.touching import ContactImpulse, PairOf
 from tamias2d.path import Paths, Piece
 from tamias2d.scene import Scene
-from tamias2d.state import Array, Constraint, State, Vector
+from tamias2d.state import Acceleration, Array, Constraint, State, Vector
 from tamias2d.work_limit import Work
 
+RULED = "rule"
+"""With this a note begins that tells of what was decided by rule."""
+MOST_RULED = 500
+"""Instants at which contacts last, after a rule decided something, of a run whose method was not
+asked for: they take some seconds, and steps through contacts far less."""
 _MAX_REPEATS = 32  # new paths for a body within a few units of the last place of time
 
 
@@ -39,11 +48,13 @@ class Located:
         follower: Follower | None = None,
         *,
         alone: bool = True,
+        most_ruled: float = math.inf,
     ) -> None:
         """Take a scene, what makes the paths of its bodies, and what counts its impacts.
 
         A `follower` goes on from impact to impact where it can and that pays, with the same bits;
-        where it must be given up and `alone` says so, the rest is done without it.
+        where it must be given up and `alone` says so, the rest is done without it. Once a rule
+        decided something, contacts may last at `most_ruled` more instants.
         """
         refuse_stepwise(scene)
         self._scene = scene
@@ -60,7 +71,9 @@ class Located:
         self._until = 0.0
         self.tracks: list[list[Piece]] = [[] for _ in self._cores]
         """The paths of each body so far, in order."""
-        self.notes: tuple[str, ...] = ()
+        self._rests: tuple[str, ...] = ()
+        self._ruled: list[tuple[float, frozenset[int]]] = []
+        self._most_ruled, self._lasting_since = most_ruled, 0
         self._impacts: list[Array] = []
         self._constraints: list[Constraint | None] = [None for _ in self._cores]
         self._lasting: dict[PairOf, list[Contact]] = {}
@@ -111,6 +124,21 @@ class Located:
         velocity before it, m/s.
         """
         return np.concatenate([np.zeros((0, 9)), *self._impacts])
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Which bodies came to rest on which, and what was decided by rule (A18)."""
+        if not self._ruled:
+            return self._rests
+        (first, bodies), (last, _) = self._ruled[0], self._ruled[-1]
+        names = named(*(self._cores[i].name for i in sorted(bodies)))
+        when = f"at {first!r} s, {names}" if first == last else f"at {first!r} s first, {names}"
+        until = "" if first == last else f", and at {last!r} s last"
+        return (
+            *self._rests,
+            f"{RULED}: {len(self._ruled)} instants at which impacts acted on one another were "
+            f"decided by A18: {when}{until}",
+        )
 
     def _may_follow(self, end: float) -> bool:
         """Whether there is a follower, which knows all that lasts, and whether it pays."""
@@ -347,6 +375,9 @@ class Located:
         if instant.contact_impulses:
             self._impacts.append(_rows(time, instant.contact_impulses))
             self._work.impacts(len(instant.contact_impulses), time)
+        if instant.ruled:
+            self._ruled.append((time, frozenset(instant.ruled)))
+        self._refuse_many(instant)
         self._rest_times.update(instant)
         self._update_lasting(instant)
         ended = {i for i in bodies if self._path(i).end == time and time < end}
@@ -366,6 +397,21 @@ class Located:
             touched = {i for pair in instant.touching_pairs for i in pair}
             self._following.remember(touched | set(changed), self._memory())
 
+    def _refuse_many(self, instant: Instant) -> None:
+        """Refuse to go on by rule through more instants with lasting contacts than are worth it."""
+        coupled = any(isinstance(each, CoupledConstraint) for each in instant.constraints.values())
+        lasts = any(touch.staying for touch in instant.touching_pairs.values())
+        if self._ruled or self._lasting_since or coupled:
+            self._lasting_since += lasts
+        if self._lasting_since > self._most_ruled:
+            names = named(*(self._cores[i].name for i in sorted(instant.changed)))
+            raise LastingContactError(
+                f"{names} at {instant.time!r} s: contacts have changed {self._most_ruled} times "
+                "since a rule decided them (A18). End the run before, take method=ClosedForm(), "
+                "which goes on, or method=Stepped(), which is quick.",
+                time=instant.time,
+            )
+
     def _near(self, body: int) -> list[int]:
         """Return the bodies that may touch a body now."""
         if self._following is not None:
@@ -378,13 +424,16 @@ class Located:
     def _update_lasting(self, instant: Instant) -> None:
         """Replace the lasting contacts by those of an instant, and note the new ones."""
         before = {self._named(pair) for pair in self._lasting}
+        for pair in instant.parted:
+            self._lasting.pop(pair, None)
+            self._senses.pop(pair, None)
         for pair, touch in instant.touching_pairs.items():
             self._separating_direction[pair] = touch.contacts[0].normal
             names = self._named(pair)
             if touch.staying and names not in before:
                 before.add(names)  # a chain may have more pieces that it touches
                 since = self._rest_times.time_of(pair, instant.time)
-                self.notes += (f"rest: {names} stay in contact from {since!r} s",)
+                self._rests += (f"rest: {names} stay in contact from {since!r} s",)
             self._lasting.pop(pair, None)
             self._senses.pop(pair, None)
             if touch.staying:
@@ -396,6 +445,10 @@ class Located:
         path, constraint = self._path(body), self._constraints[body]
         if path.end < end:
             self._schedule(path.end, body, body)
+        if isinstance(constraint, CoupledConstraint):
+            if body == constraint.bodies[0]:
+                self._schedule_coupled_loss(constraint)
+            return
         contacts = [c for pair, lasting in self._lasting.items() if body in pair for c in lasting]
         supports = {i: self._state(i) for c in contacts for i in (c.a, c.b) if i != body}
         if constraint and not any(self._cores[i].dynamic for i in supports):
@@ -417,8 +470,25 @@ class Located:
             if time is not None:
                 self._schedule(time, body, body)
 
+    def _schedule_coupled_loss(self, constraint: CoupledConstraint) -> None:
+        """Schedule the change of the contacts of several moving bodies."""
+        held = set(constraint.bodies)
+        contacts = [c for pair, own in self._lasting.items() if held & set(pair) for c in own]
+        paths = {i: self._path(i) for i in sorted(held | {i for c in contacts for i in (c.a, c.b)})}
+
+        def free(body: int, time: float) -> Acceleration:
+            return self._motion.free(body, time, lambda i: self._path(i).at(time))
+
+        watch = CoupledLossWatch(self._cores, constraint, contacts, paths, free)
+        time = watch.first_loss()
+        if time is not None:
+            self._schedule(time, constraint.bodies[0], constraint.bodies[0])
+
     def _schedule_resumption(self, instant: Instant) -> None:
         """Find from when on pairs that separate without normal velocity are resolved as apart."""
+        struck = {i for c, *_ in instant.contact_impulses for i in (c.a, c.b)}
+        for pair in [pair for pair in self._resume if set(pair) & struck]:
+            del self._resume[pair]  # it was found on paths that are no more
         for pair, acceleration in instant.separating.items():
             pair_search = self._pair(pair, instant.touching_pairs[pair].staying)
             longest = 2.0**-20 * (self._until - instant.time)

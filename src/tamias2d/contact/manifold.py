@@ -42,7 +42,7 @@ def manifold(
     lasting: Sequence[Contact] = (),
     separating_direction: Vector | None = None,
 ) -> list[Contact]:
-    """Return the contacts of a pair that touches within a tolerance in m.
+    """Return the contacts of a pair that touches within a tolerance in m; none if corners part.
 
     The `lasting` contacts stay in it, whatever rounding does to their gaps.
     `separating_direction` is the direction from A to B in which they were last apart.
@@ -52,7 +52,8 @@ def manifold(
     found = from_side(a, b, found, lasting[0].normal if lasting else separating_direction)
     axis = max(found, key=lambda each: each.gap)
     if directions := _equal_directions(found, axis, tolerance):
-        return [_corner_on_corner(a, b, axis, directions, time)]
+        contact = _corner_on_corner(a, b, axis, directions, time)
+        return [] if contact is None else [contact]
     if axis.side is None:
         return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
     touching = _touching_corners(a, b, axis, tolerance, lasting)
@@ -68,8 +69,10 @@ def _touching_corners(
     known = [contact.found for contact in lasting] + [
         (contact.axis.swapped, contact.gap.which[1]) for contact in lasting
     ]
-    limit = (0.0 if lasting else axis.gap) + tolerance
     found = gaps(a, b, axis)
+    last = [gap.value for gap in found if (axis.swapped, gap.which[1]) in known]
+    drifted = max([0.0, *(gap for gap in last if gap > tolerance)])
+    limit = (drifted if lasting else axis.gap) + tolerance
     touching = [gap for gap in found if gap.value <= limit or (axis.swapped, gap.which[1]) in known]
     return touching or [min(found, key=lambda gap: gap.value)]
 
@@ -189,6 +192,44 @@ def tangential_acceleration(
     )
 
 
+def sticking_acceleration(
+    contact: Contact, a: Placed, b: Placed, of_a: Acceleration, of_b: Acceleration
+) -> float:
+    """Return the tangential acceleration of a contact that sticks or rolls on anything (DD69)."""
+    points = friction.tangential_acceleration(
+        of_a[:2], of_a[2], contact.arm_a, of_b[:2], of_b[2], contact.arm_b, contact.normal
+    )
+    swapped, side = contact.axis[:2]
+    p, q = (b, a) if swapped else (a, b)
+    corner_p, corner_q, u = contact.gap.corner_p, contact.gap.corner, contact.axis.direction
+    if side is not None:
+        turning = p.state.angular_velocity
+    else:
+        (px, py), (qx, qy) = p.state.position, q.state.position
+        x, y = qx - px + corner_q[0] - corner_p[0], qy - py + corner_q[1] - corner_p[1]
+        distance = u[0] * x + u[1] * y
+        turning = slip_velocity(contact, a.state, b.state) / distance if distance else 0.0
+    tangent = definitions.tangent(contact.normal)
+    corners = (corner_q, corner_p) if swapped else (corner_p, corner_q)
+    changes = [
+        friction.reach_change(body.state.angular_velocity, corner, contact.normal, turning, tangent)
+        for body, corner in zip((a, b), corners, strict=True)
+    ]
+    return float(
+        friction.tangential_acceleration_rolling(
+            points,
+            turning,
+            a.state.velocity,
+            b.state.velocity,
+            contact.normal,
+            a.state.angular_velocity,
+            changes[0],
+            b.state.angular_velocity,
+            changes[1],
+        )
+    )
+
+
 def speed_scale(contact: Contact, a: State, b: State) -> float:
     """Return the size of the terms that make up the velocity of a contact, m/s."""
     return (
@@ -269,11 +310,13 @@ def _equal_directions(found: list[Axis], best: Axis, tolerance: float) -> list[V
 
 def _corner_on_corner(
     a: Placed, b: Placed, axis: Axis, directions: list[Vector], time: float
-) -> Contact:
+) -> Contact | None:
     """Return the contact of two corners: its normal is their approach, or nearest to it (GD11).
 
+    There is none if they part in one of the directions.
+
     Raises:
-        UndecidedContactError: they do not approach.
+        UndecidedContactError: they neither approach nor part.
     """
     contact = _contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))
     at_a, at_b = (
@@ -289,10 +332,12 @@ def _corner_on_corner(
             axis=Axis(False, None, normal, axis.gap),
             gap=contact.gap._replace(corner=contact.arm_b, corner_p=contact.arm_a),
         )
-        if normal_velocity(contact, a.state, b.state) < -64 * EPSILON * speed_scale(
-            contact, a.state, b.state
-        ):
+        unseen = 64 * EPSILON * speed_scale(contact, a.state, b.state)
+        if normal_velocity(contact, a.state, b.state) < -unseen:
             return contact
+        u, v = at_b[0] - at_a[0], at_b[1] - at_a[1]
+        if max(_dot((u, v), each) for each in directions) > unseen:
+            return None
     raise corner_on_corner_error(a.core, b.core, time)
 
 

@@ -8,7 +8,8 @@ least sum of rounding and change from the estimate before.
 from math import inf
 from typing import NamedTuple
 
-from tamias2d.contact.instant import Instant, PairOf
+from tamias2d.contact.instant import Instant
+from tamias2d.contact.touching import PairOf
 
 
 class Estimate(NamedTuple):

@@ -1,5 +1,5 @@
 """Friction: Impact with friction; Lasting contact with friction; Tangential acceleration of what
-turns.
+turns; Tangential acceleration of what rolls; Bodies that move on in contact.
 
 Generated from srs/models/friction.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -362,7 +362,7 @@ def tangential_acceleration(
         arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         normal: Unit normal of a contact, from body A to body B, 1
 
-    Source: GD8, srs/models/friction.md:320.
+    Source: GD8, srs/models/friction.md:324.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     arm_a_x, arm_a_y = arm_a
@@ -393,7 +393,7 @@ def friction_force(sense: Scalar, pair_friction: Scalar, contact_force: Scalar) 
         pair_friction: The coefficient of friction that holds between two bodies, 1
         contact_force: Size of the force of a resting contact along its normal, N
 
-    Source: GD8, srs/models/friction.md:326.
+    Source: GD8, srs/models/friction.md:330.
     """
     return (-sense) * pair_friction * contact_force
 
@@ -421,7 +421,7 @@ def tangential_acceleration_turning(
         arm_b: Lever arm, from the centre of mass to the contact point; of body B, m
         tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
 
-    Source: GD16, srs/models/friction.md:372.
+    Source: GD16, srs/models/friction.md:376.
     """
     arm_a_x, arm_a_y = arm_a
     arm_b_x, arm_b_y = arm_b
@@ -430,3 +430,94 @@ def tangential_acceleration_turning(
         tangent_x * arm_a_x + tangent_y * arm_a_y
     ) - angular_velocity_b * angular_velocity_b * (tangent_x * arm_b_x + tangent_y * arm_b_y)
     return tangential_acceleration + turning_part
+
+
+def reach_change(
+    angular_velocity: Scalar,
+    bearing_corner: Vector,
+    normal: Vector,
+    normal_turning: Scalar,
+    tangent: Vector,
+) -> Scalar:
+    """Rate at which a point of contact gets farther from the centre of a body along the normal
+    (m/s).
+
+    reach_change = angular_velocity*cross(bearing_corner, normal) +
+    normal_turning*dot(bearing_corner, tangent)
+
+    Args:
+        angular_velocity: Rate of turning, positive counter-clockwise, rad/s
+        bearing_corner: From the centre of a body to the corner with which it touches; zero
+            where a side or the rim of a disc touches, m
+        normal: Unit normal of a contact, from body A to body B, 1
+        normal_turning: Rate at which the normal of a contact turns, rad/s
+        tangent: Unit tangent of a contact, the normal turned left by a quarter turn, 1
+
+    Source: DD69, srs/models/friction.md:424.
+    """
+    bearing_corner_x, bearing_corner_y = bearing_corner
+    normal_x, normal_y = normal
+    tangent_x, tangent_y = tangent
+    return angular_velocity * (
+        bearing_corner_x * normal_y - bearing_corner_y * normal_x
+    ) + normal_turning * (bearing_corner_x * tangent_x + bearing_corner_y * tangent_y)
+
+
+def tangential_acceleration_rolling(
+    tangential_acceleration: Scalar,
+    normal_turning: Scalar,
+    velocity_a: Vector,
+    velocity_b: Vector,
+    normal: Vector,
+    angular_velocity_a: Scalar,
+    reach_change_a: Scalar,
+    angular_velocity_b: Scalar,
+    reach_change_b: Scalar,
+) -> Scalar:
+    """Rate of change of the tangential velocity of a contact that lasts; of a contact that rolls
+    (m/s^2).
+
+    tangential_acceleration_rolling = tangential_acceleration - normal_turning*dot(velocity_b
+    - velocity_a, normal) + angular_velocity_b*reach_change_b -
+    angular_velocity_a*reach_change_a
+
+    Args:
+        tangential_acceleration: Rate of change of the tangential velocity of a contact that
+            lasts, m/s^2
+        normal_turning: Rate at which the normal of a contact turns, rad/s
+        velocity_a: Velocity of the centre of mass; of body A, m/s
+        velocity_b: Velocity of the centre of mass; of body B, m/s
+        normal: Unit normal of a contact, from body A to body B, 1
+        angular_velocity_a: Rate of turning, positive counter-clockwise; of body A, rad/s
+        reach_change_a: Rate at which a point of contact gets farther from the centre of a body
+            along the normal; of body A, m/s
+        angular_velocity_b: Rate of turning, positive counter-clockwise; of body B, rad/s
+        reach_change_b: Rate at which a point of contact gets farther from the centre of a body
+            along the normal; of body B, m/s
+
+    Source: DD69, srs/models/friction.md:427.
+    """
+    velocity_a_x, velocity_a_y = velocity_a
+    velocity_b_x, velocity_b_y = velocity_b
+    normal_x, normal_y = normal
+    return (
+        tangential_acceleration
+        - normal_turning
+        * ((velocity_b_x - velocity_a_x) * normal_x + (velocity_b_y - velocity_a_y) * normal_y)
+        + angular_velocity_b * reach_change_b
+        - angular_velocity_a * reach_change_a
+    )
+
+
+def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
+    """Force of friction on body B along the tangent; the most that there may be (N).
+
+    friction_force_most = pair_friction*contact_force
+
+    Args:
+        contact_force: Size of the force of a resting contact along its normal, N
+        pair_friction: The coefficient of friction that holds between two bodies, 1
+
+    Source: IM18, srs/models/friction.md:495.
+    """
+    return pair_friction * contact_force

@@ -1493,13 +1493,38 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=944,
     ),
+    "reach_change": Symbol(
+        "reach_change",
+        "m/s",
+        "rate at which a point of contact gets farther from the centre of a body along the normal",
+        tex="\\dot{r}_n",
+        file="srs/symbols.md",
+        line=949,
+    ),
+    "normal_turning": Symbol(
+        "normal_turning",
+        "rad/s",
+        "rate at which the normal of a contact turns",
+        tex="\\omega_n",
+        file="srs/symbols.md",
+        line=955,
+    ),
+    "bearing_corner": Symbol(
+        "bearing_corner",
+        "m",
+        "from the centre of a body to the corner with which it touches; zero where a side or the rim of a disc touches",
+        shape="vector",
+        tex="\\boldsymbol{w}",
+        file="srs/symbols.md",
+        line=959,
+    ),
     "slip": Symbol(
         "slip",
         "m/s",
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=949,
+        line=966,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1507,7 +1532,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=955,
+        line=972,
     ),
     "circling": Symbol(
         "circling",
@@ -1516,7 +1541,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=959,
+        line=976,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1524,7 +1549,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=966,
+        line=983,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1533,7 +1558,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=970,
+        line=987,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1542,7 +1567,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=975,
+        line=992,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1551,7 +1576,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=980,
+        line=997,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1559,7 +1584,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=985,
+        line=1002,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1568,7 +1593,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=989,
+        line=1006,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1576,7 +1601,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=994,
+        line=1011,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1584,7 +1609,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=998,
+        line=1015,
     ),
     "arc": Symbol(
         "arc",
@@ -1593,7 +1618,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1004,
+        line=1021,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1602,7 +1627,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1009,
+        line=1026,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1610,7 +1635,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1019,
+        line=1036,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1618,7 +1643,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1023,
+        line=1040,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1627,7 +1652,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1027,
+        line=1044,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1636,7 +1661,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1032,
+        line=1049,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1645,7 +1670,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1037,
+        line=1054,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1654,7 +1679,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1042,
+        line=1059,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1663,7 +1688,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1047,
+        line=1064,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1671,7 +1696,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1052,
+        line=1069,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1680,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1061,
+        line=1078,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1688,7 +1713,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1066,
+        line=1083,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1697,7 +1722,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1070,
+        line=1087,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1705,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1075,
+        line=1092,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1713,7 +1738,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1079,
+        line=1096,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1722,7 +1747,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1083,
+        line=1100,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1731,7 +1756,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1088,
+        line=1105,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1740,7 +1765,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1093,
+        line=1110,
     ),
     "work": Symbol(
         "work",
@@ -1748,7 +1773,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1098,
+        line=1115,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1757,7 +1782,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1102,
+        line=1119,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1765,7 +1790,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1107,
+        line=1124,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1774,7 +1799,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1111,
+        line=1128,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1782,7 +1807,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1116,
+        line=1133,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1791,7 +1816,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1121,
+        line=1138,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1800,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1126,
+        line=1143,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1809,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1131,
+        line=1148,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1818,7 +1843,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1138,
+        line=1155,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1827,7 +1852,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1143,
+        line=1160,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1835,7 +1860,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1148,
+        line=1165,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1843,7 +1868,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1153,
+        line=1170,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1851,7 +1876,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1159,
+        line=1176,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1860,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1163,
+        line=1180,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -1869,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1170,
+        line=1187,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1878,7 +1903,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1175,
+        line=1192,
     ),
     "energy": Symbol(
         "energy",
@@ -1886,7 +1911,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1180,
+        line=1197,
     ),
     "radius": Symbol(
         "radius",
@@ -1895,7 +1920,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1189,
+        line=1206,
     ),
     "length": Symbol(
         "length",
@@ -1904,7 +1929,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1194,
+        line=1211,
     ),
     "width": Symbol(
         "width",
@@ -1913,7 +1938,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1201,
+        line=1218,
     ),
     "height": Symbol(
         "height",
@@ -1922,7 +1947,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1206,
+        line=1223,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1931,7 +1956,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1211,
+        line=1228,
     ),
     "center": Symbol(
         "center",
@@ -1940,7 +1965,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1216,
+        line=1233,
     ),
     "offset": Symbol(
         "offset",
@@ -1948,7 +1973,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1221,
+        line=1238,
     ),
     "area": Symbol(
         "area",
@@ -1957,7 +1982,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1225,
+        line=1242,
     ),
     "way": Symbol(
         "way",
@@ -1966,7 +1991,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1230,
+        line=1247,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -1974,7 +1999,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1235,
+        line=1252,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -1983,7 +2008,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1239,
+        line=1256,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -1992,7 +2017,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1244,
+        line=1261,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2000,7 +2025,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1249,
+        line=1266,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2008,7 +2033,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1253,
+        line=1270,
     ),
     "lean": Symbol(
         "lean",
@@ -2016,7 +2041,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1257,
+        line=1274,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2024,7 +2049,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1261,
+        line=1278,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2032,7 +2057,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1265,
+        line=1282,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2041,7 +2066,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1271,
+        line=1288,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2049,7 +2074,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1284,
+        line=1301,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2057,7 +2082,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1288,
+        line=1305,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2066,7 +2091,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1292,
+        line=1309,
     ),
     "slope": Symbol(
         "slope",
@@ -2075,7 +2100,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1297,
+        line=1314,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2083,7 +2108,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1302,
+        line=1319,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2091,7 +2116,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1306,
+        line=1323,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2099,7 +2124,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1310,
+        line=1327,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2108,7 +2133,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1314,
+        line=1331,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2116,7 +2141,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1319,
+        line=1336,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2124,7 +2149,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1323,
+        line=1340,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2132,7 +2157,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1327,
+        line=1344,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2140,7 +2165,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1331,
+        line=1348,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2148,7 +2173,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1335,
+        line=1352,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2157,7 +2182,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1339,
+        line=1356,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2166,7 +2191,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1344,
+        line=1361,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2175,7 +2200,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1349,
+        line=1366,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2184,7 +2209,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1354,
+        line=1371,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2192,7 +2217,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1359,
+        line=1376,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2201,7 +2226,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1363,
+        line=1380,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2209,7 +2234,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1368,
+        line=1385,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2218,7 +2243,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1372,
+        line=1389,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2226,7 +2251,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1377,
+        line=1394,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2234,7 +2259,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1381,
+        line=1398,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2243,7 +2268,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1385,
+        line=1402,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2252,7 +2277,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1390,
+        line=1407,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2261,7 +2286,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1395,
+        line=1412,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2269,7 +2294,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1400,
+        line=1417,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2277,7 +2302,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1404,
+        line=1421,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2285,7 +2310,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1408,
+        line=1425,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2294,7 +2319,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1412,
+        line=1429,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2303,7 +2328,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1417,
+        line=1434,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2312,7 +2337,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1422,
+        line=1439,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2321,7 +2346,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1427,
+        line=1444,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2330,7 +2355,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1432,
+        line=1449,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2339,7 +2364,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1437,
+        line=1454,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2348,7 +2373,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1442,
+        line=1459,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2357,7 +2382,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1447,
+        line=1464,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2365,7 +2390,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1452,
+        line=1469,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2374,7 +2399,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1456,
+        line=1473,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2382,7 +2407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1461,
+        line=1478,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2391,7 +2416,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1465,
+        line=1482,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2400,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1470,
+        line=1487,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2409,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1475,
+        line=1492,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2418,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1480,
+        line=1497,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2427,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1485,
+        line=1502,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2435,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1490,
+        line=1507,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2444,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1494,
+        line=1511,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2453,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1499,
+        line=1516,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2462,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1504,
+        line=1521,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2471,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1509,
+        line=1526,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2479,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1514,
+        line=1531,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2487,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1518,
+        line=1535,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2496,7 +2521,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1522,
+        line=1539,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2505,7 +2530,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1527,
+        line=1544,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2514,7 +2539,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1532,
+        line=1549,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2523,7 +2548,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1537,
+        line=1554,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2532,7 +2557,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1542,
+        line=1559,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2541,7 +2566,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1547,
+        line=1564,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2550,7 +2575,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1552,
+        line=1569,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2559,7 +2584,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1557,
+        line=1574,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2568,7 +2593,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1562,
+        line=1579,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2576,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1567,
+        line=1584,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2585,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1571,
+        line=1588,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2593,7 +2618,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1576,
+        line=1593,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2601,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1580,
+        line=1597,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2610,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1584,
+        line=1601,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2619,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1589,
+        line=1606,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2628,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1594,
+        line=1611,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2636,7 +2661,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1599,
+        line=1616,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2645,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1603,
+        line=1620,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2653,7 +2678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1608,
+        line=1625,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2662,7 +2687,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1612,
+        line=1629,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2671,7 +2696,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1617,
+        line=1634,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2679,7 +2704,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1622,
+        line=1639,
     ),
     "change": Symbol(
         "change",
@@ -2688,7 +2713,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1626,
+        line=1643,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2697,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1631,
+        line=1648,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2706,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1636,
+        line=1653,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2714,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1641,
+        line=1658,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2723,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1645,
+        line=1662,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2731,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1650,
+        line=1667,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2739,7 +2764,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1654,
+        line=1671,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2747,7 +2772,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1658,
+        line=1675,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2756,7 +2781,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1662,
+        line=1679,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2764,7 +2789,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1667,
+        line=1684,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2773,6 +2798,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1671,
+        line=1688,
     ),
 }

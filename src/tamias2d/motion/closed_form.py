@@ -16,7 +16,7 @@ from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.exact import closed_forms, spring_of
-from tamias2d.state import Acceleration, Array, Constraint, History, State
+from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
 from tamias2d.work_limit import Work
 
 
@@ -57,9 +57,17 @@ class ClosedFormMotion:
 
         Where a constraint depends on the state, the path is one step.
         """
-        return {
-            body: self._path(body, start, state(body), end, constraints[body]) for body in bodies
-        }
+        pieces: dict[int, Piece] = {}
+        for body in bodies:
+            constraint = constraints[body]
+            if isinstance(constraint, SharedConstraint):
+                if body not in pieces:
+                    pieces |= self._constrained.restart_together(
+                        constraint, start, state, end, self.work
+                    )
+            else:
+                pieces[body] = self._path(body, start, state(body), end, constraint)
+        return pieces
 
     def approach(self, *_: object) -> dict[int, Piece]:
         """Return nothing: exact paths need not be better anywhere."""

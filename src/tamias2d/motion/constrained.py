@@ -5,27 +5,30 @@ The contact's force depends on the state, so that the path is integrated whateve
 
 import math
 
-from tamias2d.motion.loads import Loads, coordinates
+from tamias2d.motion.loads import Loads, StateOf, coordinates, state_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
 from tamias2d.motion.reference import ScipyDop853
+from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
-from tamias2d.state import Constraint, State
+from tamias2d.state import Array, Constraint, SharedConstraint, State
 from tamias2d.work_limit import Work
 
+_STILL = (0.0, 0.0, 0.0)
 _TOLERANCE = 1e-13
 """Relative; as far as float64 goes."""
 
 
 class ConstrainedMotion:
-    """Paths of single bodies under state-dependent constraints, step by step."""
+    """Paths of bodies under state-dependent constraints, step by step."""
 
     def __init__(self, scene: Scene, tally: Tally) -> None:
         self._scene = scene
         self._tally = tally
         self._loads = Loads(scene)
         self._integrators: dict[int, ScipyDop853] = {}
+        self._coupled: dict[tuple[int, ...], ScipyDop853] = {}
 
     def restart(
         self, body: int, start: float, state: State, end: float, constraint: Constraint, work: Work
@@ -40,6 +43,38 @@ class ConstrainedMotion:
         piece = self._integrators[body].step(field, start, end, q, rate).piece(0)
         work.step(piece.end)
         return piece
+
+    def restart_together(
+        self,
+        constraint: SharedConstraint,
+        start: float,
+        state: StateOf,
+        end: float,
+        work: Work,
+    ) -> dict[int, Piece]:
+        """Return one step of the paths of all bodies that a constraint holds, towards `end`, s."""
+        bodies = constraint.bodies
+        states = [state(i) for i in bodies]
+        if not start < end:
+            return {
+                body: Uniform(start=start, end=start, state=now, acceleration=_STILL)
+                for body, now in zip(bodies, states, strict=True)
+            }
+        if bodies not in self._coupled:
+            scales = [self._scale(i, start, s) for i, s in zip(bodies, states, strict=True)]
+            scale = min(length for length, _ in scales), min(time for _, time in scales)
+            self._coupled[bodies] = ScipyDop853(_TOLERANCE, scale)
+        loads = self._loads.free_field(bodies)
+
+        def held(time: float, position: Array, velocity: Array) -> Array:
+            rows = zip(position, velocity, strict=True)
+            now = [state_of(place, rate) for place, rate in rows]
+            return constraint.together(loads(time, position, velocity), now)
+
+        field = MemoisedField(held, bodies, [None] * len(bodies), self._tally)
+        step = self._coupled[bodies].step(field, start, end, *coordinates(states))
+        work.step(step.end)
+        return {body: step.piece(k) for k, body in enumerate(bodies)}
 
     def _scale(self, body: int, time: float, state: State) -> tuple[float, float]:
         """Return the body's size, m, and the time in which it moves by as much, s."""

@@ -27,7 +27,7 @@ from tamias2d.motion.uniform import Uniform
 from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.scene.acting import felt_velocity
-from tamias2d.state import Acceleration, Array, Constraint, History, State
+from tamias2d.state import Acceleration, Array, Constraint, History, SharedConstraint, State
 from tamias2d.work_limit import Work, WorkLimitError
 
 _STILL: Acceleration = (0.0, 0.0, 0.0)
@@ -115,9 +115,18 @@ class IntegratedMotion:
         acts. A path ends before its time where a force has no value further on: it may be beyond a
         wall.
         """
-        groups = {min(group): group for group in map(self._loads.group_of.__getitem__, bodies)}
         pieces: dict[int, Piece] = {}
-        self._steps_since_impact *= not groups
+        alone = []
+        for body in bodies:
+            constraint = constraints[body]
+            if not isinstance(constraint, SharedConstraint):
+                alone.append(body)
+            elif body not in pieces:
+                pieces |= self._constrained.restart_together(
+                    constraint, start, state, end, self.work
+                )
+        groups = {min(group): group for group in map(self._loads.group_of.__getitem__, alone)}
+        self._steps_since_impact *= not (groups or pieces)
         for group in groups.values():
             body = group[0]
             if (constraint := constraints[body]) and constraint.state_dependent:

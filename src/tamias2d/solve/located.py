@@ -1,8 +1,10 @@
 """Runs along smooth paths, whose impacts are located (IM3)."""
 
+import math
+
 import numpy as np
 
-from tamias2d.contact import MANY, Located, RangeError, is_event_driven
+from tamias2d.contact import MANY, MOST_RULED, Located, RangeError, is_event_driven
 from tamias2d.errors import SimulationError
 from tamias2d.event_driven import Discs
 from tamias2d.kernels import flight, joint_code, march_by_kernels
@@ -33,7 +35,14 @@ def run_by_paths(
     motion.work = Work(plan.duration, plan.work_limit)
     march_by_kernels(motion, scene)
     discs = discs_of(plan.scene, method, plan.times)
-    located = Located(scene, motion, motion.work, discs, alone=asked or not are_many(scene))
+    located = Located(
+        scene,
+        motion,
+        motion.work,
+        discs,
+        alone=asked or not are_many(scene),
+        most_ruled=math.inf if asked else MOST_RULED,
+    )
     try:
         if not located.can_meet:
             found = _without_contact(plan, method, motion)

@@ -8,6 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from tamias2d.certificate import Certificate, Kind, hashes, not_claimed
+from tamias2d.contact import RULED
 from tamias2d.errors import InputError
 from tamias2d.motion import (
     ClosedForm,
@@ -123,7 +124,21 @@ def _certified(run: Run, way: Callable[[], _Way], *, told: bool = False) -> Run:
     else:  # the way of many bodies is searched only if something is said of it
         if crowded(run) and (fault := next(penetrations(run), None)) is not None:
             certificate = _of_penetration(run, fault)
-    return replace(run, certificate=certificate)
+    return replace(run, certificate=_with_rule(certificate, run))
+
+
+def is_bounded(run: Run) -> bool:
+    """Return whether the certificate of a run states a bound."""
+    certificate = certify(run).certificate
+    return certificate is not None and certificate.bound is not None
+
+
+def _with_rule(certificate: Certificate, run: Run) -> Certificate:
+    """Return a certificate that tells what was decided by rule, and when (A18)."""
+    told = tuple(
+        f"that nature decides as the {note}" for note in run.notes if note.startswith(f"{RULED}: ")
+    )
+    return replace(certificate, does_not_claim=certificate.does_not_claim + told)
 
 
 def _found(run: Run, way: _Way, *, told: bool) -> _Bound:

@@ -26,9 +26,10 @@ from tamias2d.scene.exact import closed_forms
 from tamias2d.scene.rules import number
 from tamias2d.scene.scene_data import checked_scene
 from tamias2d.solve import solve
+from tamias2d.study.certify import is_bounded
 from tamias2d.study.pilot import Estimate, Pilot
 from tamias2d.study.refusal import LOOSEST, ToleranceError as ToleranceError, refusal
-from tamias2d.study.stepped_plan import plan_steps, stepped_because
+from tamias2d.study.stepped_plan import RULE_BOUNDS_NOTHING, is_ruled, plan_steps, stepped_because
 from tamias2d.suggestions import suggests
 from tamias2d.work_limit import WORK_LIMIT, WorkLimitError
 
@@ -75,8 +76,11 @@ def recommend(
     if reason is None:
         try:
             if solved(scene):
-                solve(scene, duration=duration, method=ClosedForm(), times=[duration])
-            return located_plan(scene, duration, tolerance, work_limit)
+                run = solve(scene, duration=duration, method=ClosedForm(), times=[duration])
+                if is_ruled(run) and not is_bounded(run):
+                    reason = RULE_BOUNDS_NOTHING
+            if reason is None:
+                return located_plan(scene, duration, tolerance, work_limit)
         except (SimulationError, SceneError):
             if (reason := stepped_because(scene, duration)) is None:
                 raise

@@ -10,8 +10,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tamias2d.contact import RULED
 from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Stepped
+from tamias2d.run import Run
 from tamias2d.scene import Scene
 from tamias2d.solve import FRAMES, solve
 from tamias2d.state import Array
@@ -33,6 +35,9 @@ _ROUNDED = 1e-9  # of a step
 _SOONER = 0.9  # of the time up to which runs agreed is one that can be asked for
 
 
+RULE_BOUNDS_NOTHING = "impacts that act on one another are decided by a rule (A18)"
+
+
 @dataclass(frozen=True)
 class SteppedPlan:
     """What to do for a tolerance, and what was found out on the way."""
@@ -44,14 +49,22 @@ class SteppedPlan:
     """Steps of pilot runs"""
 
 
+def is_ruled(run: Run) -> bool:
+    """Return whether a rule decided something in a located run."""
+    return any(note.startswith(f"{RULED}: ") for note in run.notes)
+
+
 def stepped_because(scene: Scene, duration: float) -> str | None:
-    """Return why the contacts of a scene are stepped if nothing is asked for, or None."""
+    """Return why the contacts of a scene are stepped where a bound is asked for, or None.
+
+    They are if nothing is asked for, or where a rule decides what no bound is known of.
+    """
     try:
         run = solve(scene, duration=duration, times=[duration])
     except (SimulationError, SceneError):
         return None
     if not isinstance(run.method, Stepped):
-        return None
+        return RULE_BOUNDS_NOTHING if is_ruled(run) else None
     _, _, reason = run.notes[0].partition(": ")
     return reason.partition(". ")[0]
 

@@ -55,8 +55,13 @@ def within(
     if reason is None:
         try:
             return _located(asked)
-        except (ToleranceError, Interrupted):
+        except Interrupted:
             raise
+        except ToleranceError as refused:
+            if refused.reachable is not None:
+                raise
+            if (reason := stepped_because(scene, duration)) is None:
+                raise
         except (SimulationError, SceneError):
             if (reason := stepped_because(scene, duration)) is None:
                 raise

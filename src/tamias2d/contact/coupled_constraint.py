@@ -1,0 +1,174 @@
+"""The accelerations of several bodies that lasting contacts couple (IM18)."""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tamias2d.contact.constrained_acceleration import opening_acceleration
+from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.manifold import (
+    Contact,
+    refreshed,
+    sticking_acceleration,
+    tangential_velocity,
+)
+from tamias2d.contact.modes import (
+    Mode,
+    closed,
+    closed_directions,
+    cone_edges,
+    force_directions,
+    forces,
+)
+from tamias2d.generated import definitions, friction
+from tamias2d.state import Acceleration, Array, State
+
+_STILL: Acceleration = (0.0, 0.0, 0.0)
+_REDUNDANT = 1e-12
+"""Of the largest one: below it, a coupling is one of contacts that do the same."""
+_FORCE_TOLERANCE = 1e-9
+"""Of the largest force: how far one may be outside its cone."""
+
+
+class CoupledConstraint:
+    """Closed contacts of several moving bodies, each of which sticks or slides."""
+
+    state_dependent = True
+
+    def __init__(
+        self, cores: Sequence[Core], bodies: Sequence[int], mode: Mode, placed: Mapping[int, Placed]
+    ) -> None:
+        """Take a mode, and the bodies that stand still."""
+        self.bodies = tuple(bodies)
+        self._cores = cores
+        self._mode = mode
+        self._still = {i: body for i, body in placed.items() if i not in self.bodies}
+        self._inverse = inverse_masses(cores, bodies)
+
+    def __call__(self, acceleration: Acceleration, state: State) -> Acceleration:
+        """Raise an error: the accelerations of all the bodies are found together."""
+        raise NotImplementedError("bodies in contact are accelerated together")
+
+    def together(self, accelerations: Array, states: Sequence[State]) -> Array:
+        """Return the accelerations (n, 3) of all bodies under which closed contacts stay closed."""
+        return self._solved(accelerations, states).accelerations
+
+    def lasts(self, accelerations: Array, states: Sequence[State]) -> bool:
+        """Return whether Coulomb's law allows the mode in these states, under these loads."""
+        at = dict(zip(self.bodies, states, strict=True)) | {
+            i: body.state for i, body in self._still.items()
+        }
+        found = self._solved(accelerations, states)
+        for part in found.mode:
+            if part.pressed and part.sense:
+                contact = part.pressed[0]
+                if part.sense * tangential_velocity(contact, at[contact.a], at[contact.b]) <= 0:
+                    return False
+        return _within_cones(found) or self._has_forces(found)
+
+    def _solved(self, accelerations: Array, states: Sequence[State]) -> "_Solved":
+        placed = dict(self._still)
+        for i, state in zip(self.bodies, states, strict=True):
+            placed[i] = place(self._cores[i], state)
+        mode = tuple(
+            part._replace(
+                pressed=tuple(refreshed(c, placed[c.a], placed[c.b]) for c in part.pressed)
+            )
+            for part in self._mode
+        )
+        rows = closed(mode)
+        by = {
+            i: (x, y, turn)
+            for i, (x, y, turn) in zip(self.bodies, accelerations.tolist(), strict=True)
+        }
+        loads = np.array([contact_acceleration(c, along, placed, by) for c, along in rows])
+        jacobian = rows_of(closed_directions(rows), self.bodies)
+        pushes = rows_of(force_directions(mode), self.bodies) * self._inverse
+        found = least_forces(jacobian, pushes, self._inverse, loads)
+        result = accelerations + (found @ pushes).reshape(-1, 3)
+        return _Solved(mode, jacobian, loads, found.tolist(), result)
+
+    def _has_forces(self, found: "_Solved") -> bool:
+        """Return whether other forces within the cones do the same."""
+        edges = rows_of(cone_edges(found.mode), self.bodies) * self._inverse
+        return forces(found.jacobian @ edges.T, found.loads) is not None
+
+
+class _Solved(NamedTuple):
+    """What the contacts of a mode do in some states."""
+
+    mode: Mode
+    jacobian: Array
+    loads: Array
+    forces: list[float]
+    accelerations: Array
+
+
+def contact_acceleration(
+    contact: Contact, along: bool, placed: Mapping[int, Placed], by: Mapping[int, Acceleration]
+) -> float:
+    """Return the normal or tangential acceleration of a contact, m/s^2."""
+    if not along:
+        return opening_acceleration(contact, placed, by)
+    a, b = contact.a, contact.b
+    return sticking_acceleration(
+        contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL)
+    )
+
+
+def rows_of(directions: Sequence[Contact], bodies: Sequence[int]) -> Array:
+    """Return the Jacobian (m, 3 n) of contacts along their normals, for n bodies."""
+    place_of = {body: 3 * k for k, body in enumerate(bodies)}
+    found = np.zeros((len(directions), 3 * len(bodies)))
+    for row, contact in zip(found, directions, strict=True):
+        x, y = contact.normal
+        for body, arm, sign in ((contact.a, contact.arm_a, -1.0), (contact.b, contact.arm_b, 1.0)):
+            if body in place_of:
+                k = place_of[body]
+                turn = float(definitions.torque(arm, contact.normal))
+                row[k : k + 3] = sign * x, sign * y, sign * turn
+    return found
+
+
+def inverse_masses(cores: Sequence[Core], bodies: Sequence[int]) -> Array:
+    """Return the inverse of the mass, twice, and of the inertia, of each body (3 n,)."""
+    return np.array(
+        [
+            inverse
+            for i in bodies
+            for inverse in (
+                cores[i].inverse_mass,
+                cores[i].inverse_mass,
+                cores[i].inverse_inertia,
+            )
+        ]
+    )
+
+
+def least_forces(jacobian: Array, pushes: Array, inverse: Array, loads: Array) -> Array:
+    """Return the least forces that take the loads off closed contacts.
+
+    `pushes` (m, 3 n) are the accelerations by a unit of each.
+    """
+    if not len(loads):
+        return np.zeros(0)
+    size = np.sqrt((jacobian * jacobian * inverse).sum(axis=1))  # light and heavy count alike
+    matrix = (jacobian @ pushes.T) / np.outer(size, size)
+    found: Array = np.linalg.lstsq(matrix, -loads / size, rcond=_REDUNDANT)[0] / size
+    return found
+
+
+def _within_cones(found: _Solved) -> bool:
+    """Return whether the least forces lie within the friction cones."""
+    unseen = _FORCE_TOLERANCE * max(map(abs, found.forces), default=0.0)
+    along = iter(found.forces[sum(len(part.pressed) for part in found.mode) :])
+    across = iter(found.forces)
+    for part in found.mode:
+        normal = [next(across) for _ in part.pressed]
+        if min(normal, default=0.0) < -unseen:
+            return False
+        most = abs(friction.friction_force(1, part.patch.coefficient, sum(normal)))
+        if part.sticks and abs(next(along)) > most + unseen:
+            return False
+    return True

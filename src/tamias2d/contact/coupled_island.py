@@ -1,0 +1,265 @@
+"""Several moving bodies in lasting contact: which contacts press, stick, slide or open (IM18)."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from tamias2d.contact.constrained_acceleration import Constant
+from tamias2d.contact.core import Core, Placed
+from tamias2d.contact.coupled_constraint import (
+    CoupledConstraint,
+    contact_acceleration,
+    inverse_masses,
+    least_forces,
+    rows_of,
+)
+from tamias2d.contact.force_problem import ForceProblem
+from tamias2d.contact.gap import EPSILON
+from tamias2d.contact.inelastic_impact import JammedError
+from tamias2d.contact.lasting_contact import Island
+from tamias2d.contact.manifold import Contact, tangential_velocity
+from tamias2d.contact.modes import (
+    Mode,
+    Part,
+    Patch,
+    closed,
+    closed_directions,
+    cone_edges,
+    force_directions,
+    forces,
+)
+from tamias2d.contact.pair_friction import PairFriction
+from tamias2d.contact.refusal import LastingContactError, named
+from tamias2d.generated import friction
+from tamias2d.state import Acceleration, Array, Constraint, State
+
+_MOST = 12
+"""The most moving bodies in contact that go on together: the work grows as their cube."""
+_PRESSED = 1e-10
+"""Of the largest force: one that is none."""
+_STILL: Acceleration = (0.0, 0.0, 0.0)
+
+
+class CoupledIsland(Island):
+    """Several moving bodies that contacts connect, with friction or without."""
+
+    def __init__(
+        self,
+        cores: Sequence[Core],
+        placed: Mapping[int, Placed],
+        contacts: Sequence[Contact],
+        free: Mapping[int, Acceleration],
+        slight: float,
+        pair_friction: PairFriction,
+    ) -> None:
+        """Take contacts without normal velocity.
+
+        Raises:
+            LastingContactError: no forces obey Coulomb's law.
+        """
+        super().__init__(cores, placed, contacts, free, slight)
+        self._free = free
+        self._time = pair_friction.time
+        self._states = {i: body.state for i, body in placed.items()}
+        self._mode: Mode = ()
+        self._rests = False
+        pull = max(abs(x) + abs(y) for x, y, _ in free.values())
+        self._unseen_speed = 64 * EPSILON * pair_friction.time * pull
+        self._patches = self._patches_of(contacts, pair_friction)
+        if self._stands(pair_friction.noise):
+            self._rest()
+        elif self._moves_on(self._states) or self._rubs():
+            self._decide()
+        self.senses.update(_senses(self._mode))
+
+    def _rubs(self) -> bool:
+        """Whether something presses, so that friction may act."""
+        return bool(self._pressed) and any(patch.coefficient for patch in self._patches)
+
+    @property
+    def _constant(self) -> bool:
+        """Whether nothing turns or rubs, so that the accelerations stay what they are."""
+        return not self._mode
+
+    def projected(self, states: Mapping[int, State]) -> dict[int, State]:
+        """Return the states with the velocities that the closed contacts allow."""
+        if self._rests:
+            return {
+                i: states[i]._replace(velocity=(0.0, 0.0), angular_velocity=0.0)
+                for i in self.bodies
+            }
+        if self._constant:
+            return super().projected(states)
+        rows = rows_of(closed_directions(closed(self._mode)), self.bodies)
+        velocities = np.array(
+            [(*states[i].velocity, states[i].angular_velocity) for i in self.bodies]
+        )
+        inverse = inverse_masses(self._cores, self.bodies)
+        pushes = rows * inverse
+        found = least_forces(rows, pushes, inverse, rows @ velocities.ravel())
+        after = velocities + (found @ pushes).reshape(-1, 3)
+        return {
+            i: states[i]._replace(velocity=(x, y), angular_velocity=spin)
+            for i, (x, y, spin) in zip(self.bodies, after.tolist(), strict=True)
+        }
+
+    def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
+        """Return the constraint of each body by its lasting contacts.
+
+        Raises:
+            LastingContactError: loads vary by what is not in contact, or a support may end.
+        """
+        if self._rests:
+            self._refuse_unsteady(states, time)
+            return {i: Constant(_STILL) for i in self.bodies}
+        if self._constant:
+            return super().constraints(states, time)
+        self._refuse_pulled(time)
+        constraint = CoupledConstraint(self._cores, self.bodies, self._mode, self._placed)
+        return dict.fromkeys(self.bodies, constraint)
+
+    def _refuse_pulled(self, time: float) -> None:
+        outside = [i for i in self.bodies if not self._cores[i].group <= set(self.bodies)]
+        if outside:
+            raise LastingContactError(
+                f"'{self._cores[outside[0]].name}' at {time!r} s: it moves in contact with other "
+                "moving bodies while one that is not in contact pulls it, which located contacts "
+                "do not cover (IM18). End the run before, take method=Stepped(), or change the "
+                "scene.",
+                time=time,
+            )
+
+    def _patches_of(self, contacts: Sequence[Contact], pair_friction: PairFriction) -> list[Patch]:
+        found = []
+        for a, b in dict.fromkeys((contact.a, contact.b) for contact in contacts):
+            own = tuple(contact for contact in contacts if (contact.a, contact.b) == (a, b))
+            speed = tangential_velocity(own[0], self._placed[a].state, self._placed[b].state)
+            coefficient = pair_friction.of(a, b)
+            slides = coefficient > 0 and (
+                abs(speed) > pair_friction.noise(own[0]) + self._unseen_speed
+            )
+            found.append(Patch(own, coefficient, int(math.copysign(1, speed)) if slides else 0))
+        return found
+
+    def _stands(self, noise: Callable[[Contact], float]) -> bool:
+        """Whether nothing moves, and forces within the friction cones keep it so."""
+        if not any(patch.coefficient for patch in self._patches):
+            return False
+        contacts = [contact for patch in self._patches for contact in patch.contacts]
+        unseen = max(noise(contact) for contact in contacts) + self._unseen_speed
+        for i in self.bodies:
+            state = self._states[i]
+            turning = state.angular_velocity * self._cores[i].size
+            if max(map(abs, (*state.velocity, turning))) > unseen:
+                return False
+        edges = rows_of(cone_edges(self._sticking()), self.bodies)
+        size = np.array([(1.0, 1.0, self._cores[i].size) for i in self.bodies]).ravel()
+        pushes = edges * inverse_masses(self._cores, self.bodies) * size
+        loads = np.array([self._free[i] for i in self.bodies]).ravel() * size
+        return forces(pushes.T, loads) is not None
+
+    def _sticking(self) -> Mode:
+        return tuple(Part(patch, patch.contacts, patch.sense) for patch in self._patches)
+
+    def _rest(self) -> None:
+        self._rests = True
+        self._mode = self._sticking()
+        self.accelerations = dict.fromkeys(self.bodies, _STILL)
+        self._pressed = [contact for patch in self._patches for contact in patch.contacts]
+        self.lasting = self._pressed
+
+    def _refuse_many(self) -> None:
+        if len(self.bodies) > _MOST:
+            raise LastingContactError(
+                f"{named(*(self._cores[i].name for i in self.bodies[:2]))} and others at "
+                f"{self._time!r} s: {len(self.bodies)} moving bodies in contact go on together, "
+                f"more than {_MOST} (IM18). End the run before, take method=Stepped(), or change "
+                "the scene.",
+                time=self._time,
+            )
+
+    def _decide(self) -> None:
+        """Find forces that obey Coulomb's law, and what they leave of the accelerations."""
+        self._refuse_many()
+        found = self._forces()
+        if found is None:
+            names = named(*(self._cores[i].name for i in self.bodies))
+            raise JammedError(names, self._patches, self._free, time=self._time)
+        mode = tuple(
+            self._part(patch, pushes, drag)
+            for patch, (pushes, drag) in zip(self._patches, found, strict=True)
+        )
+        by = self._accelerated(mode)
+        closed_parts = [self._with_unpressed(part, by) for part in mode]
+        self._mode = tuple(part for part in closed_parts if part.pressed)
+        self.accelerations = by
+        self._pressed = self.lasting = [c for part in self._mode for c in part.pressed]
+
+    def _part(self, patch: Patch, pushes: Array, drag: float) -> Part:
+        """Return what a patch does by the forces on it: a drag at its bound is that of sliding."""
+        least = _PRESSED * self._largest
+        pressed = tuple(c for c, push in zip(patch.contacts, pushes, strict=True) if push > least)
+        sense = patch.sense
+        if pressed and not sense and patch.coefficient:
+            bound = float(friction.friction_force_most(pushes.sum(), patch.coefficient))
+            if abs(drag) >= bound * (1 - _PRESSED) - least:
+                sense = -int(math.copysign(1, drag))
+        return Part(patch, pressed, sense)
+
+    def _with_unpressed(self, part: Part, by: Mapping[int, Acceleration]) -> Part:
+        """Return a part with the contacts that neither press nor open; those rub on nothing."""
+        staying = tuple(
+            contact
+            for contact in part.patch.contacts
+            if contact in part.pressed
+            or contact_acceleration(contact, False, self._placed, by) <= self._unseen
+        )
+        patch = part.patch if part.pressed else part.patch._replace(coefficient=0.0)
+        return part._replace(patch=patch, pressed=staying)
+
+    def _accelerated(self, mode: Mode) -> dict[int, Acceleration]:
+        rows = closed(mode)
+        jacobian = rows_of(closed_directions(rows), self.bodies)
+        inverse = inverse_masses(self._cores, self.bodies)
+        pushes = rows_of(force_directions(mode), self.bodies) * inverse
+        loads = np.array(
+            [contact_acceleration(c, along, self._placed, self._free) for c, along in rows]
+        )
+        free = np.array([self._free[i] for i in self.bodies])
+        found = least_forces(jacobian, pushes, inverse, loads)
+        after = free + (found @ pushes).reshape(-1, 3)
+        return {
+            i: (x, y, turn) for i, (x, y, turn) in zip(self.bodies, after.tolist(), strict=True)
+        }
+
+    def _forces(self) -> list[tuple[Array, float]] | None:
+        """Return the pushes at the contacts of each patch, N, and the drag along its tangent.
+
+        It is the complementarity of pushes with normal accelerations, and of drags within
+        Coulomb's bound with tangential ones, where a patch sticks or may begin to slide.
+        """
+        problem = ForceProblem(self._cores, self.bodies, self._patches)
+        contacts = [c for patch in self._patches for c in patch.contacts]
+        loads = [contact_acceleration(c, False, self._placed, self._free) for c in contacts]
+        loads += [
+            contact_acceleration(patch.contacts[0], True, self._placed, self._free)
+            for patch in problem.sticking
+        ]
+        found = problem.solved(np.array(loads))
+        if found is None:
+            return None
+        pushes, drags = found
+        self._largest = float(np.abs(pushes).max(initial=0.0))
+        result, place = [], 0
+        for patch in self._patches:
+            count = len(patch.contacts)
+            drag = drags[problem.sticking.index(patch)] if patch in problem.sticking else 0.0
+            result.append((pushes[place : place + count], float(drag)))
+            place += count
+        return result
+
+
+def _senses(mode: Mode) -> dict[tuple[int, int], int]:
+    rough = [part for part in mode if part.pressed and part.patch.coefficient]
+    return {(part.pressed[0].a, part.pressed[0].b): part.sense for part in rough}

@@ -1,0 +1,82 @@
+"""When contacts of several moving bodies change: they open, slide, stick or get elsewhere."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from tamias2d.contact.core import Core, place
+from tamias2d.contact.coupled_constraint import CoupledConstraint
+from tamias2d.contact.gap import resolution
+from tamias2d.contact.manifold import Contact, manifold
+from tamias2d.contact.refusal import Refusal
+from tamias2d.path import Piece
+from tamias2d.state import Acceleration, State
+
+_SAMPLES = 8  # of a step, between which nothing changes and changes back unseen
+
+
+class CoupledLossWatch:
+    """The lasting contacts of several bodies, along the paths of one step."""
+
+    def __init__(
+        self,
+        cores: Sequence[Core],
+        constraint: CoupledConstraint,
+        contacts: Sequence[Contact],
+        paths: Mapping[int, Piece],
+        free: Callable[[int, float], Acceleration],
+    ) -> None:
+        """Take the paths of all bodies in contact, and the accelerations by loads alone."""
+        self._cores = cores
+        self._constraint = constraint
+        self._contacts = contacts
+        self._paths = paths
+        self._free = free
+
+    def first_loss(self) -> float | None:
+        """Return the first time in s at which the contacts change, or None."""
+        path = self._paths[self._constraint.bodies[0]]
+        before = path.start
+        for time in np.linspace(path.start, path.end, _SAMPLES + 1)[1:].tolist():
+            if not self._lasts(time):
+                return self._bisect(before, time)
+            before = time
+        return None
+
+    def _bisect(self, low: float, high: float) -> float:
+        while low < (middle := (low + high) / 2) < high:
+            if self._lasts(middle):
+                low = middle
+            else:
+                high = middle
+        return high
+
+    def _lasts(self, time: float) -> bool:
+        states = {i: path.at(time) for i, path in self._paths.items()}
+        if not self._same_features(states, time):
+            return False
+        bodies = self._constraint.bodies
+        loads = np.array([self._free(i, time) for i in bodies])
+        return self._constraint.lasts(loads, [states[i] for i in bodies])
+
+    def _same_features(self, states: Mapping[int, State], time: float) -> bool:
+        """Return whether each pair touches with the corners and sides that it did.
+
+        What else touches is found as an impact.
+        """
+        placed = {i: place(self._cores[i], state) for i, state in states.items()}
+        for i, j in dict.fromkeys((contact.a, contact.b) for contact in self._contacts):
+            own = [contact for contact in self._contacts if (contact.a, contact.b) == (i, j)]
+            a, b = placed[i], placed[j]
+            try:
+                now = manifold(a, b, resolution(a, b, time), time, own)
+            except Refusal:
+                return False
+            found = [_features(contact) for contact in now]
+            if not all(_features(contact) in found for contact in own):
+                return False
+        return True
+
+
+def _features(contact: Contact) -> object:
+    return contact.axis[:2], contact.gap.which

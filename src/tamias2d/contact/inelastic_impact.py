@@ -1,0 +1,135 @@
+"""Impulses after which contacts that press no longer approach, nor slide where they stick (DD68).
+
+They take what is left when impacts have answered one another, and end the sliding of contacts that
+jam: where no forces obey Coulomb's law, an impulse does.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from tamias2d.contact.core import Core
+from tamias2d.contact.coupled_constraint import inverse_masses, least_forces, rows_of
+from tamias2d.contact.force_problem import ForceProblem
+from tamias2d.contact.manifold import Contact
+from tamias2d.contact.modes import Mode, Part, Patch, closed, closed_directions, force_directions
+from tamias2d.contact.refusal import LastingContactError
+from tamias2d.generated import friction
+from tamias2d.state import Acceleration, Array, State
+
+_SEED = 1e-6
+"""Of the sliding: what loads add, so that the contacts that they press are told."""
+_AT_BOUND = 1e-9
+"""Of the largest impulse, or of Coulomb's bound: what is as good as there."""
+
+
+class JammedError(LastingContactError):
+    """No forces at the contacts of an island obey Coulomb's law."""
+
+    def __init__(
+        self,
+        names: str,
+        patches: Sequence[Patch],
+        free: Mapping[int, Acceleration],
+        *,
+        time: float,
+    ) -> None:
+        """Take the patches of the island, and the accelerations of its bodies by loads alone."""
+        super().__init__(
+            f"{names} at {time!r} s: no forces between them were found that obey Coulomb's law "
+            "(IM18), as where friction presses what it brakes. End the run before, take "
+            "method=Stepped(), or change the scene.",
+            time=time,
+        )
+        self.patches = patches
+        self.free = free
+
+
+def jam_impulses(
+    cores: Sequence[Core],
+    patches: Sequence[Patch],
+    states: Mapping[int, State],
+    free: Mapping[int, Acceleration],
+) -> list[tuple[Contact, float, float]]:
+    """Return contacts with the impulses along normal and tangent, N s, that end their sliding.
+
+    None are returned where nothing slides. A little of the loads tells which contacts they press.
+    """
+    bodies = sorted(free)
+    problem = ForceProblem(cores, bodies, _loose(patches))
+    rates = problem.rows @ _velocities(bodies, states).ravel()
+    loads = problem.rows @ np.array([free[i] for i in bodies]).ravel()
+    sliding = np.abs(rates[problem.count :]).max(initial=0.0)
+    pull = np.abs(loads).max()
+    if not (sliding and pull):
+        return []
+    return _impulses(cores, bodies, problem, states, rates + _SEED * sliding / pull * loads)
+
+
+def closing_impulses(
+    cores: Sequence[Core], patches: Sequence[Patch], states: Mapping[int, State]
+) -> list[tuple[Contact, float, float]]:
+    """Return contacts with the impulses, N s, that take what is left of their approach."""
+    touched = {i for patch in patches for c in patch.contacts for i in (c.a, c.b)}
+    bodies = sorted(i for i in touched if cores[i].dynamic)
+    problem = ForceProblem(cores, bodies, _loose(patches))
+    rates = problem.rows @ _velocities(bodies, states).ravel()
+    return _impulses(cores, bodies, problem, states, rates)
+
+
+def _loose(patches: Sequence[Patch]) -> list[Patch]:
+    """Return patches of which it is open how they slide afterwards."""
+    return [patch._replace(sense=0) for patch in patches]
+
+
+def _velocities(bodies: Sequence[int], states: Mapping[int, State]) -> Array:
+    return np.array([(*states[i].velocity, states[i].angular_velocity) for i in bodies])
+
+
+def _impulses(
+    cores: Sequence[Core],
+    bodies: Sequence[int],
+    problem: ForceProblem,
+    states: Mapping[int, State],
+    rates: Array,
+) -> list[tuple[Contact, float, float]]:
+    """Return the impulses of the mode that rates lead to."""
+    found = problem.solved(rates)
+    if found is None:
+        return []
+    mode = _mode(problem, *found)
+    inverse = inverse_masses(cores, bodies)
+    rows = rows_of(closed_directions(closed(mode)), bodies)
+    effect = rows_of(force_directions(mode), bodies) * inverse
+    left = rows @ _velocities(bodies, states).ravel()
+    return _of_contacts(mode, least_forces(rows, effect, inverse, left).tolist())
+
+
+def _mode(problem: ForceProblem, pushes: Array, drags: Array) -> Mode:
+    """Return which contacts press, stick and slide after impulses."""
+    least = _AT_BOUND * float(pushes.max(initial=0.0))
+    parts, place, drag_of = [], 0, iter(drags.tolist())
+    for patch in problem.patches:
+        own = pushes[place : place + len(patch.contacts)].tolist()
+        place += len(patch.contacts)
+        drag = next(drag_of) if patch.coefficient else 0.0
+        pressed = tuple(c for c, push in zip(patch.contacts, own, strict=True) if push > least)
+        bound = float(friction.friction_force_most(math.fsum(own), patch.coefficient))
+        slides = pressed and patch.coefficient and abs(drag) >= bound * (1 - _AT_BOUND)
+        parts.append(Part(patch, pressed, -int(math.copysign(1, drag)) if slides else 0))
+    return tuple(parts)
+
+
+def _of_contacts(mode: Mode, impulses: Sequence[float]) -> list[tuple[Contact, float, float]]:
+    """Return the impulses of a mode along normals and tangents."""
+    along = iter(impulses[sum(len(part.pressed) for part in mode) :])
+    across = iter(impulses)
+    found = []
+    for part in mode:
+        slope = friction.friction_force(part.sense, part.patch.coefficient, 1.0)
+        for k, contact in enumerate(part.pressed):
+            push = next(across) / (1 + abs(slope))
+            sticking = next(along) if part.sticks and k == 0 else 0.0
+            found.append((contact, push, slope * push + sticking))
+    return found

@@ -1,0 +1,16 @@
+"""The friction of all pairs at one instant."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from tamias2d.contact.manifold import Contact
+
+
+class PairFriction(NamedTuple):
+    """The friction of all pairs at one instant."""
+
+    time: float
+    of: Callable[[int, int], float]
+    """The coefficient of friction of a pair."""
+    noise: Callable[[Contact], float]
+    """What counts as no tangential velocity, m/s."""

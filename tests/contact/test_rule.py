@@ -1,0 +1,134 @@
+"""Impacts that act on one another, and bodies that move on in contact (A18, DD67, DD68, IM18)."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import tamias2d as t2
+from tamias2d.contact.lemke import lemke
+from tools.measurements.drops import drop
+
+G = 9.81
+DISC = t2.Disc(radius=0.5)
+
+
+def rack(restitution: float, friction: float) -> t2.Scene:
+    """A disc that runs into ten others that touch, along their line of symmetry."""
+    scene = t2.Scene(gravity=(0, 0))
+    surface = {"restitution": restitution, "friction": friction}
+    scene.add_body(DISC, mass=1, position=(0, 3), velocity=(0, -1), **surface)
+    for row in range(4):
+        for k in range(row + 1):
+            scene.add_body(DISC, mass=1, position=(k - row / 2, -row * math.sqrt(3) / 2), **surface)
+    return scene
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.4])
+@pytest.mark.parametrize("restitution", [0.5, 0.8, 1.0])
+def test_a_rack_breaks_symmetrically_to_the_bit(restitution: float, friction: float):
+    run = t2.simulate(rack(restitution, friction), duration=5.0)
+    assert "ClosedForm" in run.notes[0]
+    places = set(map(tuple, run.position[-1].tolist()))
+    assert {(-x, y) for x, y in places} == places
+    np.testing.assert_allclose(run.momentum[-1], (0, -1), rtol=0, atol=1e-14)
+    assert abs(run.angular_momentum[-1]) < 1e-13
+    assert run.energy[-1] <= 0.5 * (1 + 1e-14)
+    if restitution == 1 and not friction:
+        assert run.energy[-1] == pytest.approx(0.5, rel=1e-14)
+
+
+def test_a_disc_between_two_others_strikes_both_at_once():
+    """Conservation alone says what follows: v = -1/5 and 6/5 of it along each normal."""
+    scene = t2.Scene(gravity=(0, 0))
+    for x in (-0.5, 0.5):
+        scene.add_body(DISC, mass=1, position=(x, 0), restitution=1)
+    scene.add_body(DISC, mass=1, position=(0, 2), velocity=(0, -1), restitution=1)
+    run = t2.simulate(scene, duration=3.0)
+    np.testing.assert_allclose(run.velocity[-1, 2], (0, 0.2), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(run.velocity[-1, 1], (math.sqrt(3) / 5, -0.6), rtol=0, atol=1e-15)
+
+
+def test_a_ball_that_falls_on_a_box_without_restitution_rests_there():
+    """The rounds have no end: each leaves half of the approach."""
+    scene = t2.Scene(gravity=(0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), restitution=0, friction=0.5)
+    scene.add_body(t2.Box(width=1, height=1), mass=1, position=(0, 0.5), restitution=0)
+    scene.add_body(DISC, mass=1, position=(0, 2), restitution=0, friction=0.5)
+    run = t2.simulate(scene, duration=2.0)
+    assert "ClosedForm" in run.notes[0]
+    assert np.abs(run.velocity[-1]).max() == 0
+    assert run.impacts.impulse[run.impacts.bodies[:, 0] == 1].sum() == pytest.approx(
+        math.sqrt(2 * G * 0.5), rel=1e-9
+    )
+
+
+def test_two_discs_roll_apart_from_each_other():
+    """One lies on another that is free, off its top: a pendulum upside down, against scipy."""
+    angle, pull = 0.1, 1.0
+    scene = t2.Scene(gravity=(0, 0))
+    scene.add_body(DISC, mass=1, position=(0, 0), force=(0, pull), restitution=0)
+    above = (math.sin(angle), math.cos(angle))
+    scene.add_body(DISC, mass=1, position=above, force=(0, -pull), restitution=0)
+    run = t2.simulate(scene, duration=1.5, times=[1.5])
+    assert "ClosedForm" in run.notes[0]
+    found = solve_ivp(
+        lambda _, y: (y[1], 2 * pull * math.sin(y[0])), (0, 1.5), (angle, 0), rtol=1e-12, atol=1e-12
+    )
+    way = run.position[-1, 1] - run.position[-1, 0]
+    assert math.atan2(*way) == pytest.approx(found.y[0, -1], abs=1e-10)
+    assert math.hypot(*way) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_a_stack_slides_down_a_slope_as_one():
+    """With half the friction that would hold it: g (sin a - mu cos a)."""
+    angle, friction = 0.3, 0.5 * math.tan(0.3)
+    scene = t2.Scene(gravity=(G * math.sin(angle), -G * math.cos(angle)))
+    scene.add_static(t2.HalfPlane(normal=(0, 1), offset=0), friction=friction, restitution=0)
+    for k in range(3):
+        slab = t2.Box(width=3, height=0.5)
+        scene.add_body(slab, mass=1 + k, position=(0, 0.25 + 0.5 * k), friction=2 * friction)
+    scene.set_friction(0, 1, friction)
+    run = t2.simulate(scene, duration=2.0, method=t2.ClosedForm())
+    way = 0.5 * G * (math.sin(angle) - friction * math.cos(angle)) * 2.0**2
+    np.testing.assert_allclose(run.position[-1, 1:, 0], way, rtol=1e-11)
+
+
+@pytest.mark.parametrize("seed", [108, 113, 120])
+def test_ordinary_drops_are_located_to_the_end(seed: int):
+    """They were refused where the third body came into contact; energy only falls."""
+    run = t2.simulate(drop(seed), duration=3.0)
+    assert "ClosedForm" in run.notes[0]
+    assert np.diff(run.energy).max() <= 1e-13 * run.energy[0]
+
+
+def test_contacts_that_change_too_often_are_stepped(monkeypatch: pytest.MonkeyPatch):
+    """Unless the method was asked for: then what is asked is done."""
+    monkeypatch.setattr("tamias2d.solve.located.MOST_RULED", 2)
+    run = t2.simulate(drop(113), duration=3.0)
+    assert isinstance(run.method, t2.Stepped)
+    assert "have changed 2 times since a rule" in run.notes[0]
+    asked = t2.simulate(drop(113), duration=3.0, method=t2.ClosedForm())
+    assert "ClosedForm" in asked.notes[0]
+
+
+def test_a_tolerance_is_met_by_steps_where_a_rule_bounds_nothing():
+    """Dominoes lean on one another: past the first impacts only steps tell how wrong they are."""
+    scene = t2.catalogue.load("dominoes")
+    with pytest.raises(t2.ToleranceError, match=r"by a rule \(A18\)") as refused:
+        t2.simulate(scene, duration=0.6, tolerance=1e-2)
+    assert refused.value.until is not None
+    assert t2.recommend(scene, duration=0.2, tolerance=1e-2).choice.method == t2.ClosedForm()
+
+
+def test_lemke_solves_what_it_is_given():
+    rng = np.random.default_rng(7)
+    for _ in range(50):
+        root = rng.normal(size=(6, 4))
+        matrix, vector = root @ root.T, root @ rng.normal(size=4)
+        found = lemke(matrix, vector)
+        assert found is not None
+        slack = matrix @ found + vector
+        assert min(found.min(), slack.min()) > -1e-10
+        assert abs(found @ slack) < 1e-9
