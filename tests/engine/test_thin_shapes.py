@@ -19,7 +19,7 @@ def test_nothing_passes_through_a_floor_where_it_is_stepped(seed: int) -> None:
     assert not stepped(throw(seed))
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", [976_541, *range(60)])  # the first floor turns by 1e-7 rad
 def test_nothing_passes_through_a_floor_where_impacts_are_located(seed: int) -> None:
     assert not located(throw(seed))
 

@@ -43,17 +43,20 @@ class Throw:
     time_step: float  # s
     scene: t2.Scene
 
-    def heights(self, position: Array) -> Array:
-        """Return how far the body's centre is above the middle of the floor, m."""
-        found: Array = (position[..., 1, :] - position[..., 0, :]) @ np.array(self.up)
+    def heights(self, position: Array, orientation: Array) -> Array:
+        """Return how far the body's centre is above the floor, which may turn, m."""
+        turned = orientation[..., 0] - self.scene.bodies[0].orientation
+        x, y = np.moveaxis(position[..., 1, :] - position[..., 0, :], -1, 0)
+        c, s = np.cos(turned), np.sin(turned)
+        found: Array = x * (c * self.up[0] - s * self.up[1]) + y * (s * self.up[0] + c * self.up[1])
         return found
 
-    def passes(self, position: Array) -> bool:
-        """Return whether the body is on the other side of the floor at any time.
+    def passes(self, position: Array, orientation: Array) -> bool:
+        """Return whether the body is on the other side of the floor at any time, given all poses.
 
         Contacts that are solved softly may press it in by a part of its size.
         """
-        lowest = self.heights(position)
+        lowest = self.heights(position, orientation)
         return bool((lowest < -0.5 * self.thickness - SOFT * self.reach).any())
 
 
@@ -128,7 +131,7 @@ def stepped(one: Throw) -> bool:
     sim = t2.Simulator(one.scene, time_step=one.time_step)
     for _ in range(math.ceil(SECONDS / one.time_step)):
         sim.step()
-        if one.passes(sim.position):
+        if one.passes(sim.position, sim.orientation):
             return True
     return False
 
@@ -139,7 +142,7 @@ def located(one: Throw) -> bool | None:
         run = t2.simulate(one.scene, duration=SECONDS)
     except t2.TamiasError:
         return None
-    return one.passes(run.position)
+    return one.passes(run.position, run.orientation)
 
 
 def throw(seed: int) -> Throw:
