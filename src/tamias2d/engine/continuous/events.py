@@ -17,7 +17,7 @@ from tamias2d.engine.narrow_phase.chain import is_piece
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.narrow_phase.touching import opening
+from tamias2d.engine.narrow_phase.touching import BULLET, opening
 from tamias2d.engine.tables import (
     ANGLE,
     CONTACT_OF_BODY,
@@ -70,6 +70,7 @@ MOST_SHALLOW = 24  # pairs in a part that are looked at for that
 SHORT_LIST = 256  # contacts of a list on which all are
 MANY = -1  # more than these
 RESTING = 0.1  # of the limit: how far bodies go in a part that rest in each other
+SETTLED_WITHIN = 2.0**-10  # of what counts as close: impacts at one instant that matter no more
 SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
 
 
@@ -140,7 +141,8 @@ def may_pass(
     deep = allowed_depth(i, j, reach, bodies.properties)
     if contacts.flags[p, POINT_COUNT] == 0:
         return bool(abs(by_x) + abs(by_y) + turn > share * deep)
-    manifold, limit = contacts.manifolds[p], max(deep, SWUNG * reach)
+    fast = abs(by_x) + abs(by_y) + turn > BULLET * reach  # its corners have no contact ahead
+    manifold, limit = contacts.manifolds[p], deep if fast else max(deep, SWUNG * reach)
     into = max(0.0, -manifold[NX] * by_x - manifold[NY] * by_y) + turn
     overlap = 0.0
     for n in range(contacts.flags[p, POINT_COUNT]):
@@ -273,7 +275,7 @@ def next_event(
     if gap <= near:
         line = normal_line(i, j, now, events.scratch[0], bodies)
         closing = time_step * path_speed_along(line, time_step, bodies.motion)
-        enough = max(gap, 0.0) if 0 < contacts.flags[p, LOCATED] < SPENT else near
+        enough = max(gap, SETTLED_WITHIN * near) if 0 < contacts.flags[p, LOCATED] < SPENT else near
         if closing * rest < -enough:
             return now
     path = relative_path(i, j, now, bodies)
