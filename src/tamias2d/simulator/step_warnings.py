@@ -1,4 +1,4 @@
-"""What a time step is too long for: springs, gravity, weights, masses and joints, in words.
+"""What steps cannot hold: springs, gravity, weights, masses, joints and open corners, in words.
 
 Serves: the simulator, which tells each once. Each text comes with the name under which it is kept.
 """
@@ -76,3 +76,16 @@ def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
             f"at most {math.sqrt(size / pull):.3g} s."
         )
         yield "gravity", text
+
+
+def too_thin_for_corners(engine: Engine, name_of: Callable[[int], str]) -> Iterator[Told]:
+    """Yield that walls only just meet, where something thin moves (IM10)."""
+    if (found := engine.open_corner()) is not None:
+        first, second, body = map(name_of, found)
+        walls = f"{first} and {second}" if first != second else f"two parts of {first}"
+        text = (
+            f"{walls}: they only just meet, and contacts may yield by more than {body} is "
+            "thick (IM10): pressed along one of them, it may pass the end of the other. Let them "
+            "overlap, or make one Chain of them."
+        )
+        yield "corners", text
