@@ -70,7 +70,6 @@ MOST_SHALLOW = 24  # pairs in a part that are looked at for that
 SHORT_LIST = 256  # contacts of a list on which all are
 MANY = -1  # more than these
 RESTING = 0.1  # of the limit: how far bodies go in a part that rest in each other
-SETTLED_WITHIN = 2.0**-10  # of what counts as close: impacts at one instant that matter no more
 SWUNG = 0.35  # of the smaller radius: how far a body may turn about a contact, in which it is held
 
 
@@ -275,7 +274,7 @@ def next_event(
     if gap <= near:
         line = normal_line(i, j, now, events.scratch[0], bodies)
         closing = time_step * path_speed_along(line, time_step, bodies.motion)
-        enough = max(gap, SETTLED_WITHIN * near) if 0 < contacts.flags[p, LOCATED] < SPENT else near
+        enough = max(gap, 0.0) if 0 < contacts.flags[p, LOCATED] < SPENT else near
         if closing * rest < -enough:
             return now
     path = relative_path(i, j, now, bodies)

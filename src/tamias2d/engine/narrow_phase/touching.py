@@ -98,6 +98,8 @@ def find_touching(
     total = marked = new_static = 0
     deep = False
     same = touching.counts[ARRANGED] == 1
+    pull = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    fall = corner_fall(pull, control.progress[PART_TIME])
     note_sides(again, broad_phase.counts[CONTACTS], contacts, shapes, touching.sides)
     for p in range(broad_phase.counts[CONTACTS]):
         age_flags(again, contacts.flags[p])
@@ -107,7 +109,9 @@ def find_touching(
             continue
         smaller = min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
         touched = contacts.flags[p, TOUCHES] != 0
-        margin, further = speculative_margins(i, j, s, t, smaller, touched, control, bodies, shapes)
+        margin, further = speculative_margins(
+            i, j, s, t, smaller, touched, fall, control, bodies, shapes
+        )
         before = known_gap(contacts.manifolds[p], contacts.flags[p])
         count = find_manifold(p, margin, further, bodies, shapes, contacts)
         if count == 0:
@@ -165,10 +169,13 @@ def find_manifold(
     radii = radius_s + radius_t + margin
     if x * x + y * y > radii * radii and points == 0:
         return 0
-    count = collide(p, s, t, x, y, margin + further, shapes, contacts)
-    if count > 0 and further > 0.0 and smallest_gap(contacts.manifolds[p], count) > margin:
+    far = further if points > 0 else 0.0
+    count = collide(p, s, t, x, y, margin + far, shapes, contacts)
+    if count > 0 and far > 0.0 and smallest_gap(contacts.manifolds[p], count) > margin:
         contacts.flags[p, POINT_COUNT] = 0
         return 0
+    if count == 1 and further > far:
+        count = collide(p, s, t, x, y, margin + further, shapes, contacts)
     if contacts.manifolds[p, FORESEEN] != 0.0:
         contacts.manifolds[p, FORESEEN] = 0.0
     if count == 2 and plain:  # which side of a thin shape the other one is on, is asked anew
@@ -259,6 +266,7 @@ def speculative_margins(
     t: int,
     smaller: float,
     touched: bool,
+    fall: float,
     control: Control,
     bodies: Bodies,
     shapes: Shapes,
@@ -266,7 +274,7 @@ def speculative_margins(
     """Return below which gap two shapes, of the bodies i and j, have a contact, m.
 
     It follows the motion of a step, and is 0 for a fast pair. The second number is how much farther
-    off the other end of such a contact may be: bodies turn about where they touch.
+    off the other end of such a contact may be: it falls, m, and bodies turn about where they touch.
     """
     motion, time_step = bodies.motion, control.progress[PART_TIME]
     speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
@@ -285,8 +293,7 @@ def speculative_margins(
     margin = CLOSE * extent + (speed + turning if touched else speed) * time_step
     if (shapes.kind[s] == DISC) | (shapes.kind[t] == DISC):
         return margin, 0.0
-    pull = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
-    return margin, corner_fall(pull, time_step) + (0.0 if touched else turning * time_step)
+    return margin, fall + (0.0 if touched else turning * time_step)
 
 
 @inlined
