@@ -40,6 +40,8 @@ class OpenCorners:
 
     def find(self, state: BodyState, shapes: Shapes) -> tuple[int, int, int] | None:
         """Return the rows of two walls that only just meet, and of a thin body; or None."""
+        if not len(state.body_of_slot):
+            return None
         row = state.body_of_slot[shapes.slot].astype(np.int64)
         free = state.kind[row] == DYNAMIC
         thin = (shapes.kind == THIN_CAPSULE) | (shapes.kind == THIN_POLYGON)
@@ -47,7 +49,10 @@ class OpenCorners:
         reach = np.where(free & (half < SLENDER * wide), wide, 0.0)
         if not reach.any() or not (thin & ~free).any():
             return None
-        walls = np.flatnonzero(~free & (shapes.kind < PIECE) & (shapes.filters[:, SENSOR] == 0))
+        solid = (shapes.vertex_count > 0) & (
+            shapes.filters[:, SENSOR] == 0
+        )  # removed ones have none
+        walls = np.flatnonzero(~free & (shapes.kind < PIECE) & solid)
         asked = walls.tobytes() + reach.max().tobytes()
         if asked != self._asked:
             self._asked, self._found = asked, None

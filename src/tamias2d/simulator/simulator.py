@@ -47,6 +47,7 @@ from tamias2d.simulator.step_warnings import (
     too_long_for_gravity,
     too_long_for_joints,
     too_long_for_springs,
+    too_stiff_for_steps,
     too_thin_for_corners,
 )
 from tamias2d.simulator.told_only import refuses_assignment
@@ -222,6 +223,7 @@ class Simulator(Views):
         self._jointed = len(self._joints) > 0
         if self._joints.new:
             self._joints.settle(self._engine)
+            self._tell(too_stiff_for_steps(self._joints, self._engine, self._time_step))
         self._varying = None
         if self._scene is not None:
             staying = sorted(self._staying, key=self._engine.rank.__getitem__)

@@ -62,6 +62,18 @@ def too_long_for_joints(
         yield f"joint {joint.name}", text
 
 
+def too_stiff_for_steps(joints: JointSet, engine: Engine, time_step: float) -> Iterator[Told]:
+    """Yield a joint with a spring that float64 does not solve (R13)."""
+    if (found := joints.too_stiff(engine, time_step)) is not None:
+        joint, stiffness = found
+        text = (
+            f"joint '{joint.name}' ({joint.kind}): its spring of stiffness {stiffness:.3g} (N/m or "
+            f"N m/rad) moves so little in a time step of {time_step:.6g} s that rounding gives it "
+            "energy (R13). Give a softer one, a shorter step, or a joint without this freedom."
+        )
+        yield f"stiffness of {joint.name}", text
+
+
 def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
     """Yield that gravity moves even the largest body too far in the shortest part of a step (IM12).
 

@@ -111,7 +111,6 @@ def solve_continuous(
     build_tournament(event_count, events.times, events.queue)
     impacts_left = most_impacts(found, control.counts[LEVEL])
     last = -MOST_JOINS * body_count
-    counted, at = -1, -1.0
     while impacts_left > last:
         event = events.queue[TOURNAMENT, WINNER]
         now = events.times[event]
@@ -132,9 +131,7 @@ def solve_continuous(
                 return TOO_LONG
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
-            if p != counted or now > at:  # what friction leaves is stopped at the same instant
-                count_located(contacts.flags[p])
-            counted, at = p, now
+            count_located(contacts.flags[p])
             if not handle_meeting(p, now, joins, control, bodies, shapes, contacts, events):
                 update_event(event, event_count, events.times, events.queue)
                 continue
