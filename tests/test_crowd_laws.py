@@ -7,8 +7,8 @@ from tests.crowd_laws import SEEDS, Step, holds, steps_of
 
 def test_they_meet_in_whole_steps_and_in_parts_and_fly_on() -> None:
     steps = [step for seed in SEEDS for step in steps_of(seed)]
-    assert sum(step.whole and step.contacts > 0 for step in steps) > 20
-    assert sum(not step.whole and step.contacts > 0 for step in steps) > 20
+    assert sum(step.whole and step.contacts > 0 for step in steps) >= 20
+    assert sum(not step.whole and step.contacts > 0 for step in steps) >= 20
     assert sum(int(step.steady.sum()) for step in steps) > 500
 
 

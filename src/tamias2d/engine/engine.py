@@ -14,6 +14,7 @@ from tamias2d.engine.contact_report import Touching, contact_report
 from tamias2d.engine.joints.joint_row import JointRow
 from tamias2d.engine.joints.rows import kept_apart, set_joints
 from tamias2d.engine.menu import CONTACT, JOINTED, functions
+from tamias2d.engine.open_corners import OpenCorners
 from tamias2d.engine.query_tree import QueryTree
 from tamias2d.engine.springs.rows import SpringRow, set_springs
 from tamias2d.engine.steps_per_call import StepsPerCall
@@ -113,6 +114,7 @@ class Engine(Store):
         self._steps_per_call, self._ballistic_steps_per_call = StepsPerCall(), StepsPerCall()
         self._pool = BodyPool(self, rank)
         self._pool.publish_order()
+        self._corners = OpenCorners()
         self.queries = QueryTree(self)
 
     # -- what users see and set
@@ -211,6 +213,10 @@ class Engine(Store):
         """The row of a body among masses too different to be solved, or -1."""
         slot = int(self.world.control.counts[OUTWEIGHED])
         return int(self.world.state.body_of_slot[slot - 1]) if slot else -1
+
+    def open_corner(self) -> tuple[int, int, int] | None:
+        """The rows of two thin walls that only just meet, and of a thin body; or None."""
+        return self._corners.find(self.world.state, self.world.shapes)
 
     # -- changes
 

@@ -1,7 +1,7 @@
 """Soft contact: Row of a contact; Kick along a row; Soft contact; Overlap at rest; Preload of a
-contact; Extent of what is thin; Firmness that feeds no wave; Frequency under a load; Shift
-through a substep; Separation of a contact that moves; What is left of a gap; Soft step of a
-contact.
+contact; Extent of what is thin; Fall of the other end; Firmness that feeds no wave; Frequency
+under a load; Shift through a substep; Separation of a contact that moves; What is left of a
+gap; Soft step of a contact.
 
 Generated from srs/models/soft_contact.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -316,6 +316,21 @@ def extent_thin(
     return least(extent, largest(width_multiple * half_width, thinnest_share * extent))
 
 
+def corner_fall(gravity: Vector, time_step: Scalar) -> Scalar:
+    """How far the other end of a body falls in a step that stands on one corner (m).
+
+    corner_fall = 2*norm(gravity)*time_step**2
+
+    Args:
+        gravity: Gravitational acceleration, the same for all bodies, m/s^2
+        time_step: Length of one step of a stepped scheme, s
+
+    Source: DD72, srs/models/soft_contact.md:455.
+    """
+    gravity_x, gravity_y = gravity
+    return 2 * sqrt(gravity_x * gravity_x + gravity_y * gravity_y) * time_step * time_step
+
+
 def angular_frequency_even(time_step: Scalar) -> Scalar:
     """Phase that an oscillation gains per unit of time; at which a contact is as firm at rest as
     in a fast motion (rad/s).
@@ -325,7 +340,7 @@ def angular_frequency_even(time_step: Scalar) -> Scalar:
     Args:
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD76, srs/models/soft_contact.md:459.
+    Source: DD76, srs/models/soft_contact.md:484.
     """
     return 1 / time_step
 
@@ -358,7 +373,7 @@ def angular_frequency_loaded(
             does, m
         firmest: Frequency of a contact under a load, at most, over that without one, 1
 
-    Source: DD42, srs/models/soft_contact.md:497.
+    Source: DD42, srs/models/soft_contact.md:522.
     """
     angular_frequency_wanted = sqrt(
         accumulated_impulse
@@ -378,7 +393,7 @@ def shift_later(shift: Vector, velocity: Vector, time_step: Scalar) -> Vector:
         velocity: Velocity of the centre of mass, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:550.
+    Source: DD43, srs/models/soft_contact.md:575.
     """
     shift_x, shift_y = shift
     velocity_x, velocity_y = velocity
@@ -395,7 +410,7 @@ def turn_later(turn: Scalar, angular_velocity: Scalar, time_step: Scalar) -> Sca
         angular_velocity: Rate of turning, positive counter-clockwise, rad/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD43, srs/models/soft_contact.md:551.
+    Source: DD43, srs/models/soft_contact.md:576.
     """
     return turn + time_step * angular_velocity
 
@@ -409,7 +424,7 @@ def bend(arm: Vector, line: Vector) -> Scalar:
         arm: Lever arm, from the centre of mass to the contact point, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:574.
+    Source: DD29, srs/models/soft_contact.md:599.
     """
     arm_x, arm_y = arm
     line_x, line_y = line
@@ -447,7 +462,7 @@ def separation_later(
         bend_b: Part of an arm along the line, as far as it turns with its body; of body B, m
         line: Unit vector along which a row of a contact acts, its normal or tangent, 1
 
-    Source: DD29, srs/models/soft_contact.md:575.
+    Source: DD29, srs/models/soft_contact.md:600.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -473,7 +488,7 @@ def bias_velocity_later(separation: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:643.
+    Source: DD31, srs/models/soft_contact.md:668.
     """
     return largest(separation / time_step + row_velocity, 0)
 
@@ -489,7 +504,7 @@ def separation(bias_velocity_later: Scalar, row_velocity: Scalar, time_step: Sca
         row_velocity: Velocity of B's point of contact seen from A's, along the line, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: DD31, srs/models/soft_contact.md:644.
+    Source: DD31, srs/models/soft_contact.md:669.
     """
     return time_step * (bias_velocity_later - row_velocity)
 
@@ -507,7 +522,7 @@ def bias_velocity_least(removal_share: Scalar, extent: Scalar, time_step: Scalar
             does, m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:702.
+    Source: IM10, srs/models/soft_contact.md:727.
     """
     return (-removal_share) * extent / time_step
 
@@ -527,7 +542,7 @@ def bias_velocity(
             the least that there can be, m/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM10, srs/models/soft_contact.md:703.
+    Source: IM10, srs/models/soft_contact.md:728.
     """
     return largest(
         largest(separation, 0) / time_step + bias_rate * least(separation, 0), bias_velocity_least
@@ -555,7 +570,7 @@ def soft_normal_impulse(
         mass_share: Part of a row's mass that a soft contact acts with, 1
         impulse_share: Part of its impulse that a soft contact gives back in an iteration, 1
 
-    Source: IM10, srs/models/soft_contact.md:706.
+    Source: IM10, srs/models/soft_contact.md:731.
     """
     return largest(
         accumulated_impulse
@@ -585,7 +600,7 @@ def limited_tangent_impulse(
             along itself, 1
         accumulated_impulse: Impulse that a contact has given in a substep along its normal, N*s
 
-    Source: IM10, srs/models/soft_contact.md:710.
+    Source: IM10, srs/models/soft_contact.md:735.
     """
     return largest(
         least(tangent_impulse - row_mass * row_velocity, friction * accumulated_impulse),
@@ -614,7 +629,7 @@ def restitution_impulse(
             energy is lost), 1
         row_mass: Impulse along the line for one unit of change of the row's velocity, kg
 
-    Source: IM10, srs/models/soft_contact.md:713.
+    Source: IM10, srs/models/soft_contact.md:738.
     """
     return largest(
         accumulated_impulse - row_mass * (row_velocity + restitution * row_velocity_before), 0

@@ -1210,6 +1210,15 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=772,
     ),
+    "corner_fall": Symbol(
+        "corner_fall",
+        "m",
+        "how far the other end of a body falls in a step that stands on one corner",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="s_f",
+        file="srs/symbols.md",
+        line=777,
+    ),
     "extent_thin": Symbol(
         "extent_thin",
         "m",
@@ -1217,7 +1226,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=777,
+        line=783,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1226,7 +1235,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=782,
+        line=788,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1235,7 +1244,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=787,
+        line=793,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1244,7 +1253,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=792,
+        line=798,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1252,7 +1261,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=797,
+        line=803,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1260,7 +1269,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=801,
+        line=807,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1268,7 +1277,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=805,
+        line=811,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1276,7 +1285,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=809,
+        line=815,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1284,7 +1293,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=813,
+        line=819,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1293,7 +1302,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=817,
+        line=823,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1302,7 +1311,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=822,
+        line=828,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1311,7 +1320,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=827,
+        line=833,
     ),
     "shift": Symbol(
         "shift",
@@ -1320,7 +1329,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=832,
+        line=838,
     ),
     "turn": Symbol(
         "turn",
@@ -1328,7 +1337,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=837,
+        line=843,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1337,7 +1346,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=841,
+        line=847,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1346,7 +1355,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=848,
+        line=854,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1355,7 +1364,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=853,
+        line=859,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1364,7 +1373,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=860,
+        line=866,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1373,7 +1382,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=867,
+        line=873,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1382,7 +1391,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=873,
+        line=879,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1390,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=880,
+        line=886,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1399,7 +1408,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=893,
+        line=899,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1407,7 +1416,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=898,
+        line=904,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1415,7 +1424,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=902,
+        line=908,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1424,7 +1433,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=908,
+        line=914,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1432,7 +1441,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=913,
+        line=919,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1441,7 +1450,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=917,
+        line=923,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1449,7 +1458,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=922,
+        line=928,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1458,7 +1467,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=926,
+        line=932,
     ),
     "advance": Symbol(
         "advance",
@@ -1467,7 +1476,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=931,
+        line=937,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1475,7 +1484,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=936,
+        line=942,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1483,7 +1492,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=940,
+        line=946,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1491,7 +1500,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=944,
+        line=950,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1499,7 +1508,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=949,
+        line=955,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1507,7 +1516,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=955,
+        line=961,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1516,7 +1525,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=959,
+        line=965,
     ),
     "slip": Symbol(
         "slip",
@@ -1524,7 +1533,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=966,
+        line=972,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1532,7 +1541,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=972,
+        line=978,
     ),
     "circling": Symbol(
         "circling",
@@ -1541,7 +1550,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=976,
+        line=982,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1549,7 +1558,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=983,
+        line=989,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1558,7 +1567,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=987,
+        line=993,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1567,7 +1576,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=992,
+        line=998,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1576,7 +1585,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=997,
+        line=1003,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1584,7 +1593,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1002,
+        line=1008,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1593,7 +1602,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1006,
+        line=1012,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1601,7 +1610,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1011,
+        line=1017,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1609,7 +1618,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1015,
+        line=1021,
     ),
     "arc": Symbol(
         "arc",
@@ -1618,7 +1627,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1021,
+        line=1027,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1627,7 +1636,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1026,
+        line=1032,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1635,7 +1644,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1036,
+        line=1042,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1643,7 +1652,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1040,
+        line=1046,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1652,7 +1661,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1044,
+        line=1050,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1661,7 +1670,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1049,
+        line=1055,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1670,7 +1679,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1054,
+        line=1060,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1679,7 +1688,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1059,
+        line=1065,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1688,7 +1697,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1064,
+        line=1070,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1696,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1069,
+        line=1075,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1705,7 +1714,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1078,
+        line=1084,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1713,7 +1722,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1083,
+        line=1089,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1722,7 +1731,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1087,
+        line=1093,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1730,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1092,
+        line=1098,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1738,7 +1747,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1096,
+        line=1102,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1747,7 +1756,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1100,
+        line=1106,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1756,7 +1765,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1105,
+        line=1111,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1765,7 +1774,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1110,
+        line=1116,
     ),
     "work": Symbol(
         "work",
@@ -1773,7 +1782,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1115,
+        line=1121,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1782,7 +1791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1119,
+        line=1125,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1790,7 +1799,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1124,
+        line=1130,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1799,7 +1808,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1128,
+        line=1134,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1807,7 +1816,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1133,
+        line=1139,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1816,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1138,
+        line=1144,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1825,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1143,
+        line=1149,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1834,7 +1843,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1148,
+        line=1154,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1843,7 +1852,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1155,
+        line=1161,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1852,7 +1861,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1160,
+        line=1166,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1860,7 +1869,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1165,
+        line=1171,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1868,7 +1877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1170,
+        line=1176,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1876,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1176,
+        line=1182,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1885,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1180,
+        line=1186,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -1894,7 +1903,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1187,
+        line=1193,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1903,7 +1912,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1192,
+        line=1198,
     ),
     "energy": Symbol(
         "energy",
@@ -1911,7 +1920,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1197,
+        line=1203,
     ),
     "radius": Symbol(
         "radius",
@@ -1920,7 +1929,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1206,
+        line=1212,
     ),
     "length": Symbol(
         "length",
@@ -1929,7 +1938,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1211,
+        line=1217,
     ),
     "width": Symbol(
         "width",
@@ -1938,7 +1947,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1218,
+        line=1224,
     ),
     "height": Symbol(
         "height",
@@ -1947,7 +1956,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1223,
+        line=1229,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1956,7 +1965,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1228,
+        line=1234,
     ),
     "center": Symbol(
         "center",
@@ -1965,7 +1974,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1233,
+        line=1239,
     ),
     "offset": Symbol(
         "offset",
@@ -1973,7 +1982,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1238,
+        line=1244,
     ),
     "area": Symbol(
         "area",
@@ -1982,7 +1991,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1242,
+        line=1248,
     ),
     "way": Symbol(
         "way",
@@ -1991,7 +2000,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1247,
+        line=1253,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -1999,7 +2008,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1252,
+        line=1258,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2008,7 +2017,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1256,
+        line=1262,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2017,7 +2026,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1261,
+        line=1267,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2025,7 +2034,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1266,
+        line=1272,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2033,7 +2042,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1270,
+        line=1276,
     ),
     "lean": Symbol(
         "lean",
@@ -2041,7 +2050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1274,
+        line=1280,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2049,7 +2058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1278,
+        line=1284,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2057,7 +2066,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1282,
+        line=1288,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2066,7 +2075,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1288,
+        line=1294,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2074,7 +2083,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1301,
+        line=1307,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2082,7 +2091,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1305,
+        line=1311,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2091,7 +2100,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1309,
+        line=1315,
     ),
     "slope": Symbol(
         "slope",
@@ -2100,7 +2109,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1314,
+        line=1320,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2108,7 +2117,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1319,
+        line=1325,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2116,7 +2125,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1323,
+        line=1329,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2124,7 +2133,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1327,
+        line=1333,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2133,7 +2142,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1331,
+        line=1337,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2141,7 +2150,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1336,
+        line=1342,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2149,7 +2158,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1340,
+        line=1346,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2157,7 +2166,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1344,
+        line=1350,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2165,7 +2174,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1348,
+        line=1354,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2173,7 +2182,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1352,
+        line=1358,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2182,7 +2191,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1356,
+        line=1362,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2191,7 +2200,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1361,
+        line=1367,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2200,7 +2209,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1366,
+        line=1372,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2209,7 +2218,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1371,
+        line=1377,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2217,7 +2226,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1376,
+        line=1382,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2226,7 +2235,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1380,
+        line=1386,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2234,7 +2243,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1385,
+        line=1391,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2243,7 +2252,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1389,
+        line=1395,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2251,7 +2260,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1394,
+        line=1400,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2259,7 +2268,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1398,
+        line=1404,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2268,7 +2277,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1402,
+        line=1408,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2277,7 +2286,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1407,
+        line=1413,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2286,7 +2295,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1412,
+        line=1418,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2294,7 +2303,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1417,
+        line=1423,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2302,7 +2311,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1421,
+        line=1427,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2310,7 +2319,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1425,
+        line=1431,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2319,7 +2328,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1429,
+        line=1435,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2328,7 +2337,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1434,
+        line=1440,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2337,7 +2346,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1439,
+        line=1445,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2346,7 +2355,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1444,
+        line=1450,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2355,7 +2364,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1449,
+        line=1455,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2364,7 +2373,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1454,
+        line=1460,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2373,7 +2382,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1459,
+        line=1465,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2382,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1464,
+        line=1470,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2390,7 +2399,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1469,
+        line=1475,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2399,7 +2408,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1473,
+        line=1479,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2407,7 +2416,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1478,
+        line=1484,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2416,7 +2425,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1482,
+        line=1488,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2425,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1487,
+        line=1493,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2434,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1492,
+        line=1498,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2443,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1497,
+        line=1503,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2452,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1502,
+        line=1508,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2460,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1507,
+        line=1513,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2469,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1511,
+        line=1517,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2478,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1516,
+        line=1522,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2487,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1521,
+        line=1527,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2496,7 +2505,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1526,
+        line=1532,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2504,7 +2513,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1531,
+        line=1537,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2512,7 +2521,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1535,
+        line=1541,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2521,7 +2530,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1539,
+        line=1545,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2530,7 +2539,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1544,
+        line=1550,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2539,7 +2548,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1549,
+        line=1555,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2548,7 +2557,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1554,
+        line=1560,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2557,7 +2566,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1559,
+        line=1565,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2566,7 +2575,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1564,
+        line=1570,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2575,7 +2584,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1569,
+        line=1575,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2584,7 +2593,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1574,
+        line=1580,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2593,7 +2602,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1579,
+        line=1585,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2601,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1584,
+        line=1590,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2610,7 +2619,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1588,
+        line=1594,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2618,7 +2627,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1593,
+        line=1599,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2626,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1597,
+        line=1603,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2635,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1601,
+        line=1607,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2644,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1606,
+        line=1612,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2653,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1611,
+        line=1617,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2661,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1616,
+        line=1622,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2670,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1620,
+        line=1626,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2678,7 +2687,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1625,
+        line=1631,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2687,7 +2696,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1629,
+        line=1635,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2696,7 +2705,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1634,
+        line=1640,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2704,7 +2713,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1639,
+        line=1645,
     ),
     "change": Symbol(
         "change",
@@ -2713,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1643,
+        line=1649,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2722,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1648,
+        line=1654,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2731,7 +2740,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1653,
+        line=1659,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2739,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1658,
+        line=1664,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2748,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1662,
+        line=1668,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2756,7 +2765,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1667,
+        line=1673,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2764,7 +2773,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1671,
+        line=1677,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2772,7 +2781,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1675,
+        line=1681,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2781,7 +2790,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1679,
+        line=1685,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2789,7 +2798,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1684,
+        line=1690,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2798,6 +2807,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1688,
+        line=1694,
     ),
 }

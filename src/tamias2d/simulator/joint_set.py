@@ -46,6 +46,7 @@ from tamias2d.state import Array, IntArray
 
 _KEPT = slice(J_STEP_TOTAL, J_WARM + MOST_ROWS)  # numbers of a joint that a step leaves to the next
 _COUNT = _KEPT.stop - _KEPT.start
+STIFFEST = 2.0**29  # of a spring, times the squared step, over mass or inertia
 APART = 1e-3
 """Of the size of a joint, or rad: one that is farther apart is told."""
 
@@ -160,6 +161,20 @@ class JointSet:
         if self._saved is not None and self._restored:
             engine.world.joints.numbers[self._places, _KEPT] = self._saved
         self.new = self._restored = False
+
+    def too_stiff(self, engine: Engine, time_step: float) -> tuple[Joint, float] | None:
+        """Return a joint whose spring is too stiff for a step, s, and its stiffness; or None.
+
+        Rounding, as many times as a step is long beside its swing, squared, is left of it.
+        """
+        for joint in self._joints.values():
+            bodies = list(joint.bodies)
+            for row in joint_rows(joint):
+                turns = _units(row)[0] == "rad"
+                inverse = (engine.inverse_inertia if turns else engine.inverse_mass)[bodies]
+                if row.law == SPRING and row.numbers[2] * time_step**2 * inverse.max() > STIFFEST:
+                    return joint, row.numbers[2]
+        return None
 
     def apart(self, engine: Engine) -> tuple[Joint, float] | None:
         """Return a joint that was far apart within the last steps, and by how much; or None."""

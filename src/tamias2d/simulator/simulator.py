@@ -47,6 +47,8 @@ from tamias2d.simulator.step_warnings import (
     too_long_for_gravity,
     too_long_for_joints,
     too_long_for_springs,
+    too_stiff_for_steps,
+    too_thin_for_corners,
 )
 from tamias2d.simulator.told_only import refuses_assignment
 from tamias2d.simulator.varying_loads import VaryingLoads
@@ -166,7 +168,8 @@ class Simulator(Views):
 
         Warns:
             StepWarning: the time step is too long for a force that varies or for a joint, once for
-                each; for springs, gravity, overlaps that grow, or masses, once.
+                each; for springs, gravity, overlaps that grow, or masses, once. Thin walls only
+                just meet, where something thin moves, once.
         """
         if count.__class__ is not int or not 0 <= count < _ENDLESS:
             count = checked_count(count, "count", 0)
@@ -220,6 +223,7 @@ class Simulator(Views):
         self._jointed = len(self._joints) > 0
         if self._joints.new:
             self._joints.settle(self._engine)
+            self._tell(too_stiff_for_steps(self._joints, self._engine, self._time_step))
         self._varying = None
         if self._scene is not None:
             staying = sorted(self._staying, key=self._engine.rank.__getitem__)
@@ -227,6 +231,7 @@ class Simulator(Views):
             varying = VaryingLoads(self._scene, staying, self._warned)
             self._varying = None if varying.empty else varying
         self._tell(too_long_for_gravity(self._engine, self._time_step))
+        self._tell(too_thin_for_corners(self._engine, self._name_of))
 
     def _settle_between(self) -> None:
         """Settle between steps: contacts are reported before removed bodies are forgotten."""

@@ -1,4 +1,4 @@
-"""What a time step is too long for: springs, gravity, weights, masses and joints, in words.
+"""What steps cannot hold: springs, gravity, weights, masses, joints and open corners, in words.
 
 Serves: the simulator, which tells each once. Each text comes with the name under which it is kept.
 """
@@ -62,6 +62,18 @@ def too_long_for_joints(
         yield f"joint {joint.name}", text
 
 
+def too_stiff_for_steps(joints: JointSet, engine: Engine, time_step: float) -> Iterator[Told]:
+    """Yield a joint with a spring that float64 does not solve (R13)."""
+    if (found := joints.too_stiff(engine, time_step)) is not None:
+        joint, stiffness = found
+        text = (
+            f"joint '{joint.name}' ({joint.kind}): its spring of stiffness {stiffness:.3g} (N/m or "
+            f"N m/rad) moves so little in a time step of {time_step:.6g} s that rounding gives it "
+            "energy (R13). Give a softer one, a shorter step, or a joint without this freedom."
+        )
+        yield f"stiffness of {joint.name}", text
+
+
 def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
     """Yield that gravity moves even the largest body too far in the shortest part of a step (IM12).
 
@@ -76,3 +88,16 @@ def too_long_for_gravity(engine: Engine, time_step: float) -> Iterator[Told]:
             f"at most {math.sqrt(size / pull):.3g} s."
         )
         yield "gravity", text
+
+
+def too_thin_for_corners(engine: Engine, name_of: Callable[[int], str]) -> Iterator[Told]:
+    """Yield that walls only just meet, where something thin moves (IM10)."""
+    if (found := engine.open_corner()) is not None:
+        first, second, body = map(name_of, found)
+        walls = f"{first} and {second}" if first != second else f"two parts of {first}"
+        text = (
+            f"{walls}: they only just meet, and contacts may yield by more than {body} is "
+            "thick (IM10): pressed along one of them, it may pass the end of the other. Let them "
+            "overlap, or make one Chain of them."
+        )
+        yield "corners", text

@@ -17,7 +17,7 @@ from tamias2d.engine.narrow_phase.chain import is_piece
 from tamias2d.engine.narrow_phase.core import core_of
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
-from tamias2d.engine.narrow_phase.touching import opening
+from tamias2d.engine.narrow_phase.touching import BULLET, opening
 from tamias2d.engine.tables import (
     ANGLE,
     CONTACT_OF_BODY,
@@ -140,7 +140,8 @@ def may_pass(
     deep = allowed_depth(i, j, reach, bodies.properties)
     if contacts.flags[p, POINT_COUNT] == 0:
         return bool(abs(by_x) + abs(by_y) + turn > share * deep)
-    manifold, limit = contacts.manifolds[p], max(deep, SWUNG * reach)
+    fast = abs(by_x) + abs(by_y) + turn > BULLET * reach  # its corners have no contact ahead
+    manifold, limit = contacts.manifolds[p], deep if fast else max(deep, SWUNG * reach)
     into = max(0.0, -manifold[NX] * by_x - manifold[NY] * by_y) + turn
     overlap = 0.0
     for n in range(contacts.flags[p, POINT_COUNT]):

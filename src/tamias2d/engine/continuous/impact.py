@@ -61,6 +61,9 @@ from tamias2d.generated.continuous_collision import position_later
 from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
 from tamias2d.state import Array, Vector
 
+MOST_TURNS = 8  # of normal and tangent in one impact
+SETTLED_IMPULSE = 2.0**-40  # of the first one
+
 
 def contact_point(manifold: Array) -> Vector:
     """Return where two shapes touch: the deeper point, or midway where both are as deep."""
@@ -146,18 +149,39 @@ def apply_impact(
     bodies: Bodies,
     manifold: Array,
 ) -> float:
-    """Apply the impact of two bodies, by one row along the normal and one along the tangent.
+    """Apply the impact of two bodies, by a row along the normal and one along the tangent in turns.
 
+    Friction beside the centre may press them together again: what it leaves is stopped, too.
     Returns the normal impulse, N s; a negative number where nothing happens.
     """
     line = normal_line(i, j, now, manifold, bodies)
+    impulse = apply_rows(line, now, time_step, friction, restitution, bodies)
+    more, turns = impulse, MOST_TURNS if friction > 0.0 else 0
+    while turns > 0 and more > SETTLED_IMPULSE * impulse:
+        more = apply_rows(line, now, time_step, friction, 0.0, bodies)
+        impulse += max(more, 0.0)
+        turns -= 1
+    return impulse
+
+
+def apply_rows(
+    line: ImpulseLine,
+    now: float,
+    time_step: float,
+    friction: float,
+    restitution: float,
+    bodies: Bodies,
+) -> float:
+    """Apply one impulse along the normal and one along the tangent; return the first, likewise."""
+    i, j = line.a, line.b
     supported = bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0
     impulse = stop_and_rebound(line, now, time_step, supported, restitution, bodies)
     if impulse < 0.0:
         return impulse
     impulse = hold_together(impulse, line, now, time_step, bodies)
     if friction > 0.0:
-        tangent = ImpulseLine(i, j, line.at_a, line.at_b, (-manifold[NY], manifold[NX]))
+        along = (-line.direction[1], line.direction[0])
+        tangent = ImpulseLine(i, j, line.at_a, line.at_b, along)
         left = 0.0 if supported else 1.0 - now
         speed = speed_along(tangent, left, bodies.motion, bodies.flight)
         mass = mass_along(tangent, bodies.properties)

@@ -13,7 +13,7 @@ from tamias2d.engine.narrow_phase.collide import collide
 from tamias2d.engine.narrow_phase.touching import (
     BULLET,
     opening_speed,
-    speculative_margin,
+    speculative_margins,
 )
 from tamias2d.engine.tables import (
     AWAKE,
@@ -133,7 +133,7 @@ def collide_driven(p: int, world: World, contacts: Contacts) -> int:
         return 0
     reach = smaller_radius(s, t, shapes.material)
     touched = contacts.flags[p, TOUCHES] != 0
-    margin = speculative_margin(i, j, s, t, reach, touched, world.control, bodies, shapes)
+    margin, _ = speculative_margins(i, j, s, t, reach, touched, 0.0, world.control, bodies, shapes)
     driven = world.control.progress[PART_TIME] * (touching.approach[i] + touching.approach[j])
     if margin == 0.0 or margin + driven > BULLET * reach:
         return 0

@@ -11,6 +11,7 @@ from tamias2d.engine.tables import (
     AWAKE,
     BOUNDING_RADIUS,
     CONTACTS,
+    DISC,
     FEATURE,
     FORESEEN,
     GAP,
@@ -63,7 +64,7 @@ from tamias2d.engine.tables import (
     Y,
 )
 from tamias2d.engine.thickness import contact_extent
-from tamias2d.generated.soft_contact import row_velocity, turning_arm
+from tamias2d.generated.soft_contact import corner_fall, row_velocity, turning_arm
 from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
@@ -97,6 +98,8 @@ def find_touching(
     total = marked = new_static = 0
     deep = False
     same = touching.counts[ARRANGED] == 1
+    pull = (control.settings[GRAVITY_X], control.settings[GRAVITY_Y])
+    fall = corner_fall(pull, control.progress[PART_TIME])
     note_sides(again, broad_phase.counts[CONTACTS], contacts, shapes, touching.sides)
     for p in range(broad_phase.counts[CONTACTS]):
         age_flags(again, contacts.flags[p])
@@ -106,9 +109,11 @@ def find_touching(
             continue
         smaller = min(shapes.material[s, SHAPE_RADIUS], shapes.material[t, SHAPE_RADIUS])
         touched = contacts.flags[p, TOUCHES] != 0
-        margin = speculative_margin(i, j, s, t, smaller, touched, control, bodies, shapes)
+        margin, further = speculative_margins(
+            i, j, s, t, smaller, touched, fall, control, bodies, shapes
+        )
         before = known_gap(contacts.manifolds[p], contacts.flags[p])
-        count = find_manifold(p, margin, bodies, shapes, contacts)
+        count = find_manifold(p, margin, further, bodies, shapes, contacts)
         if count == 0:
             continue
         if contacts.flags[p, SENSES] == 0:
@@ -140,8 +145,13 @@ def find_touching(
 
 
 @inlined
-def find_manifold(p: int, margin: float, bodies: Bodies, shapes: Shapes, contacts: Contacts) -> int:
-    """Find the points of a contact with a gap below the margin, m; return how many there are."""
+def find_manifold(
+    p: int, margin: float, further: float, bodies: Bodies, shapes: Shapes, contacts: Contacts
+) -> int:
+    """Find the points of a contact if a gap is below the margin, m; return how many there are.
+
+    Of another point it may be larger by so much further, m.
+    """
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
     x, y = bodies.pose[j, X] - bodies.pose[i, X], bodies.pose[j, Y] - bodies.pose[i, Y]
@@ -159,7 +169,13 @@ def find_manifold(p: int, margin: float, bodies: Bodies, shapes: Shapes, contact
     radii = radius_s + radius_t + margin
     if x * x + y * y > radii * radii and points == 0:
         return 0
-    count = collide(p, s, t, x, y, margin, shapes, contacts)
+    far = further if points > 0 else 0.0
+    count = collide(p, s, t, x, y, margin + far, shapes, contacts)
+    if count > 0 and far > 0.0 and smallest_gap(contacts.manifolds[p], count) > margin:
+        contacts.flags[p, POINT_COUNT] = 0
+        return 0
+    if count == 1 and further > far:
+        count = collide(p, s, t, x, y, margin + further, shapes, contacts)
     if contacts.manifolds[p, FORESEEN] != 0.0:
         contacts.manifolds[p, FORESEEN] = 0.0
     if count == 2 and plain:  # which side of a thin shape the other one is on, is asked anew
@@ -243,21 +259,22 @@ def opening(n: int, i: int, j: int, first: int, bodies: Bodies, manifold: Array)
 
 
 @inlined
-def speculative_margin(
+def speculative_margins(
     i: int,
     j: int,
     s: int,
     t: int,
     smaller: float,
     touched: bool,
+    fall: float,
     control: Control,
     bodies: Bodies,
     shapes: Shapes,
-) -> float:
+) -> tuple[float, float]:
     """Return below which gap two shapes, of the bodies i and j, have a contact, m.
 
-    It follows the motion of a step, and is 0 for a fast pair. Bodies that touched turn about where
-    they did, and may come down on other corners.
+    It follows the motion of a step, and is 0 for a fast pair. The second number is how much farther
+    off the other end of such a contact may be: it falls, m, and bodies turn about where they touch.
     """
     motion, time_step = bodies.motion, control.progress[PART_TIME]
     speed = abs(motion[j, VX] - motion[i, VX]) + abs(motion[j, VY] - motion[i, VY])
@@ -269,11 +286,14 @@ def speculative_margin(
     fast = (speed + turning) * time_step > BULLET * smaller
     fast = unless_joined(fast, i, j, bodies)
     if fast:
-        return 0.0
+        return 0.0, 0.0
     extent = smaller
     if max(shapes.kind[s], shapes.kind[t]) < PIECE:  # near pieces tell a thin shape its side
         extent = contact_extent(i, j, smaller, BETWEEN, bodies)
-    return CLOSE * extent + (speed + turning if touched else speed) * time_step
+    margin = CLOSE * extent + (speed + turning if touched else speed) * time_step
+    if (shapes.kind[s] == DISC) | (shapes.kind[t] == DISC):
+        return margin, 0.0
+    return margin, fall + (0.0 if touched else turning * time_step)
 
 
 @inlined
