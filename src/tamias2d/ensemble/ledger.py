@@ -7,10 +7,10 @@ all.
 
 import hashlib
 import json
-import os
-import secrets
 from collections.abc import Iterable
 from pathlib import Path
+
+from tamias2d.replacement import write_aside
 
 _FOLDER = "outcome/.ledger"
 
@@ -33,12 +33,7 @@ class Ledger:
         """
         text = json.dumps({file: self._digest(file) for file in files})
         self._folder.mkdir(exist_ok=True)
-        draft = self._folder / f"draft-{secrets.token_hex(8)}"
-        try:
-            draft.write_text(text, encoding="utf-8")
-            os.replace(draft, self._folder / entry)
-        finally:
-            draft.unlink(missing_ok=True)
+        write_aside(self._folder / entry, text.encode())
 
     def damaged(self, entry: str) -> str | None:
         """Return the first file that is not what was entered, or None if all are."""

@@ -14,13 +14,14 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.ensemble.dataset import WORLDS, dataset_of, refuse_other
 from tamias2d.ensemble.ledger import Ledger
 from tamias2d.ensemble.request import Request
 from tamias2d.ensemble.solving import Block
 from tamias2d.ensemble.worlds import MadeWorlds, VariedWorlds
-from tamias2d.errors import RecordingError
+from tamias2d.errors import RecordingError, path_text
 from tamias2d.record.dataset import extra
 
 _MADE = "made"
@@ -42,6 +43,8 @@ class Store:
         Raises:
             RecordingError: it holds something else, is damaged, or cannot be written.
         """
+        if "\0" in str(self.path):
+            raise RecordingError(f"{path_text(self.path)}: is no name of a file (R8). Rename it.")
         if not self.path.parent.is_dir():
             raise RecordingError(
                 f"{self.path}: there is no directory {self.path.parent}. Make it first."
@@ -68,7 +71,7 @@ class Store:
         with self._written():
             group = self._opened("r+")
             number = str(block.first // group["outcome"].chunks[0])
-            arrays = {"outcome": block.outcome, **block.arrays}
+            arrays: dict[str, NDArray[Any]] = {"outcome": block.outcome, **block.arrays}
             chunks = [
                 f"{name}/{'.'.join([number] + ['0'] * (values.ndim - 1))}"
                 for name, values in arrays.items()
