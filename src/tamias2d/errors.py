@@ -4,6 +4,12 @@ Each message is complete in one line: *where: what was found: which rule (its id
 """
 
 
+def path_text(path: object) -> str:
+    """Return a path as a message has it: on one line, without what cannot be printed."""
+    text = str(path)
+    return text if text.isprintable() else repr(text)
+
+
 class TamiasError(Exception):
     """The base of all errors that this library raises on purpose."""
 

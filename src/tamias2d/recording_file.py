@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tamias2d import storage
-from tamias2d.errors import RecordingError
+from tamias2d.errors import RecordingError, path_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -16,30 +16,32 @@ if TYPE_CHECKING:
 
 def refuse_place(path: Path) -> None:
     """Raise `RecordingError` if no file can be written at this path."""
+    where = path_text(path)
     try:
         os.lstat(path)
     except (FileNotFoundError, NotADirectoryError):
         pass
     except (OSError, ValueError) as fault:  # ValueError: a null byte, or half a character
         why = getattr(fault, "strerror", None) or fault
-        raise RecordingError(f"{str(path)!r}: cannot be written: {why}. Rename it.") from None
+        raise RecordingError(f"{where}: cannot be written: {why}. Rename it.") from None
     target = Path(os.path.realpath(path)) if path.is_symlink() else path
+    folder = path_text(target.parent)
     if target.is_dir():
-        raise RecordingError(f"{path}: is a directory. Give the name of a file in it.")
+        raise RecordingError(f"{where}: is a directory. Give the name of a file in it.")
     if target.exists() and not target.is_file():
-        raise RecordingError(f"{path}: is a pipe or a device. Give the name of a file.")
+        raise RecordingError(f"{where}: is a pipe or a device. Give the name of a file.")
     if target.parent.exists() and not target.parent.is_dir():
-        raise RecordingError(f"{path}: {target.parent} is no directory. Choose another place.")
+        raise RecordingError(f"{where}: {folder} is no directory. Choose another place.")
     if not target.parent.is_dir():
-        raise RecordingError(f"{path}: there is no directory {target.parent}. Make it first.")
+        raise RecordingError(f"{where}: there is no directory {folder}. Make it first.")
     if not os.access(target.parent, os.W_OK | os.X_OK):
-        raise RecordingError(f"{path}: {target.parent} cannot be written. Choose another place.")
+        raise RecordingError(f"{where}: {folder} cannot be written. Choose another place.")
 
 
 def refuse_missing(path: Path, *, made_by: str) -> None:
     """Raise `RecordingError` if there is no file at this path; say which code makes one."""
     if not os.path.isfile(path):  # False for what is no name, too
-        raise RecordingError(f"{path}: there is no such file. Make it by `{made_by}`.")
+        raise RecordingError(f"{path_text(path)}: there is no such file. Make it by `{made_by}`.")
 
 
 @contextmanager
@@ -56,5 +58,6 @@ def aside(path: Path) -> Iterator[Path]:
     except OSError as fault:
         why = fault.strerror or type(fault).__name__
         raise RecordingError(
-            f"{path}: cannot be written: {why}. Check the disk's space and the permissions."
+            f"{path_text(path)}: cannot be written: {why}. Check the disk's space and "
+            "the permissions."
         ) from fault

@@ -15,6 +15,8 @@ from typing import Any
 
 import pytest
 
+import tamias2d as t2
+
 ROOT = Path(__file__).parents[2]
 _BLOCK = re.compile(
     r"^```(?:\{code-block\} )?(?P<kind>\w+)\n(?::caption: (?P<file>\S+)\n)?(?P<text>.*?)^```$",
@@ -78,7 +80,13 @@ def _session(block: Block, session: dict[str, Any]) -> None:
 
 
 def _file(block: Block, _session: dict[str, Any]) -> None:
+    """Write a scene file, which can be read unless its name says that it is wrong."""
     Path(block.file).write_text(block.text, encoding="utf-8")
+    if "wrong" in block.file:
+        with pytest.raises(t2.SceneError):
+            t2.load(block.file)
+    else:
+        t2.load(block.file)
 
 
 def _console(block: Block, _session: dict[str, Any]) -> None:

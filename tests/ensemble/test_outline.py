@@ -66,6 +66,7 @@ def test_a_scene_with_laws_pairs_springs_and_fields_comes_back() -> None:
         ("bodies.a.b.width", 7.0, lambda s: s.bodies[1].shape.width),
         ("bodies.a.b.position.y", 7.0, lambda s: s.bodies[1].position[1]),
         ("bodies.lift.velocity.y", 7.0, lambda s: s.bodies[0].velocity[1]),
+        ("kinematics.lift.velocity.y", 7.0, lambda s: s.bodies[0].velocity[1]),
         ("bodies.lift-wheel.radius", 0.2, lambda s: s.bodies[2].shape.radius),
         ("restitution_of_pairs.a.b.lift", 0.3, lambda s: s.restitution(0, 1)),
         ("restitution_of_pairs.lift.a.b", 0.3, lambda s: s.restitution(0, 1)),
@@ -104,6 +105,7 @@ def test_an_inertia_that_follows_from_the_mass_follows_it() -> None:
         ("bodies.ball.bounciness", "bodies.ball.restitution"),
         ("bodies.ball.pos.x", "bodies.ball.position.x"),
         ("body.ball.radius", "bodies.ball.radius"),
+        ("static.floor.ofset", "statics.floor.offset"),
         ("gravty.y", "gravity.y"),
         ("gravity.z", "gravity.y"),
         ("spring.0.stifness", "springs.0.stiffness"),
@@ -122,6 +124,19 @@ def test_a_misspelt_path_is_answered_by_what_was_meant(path: str, meant: str) ->
 def test_what_is_no_place_is_refused_by_name(path: object) -> None:
     with pytest.raises(t2.InputError, match=r"the scene has no such place \(R2\)"):
         place_at(path, outline_of(bouncing()))  # type: ignore[arg-type]
+
+
+def test_what_a_file_has_among_its_statics_is_found_there() -> None:
+    outline = outline_of(bouncing())
+    assert place_at("statics.floor.offset", outline).keys == ("bodies", "floor", "offset")
+    for path in ("statics.ball.mass", "kinematics.floor.offset"):
+        with pytest.raises(t2.InputError, match=r"no such place \(R2\)"):
+            place_at(path, outline)
+
+
+def test_places_that_are_proposed_are_there() -> None:
+    with pytest.raises(t2.InputError, match=r"for example, gravity, bodies.ball.position, bodies."):
+        place_at("zzz", outline_of(bouncing()))
 
 
 def _at(outline: object, keys: tuple[object, ...]) -> object:

@@ -71,6 +71,12 @@ REFUSED = [
     ({RESTITUTION: [0.5, 1.2]}, {}, r"1\.2 for world 1: must be in \[0, 1\] \(symbol restitution"),
     ({RESTITUTION: stats.norm(0.5, 1.0)}, {"worlds": 99}, r"for world \d+: must be in \[0, 1\]"),
     ({HEIGHT: [1.0, np.nan]}, {}, "nan m for world 1: must be finite"),
+    ({"bodies.ball.mass": [1.0, np.inf]}, {}, "inf kg for world 1: must be finite"),
+    (
+        {HEIGHT: stats.norm()},
+        {"worlds": 2, "design": qmc.Sobol(d=1)},
+        r"design: found <.*Sobol.*must be a class .*without brackets, such as design=qmc\.Sobol",
+    ),
     ({HEIGHT: ["1 kg"]}, {}, r"of unit kg: must be in m \(symbol position\)"),
     ({HEIGHT: ["1"]}, {}, "of unit 1: must be in m"),
     ({HEIGHT: [None]}, {}, r"must be numbers in m, or texts with a unit \(R2\)"),

@@ -1,11 +1,13 @@
 """Ensembles on disk: the same numbers, and nothing that was finished is lost."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
 import textwrap
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -115,19 +117,77 @@ def test_a_program_that_is_killed_goes_on_where_it_was(tmp_path: Path) -> None:
     path = {"PYTHONPATH": os.pathsep.join((os.getcwd(), *sys.path))}
     first = subprocess.Popen(command, env={**os.environ, **path})
     try:
-        while not list(out.glob("outcome/[1-9]*")):
+        while not list(out.glob("outcome/.ledger/[1-9]*")):
             assert first.poll() is None
             time.sleep(0.01)
     finally:
         first.send_signal(signal.SIGKILL)
         first.wait()
-    finished = list(out.glob("outcome/[0-9]*"))
+    finished = [out / "outcome" / entry.name for entry in out.glob("outcome/.ledger/[0-9]*")]
     assert 2 <= len(finished) < 10
     before = {chunk: chunk.stat().st_mtime_ns for chunk in finished}
     subprocess.run(command, env={**os.environ, **path}, check=True)
     assert {chunk: chunk.stat().st_mtime_ns for chunk in finished} == before
     stored = xr.open_zarr(out, consolidated=False).load().drop_vars("slow")
     assert stored.drop_attrs().identical(in_memory().drop_attrs())
+
+
+def lose(file: Path) -> None:
+    file.unlink()
+
+
+def cut(file: Path) -> None:
+    file.write_bytes(file.read_bytes()[: file.stat().st_size // 2])
+
+
+def empty(file: Path) -> None:
+    file.write_bytes(b"")
+
+
+def alter(file: Path) -> None:
+    content = bytearray(file.read_bytes())
+    content[-1] ^= 1
+    file.write_bytes(content)
+
+
+DAMAGES = pytest.mark.parametrize("damage", [lose, cut, empty, alter])
+
+
+@DAMAGES
+@pytest.mark.parametrize(
+    "file", ["position/2.0.0.0", "energy/2.0", "outcome/2", "outcome/.ledger/2"]
+)
+def test_a_damaged_chunk_is_computed_again(
+    tmp_path: Path, file: str, damage: Callable[[Path], None]
+) -> None:
+    out = tmp_path / "e.zarr"
+    whole = t2.ensemble(bouncing(), out=out, chunk=8, workers=1, **ARGUMENTS).load()
+    damage(out / file)
+    heard: list[int] = []
+    mended = t2.ensemble(
+        bouncing(), out=out, workers=1, progress=lambda n, _: heard.append(n), **ARGUMENTS
+    )
+    assert heard == [16, 20]
+    assert mended.load().identical(whole)
+
+
+@DAMAGES
+@pytest.mark.parametrize(
+    "file",
+    [
+        ".zgroup", ".zattrs", "position/.zarray", "position/.zattrs", "outcome/.zarray",
+        "bodies.ball.position.y/0", "time/0",
+    ],
+)  # fmt: skip
+def test_a_store_whose_description_is_damaged_is_refused(
+    tmp_path: Path, file: str, damage: Callable[[Path], None]
+) -> None:
+    out = tmp_path / "e.zarr"
+    t2.ensemble(bouncing(), out=out, chunk=8, workers=1, **ARGUMENTS)
+    damage(out / file)
+    told = rf"e\.zarr: its file {re.escape(file)} is missing, or not as it was written \(R8\)"
+    with pytest.raises(t2.RecordingError, match=told):
+        t2.ensemble(bouncing(), out=out, workers=1, **ARGUMENTS)
 
 
 @pytest.mark.parametrize(
@@ -164,6 +224,8 @@ def test_what_is_no_store_is_left_alone(tmp_path: Path) -> None:
     assert out.read_text() == "mine"
     with pytest.raises(t2.RecordingError, match=r"there is no directory .*no"):
         t2.ensemble(bouncing(), out=tmp_path / "no" / "e.zarr", workers=1, **ARGUMENTS)
+    with pytest.raises(t2.RecordingError, match=r"a\\x00b': is no name of a file \(R8\)"):
+        t2.ensemble(bouncing(), out=tmp_path / "a\0b", workers=1, **ARGUMENTS)
 
 
 FULL = """

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+import tamias2d as t2
 from tamias2d.errors import SceneError
 from tamias2d.scene import Box, Capsule, Compound, Part, Segment, load
 
@@ -371,3 +372,19 @@ def test_a_bare_zero_fits_any_unit() -> None:
 def test_a_typo_in_a_text_is_placed_too() -> None:
     with pytest.raises(SceneError, match=r"^scene:10:11: mass"):
         load(GOOD.replace("10 kg", "-10 kg"))
+
+
+def test_a_missing_restitution_is_told_where_the_file_has_the_body() -> None:
+    scene = t2.load(
+        "gravity: [0 m/s^2, -9.81 m/s^2]\n"
+        "bodies:\n"
+        "  ball: {shape: disc, radius: 1 m, mass: 1 kg, position: [0 m, 3 m]}\n"
+        "statics:\n"
+        "  floor: {shape: half-plane, normal: [0, 1], offset: 0 m}\n"
+    )
+    told = r"^scene:3:3: restitution of the pair 'ball' and 'floor': not stated"
+    with pytest.raises(t2.SceneError, match=told):
+        t2.simulate(scene, duration=2.0)
+    with pytest.raises(t2.SceneError, match=told):
+        t2.Simulator(scene)
+    assert scene == t2.load(t2.scene_text(scene))  # wherever its bodies were written

@@ -110,3 +110,14 @@ def test_a_masked_value_is_refused_by_the_simulator() -> None:
     sim.add(disc, mass=masked.filled(1.0), position=[(0, 0), (3, 0)], restitution=0.5)
     with pytest.raises(t2.InputError, match=r"orientation of .*: found a masked value"):
         sim.orientation = masked
+
+
+def test_what_nothing_can_push_stays_as_it_is() -> None:
+    sim = small()
+    twin = small()
+    sim.apply_impulse(0, (1.0, 2.0), at=(3.0, 4.0))
+    sim.apply_force(0, (1.0, 2.0), at=(3.0, 4.0))
+    sim.step(3)
+    twin.step(3)
+    np.testing.assert_array_equal(sim.position, twin.position)
+    np.testing.assert_array_equal(sim.velocity, twin.velocity)

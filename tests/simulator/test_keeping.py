@@ -117,4 +117,7 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
             sim.save(tmp_path / name)
         with pytest.raises(t2.RecordingError, match="no such file"):
             t2.Simulator.restore(tmp_path / name)
+    for name in ("a\0b", "a\nb"):
+        with pytest.raises(t2.RecordingError, match=r"a\\(x00|n)b'?: a simulator is saved as"):
+            sim.save(tmp_path / name)
     assert list(tmp_path.iterdir()) == [path]

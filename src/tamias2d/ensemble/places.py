@@ -4,12 +4,13 @@ Serves: whoever varies a scene. Hides: how a path is read, what it can mean, and
 there.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from tamias2d.ensemble.outline import Outline
 from tamias2d.generated.symbols import SYMBOLS
+from tamias2d.scene.forms import SECTIONS
 from tamias2d.scene.rules import RuleError
 from tamias2d.spec.symbols import Symbol
 from tamias2d.suggestions import nearest
@@ -59,8 +60,8 @@ def _places(path: str, outline: Outline) -> Iterator[tuple[tuple[Any, ...], Symb
     section, _, rest = path.partition(".")
     if section == "gravity":
         yield from _ended(("gravity",), "gravity", rest)
-    elif section == "bodies":
-        for name, values in outline["bodies"].items():
+    elif section in SECTIONS:
+        for name, values in _of_section(section, outline).items():
             if rest.startswith(f"{name}."):
                 yield from _among(("bodies", name), values, rest[len(name) + 1 :])
     elif section in _PAIRS:
@@ -77,6 +78,18 @@ def _places(path: str, outline: Outline) -> Iterator[tuple[tuple[Any, ...], Symb
                 yield from _among(("springs", k), values, rest)
     elif section == "attraction":
         yield from _among(("attraction",), outline["attraction"], rest)
+
+
+def _of_section(section: str, outline: Outline) -> dict[str, Any]:
+    """Return the bodies that a section of a scene file has, by name; "bodies" may mean any."""
+    if section == "bodies":
+        return dict(outline["bodies"])
+    moves = section == "kinematics"
+    return {
+        name: values
+        for name, values in outline["bodies"].items()
+        if "mass" not in values and ("velocity" in values) == moves
+    }
 
 
 def _among(
@@ -103,7 +116,8 @@ def _pairs(outline: Outline) -> Iterator[tuple[str, str]]:
 
 def _unknown(path: object, outline: Outline) -> RuleError:
     near = _near(str(path), outline)
-    known = ", ".join(["gravity", *(f"bodies.{name}.position" for name in outline["bodies"])][:4])
+    placed = [name for name, values in outline["bodies"].items() if "position" in values]
+    known = ", ".join(["gravity", *(f"bodies.{name}.position" for name in placed)][:4])
     hint = f"Did you mean {near!r}?" if near else f"There are, for example, {known}."
     return RuleError(f"vary {path!r}: the scene has no such place (R2). {hint}", "vary")
 
@@ -111,14 +125,16 @@ def _unknown(path: object, outline: Outline) -> RuleError:
 def _near(path: str, outline: Outline) -> str | None:
     """Return the path that was probably meant: word by word, as far as there are words alike."""
     section, _, rest = path.partition(".")
-    section = nearest(section, outline) or ""
+    section = nearest(section, (*outline, *SECTIONS)) or ""
     if section == "gravity":
         return f"gravity.{nearest(rest, _AXES) or 'y'}"
     if section in _PAIRS:
         return nearest(f"{section}.{rest}", (f"{section}.{a}.{b}" for a, b in _pairs(outline)))
     if section == "attraction":
         return _near_key(section, outline[section], rest)
-    owners = _numbered(outline.get(section))
+    owners = (
+        _of_section(section, outline) if section in SECTIONS else _numbered(outline.get(section))
+    )
     name, _, rest = rest.partition(".")
     if not (owner := nearest(name, owners)):
         return None
@@ -133,11 +149,9 @@ def _near_key(owner: str, values: Mapping[str, Any], rest: str) -> str | None:
     return f"{owner}.{near}" if near else None
 
 
-def _numbered(owners: Any) -> dict[str, Any]:
-    """Return bodies by name, or springs by number."""
-    if isinstance(owners, list):
-        return {str(k): values for k, values in enumerate(owners)}
-    return owners or {}
+def _numbered(owners: Sequence[Any] | None) -> dict[str, Any]:
+    """Return springs by number."""
+    return {str(k): values for k, values in enumerate(owners or ())}
 
 
 def _put(node: Any, keys: tuple[Any, ...], value: Any) -> Any:

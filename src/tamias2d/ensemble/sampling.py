@@ -176,6 +176,13 @@ def _shares(
         return {}
     if design is None:
         return {path: _stream(checked_seed(seed), path).random(count) for path in drawn}
+    if not callable(design):
+        raise RuleError(
+            f"design: found {shown(design)}: must be a class of scipy.stats.qmc, which is given "
+            "the number of distributions and the seed's random numbers (R5). Give it without "
+            "brackets, such as design=qmc.Sobol, or functools.partial(qmc.Sobol, scramble=False).",
+            "design",
+        )
     rows = design(d=len(drawn), rng=_stream(checked_seed(seed), "design")).random(count)
     return {path: rows[:, k] for k, path in enumerate(drawn)}
 
@@ -241,8 +248,9 @@ def _refuse_out_of_range(values: Array, place: Place) -> None:
         return
     world = int(np.argwhere(~good)[0][0])
     unit = "" if symbol.unit == "1" else f" {symbol.unit}"
+    rule = symbol.rule if np.isfinite(values[world]).all() else "must be finite (R4)"
     raise RuleError(
         f"vary {place.path!r}: found {shown(values[world].tolist())}{unit} for world {world}: "
-        f"{symbol.rule}. Give values, or a distribution, within it.",
+        f"{rule}. Give values, or a distribution, within it.",
         "vary",
     )

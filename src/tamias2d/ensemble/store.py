@@ -1,8 +1,8 @@
 """Ensembles on disk: a Zarr store to which each worker writes the blocks that it has solved.
 
 Serves: ensembles that memory does not hold, or that may be interrupted. Hides: the store, and how
-it is known which blocks are finished. A block's outcomes are written last, each chunk of a store
-appears whole or not at all, and so a block whose outcomes are there is finished.
+it is known which blocks are finished. A block is entered in the store's ledger when all of its
+chunks are written, and is finished as long as these are what was entered.
 """
 
 import os
@@ -14,13 +14,18 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tamias2d.ensemble.dataset import WORLDS, dataset_of, refuse_other
+from tamias2d.ensemble.ledger import Ledger
 from tamias2d.ensemble.request import Request
-from tamias2d.ensemble.solving import UNKNOWN, Block
+from tamias2d.ensemble.solving import Block
 from tamias2d.ensemble.worlds import MadeWorlds, VariedWorlds
-from tamias2d.errors import RecordingError
+from tamias2d.errors import RecordingError, path_text
 from tamias2d.record.dataset import extra
+
+_MADE = "made"
+"""The ledger's entry of what describes the store, and was written when it was made."""
 
 
 class Store:
@@ -28,6 +33,7 @@ class Store:
 
     def __init__(self, path: Path) -> None:
         self.path = path.absolute()
+        self._ledger = Ledger(self.path)
 
     def prepare(
         self, worlds: VariedWorlds | MadeWorlds, request: Request, chunk: int
@@ -35,8 +41,10 @@ class Store:
         """Make the store, or go on with it; return the blocks that are not finished.
 
         Raises:
-            RecordingError: it holds something else, or cannot be written.
+            RecordingError: it holds something else, is damaged, or cannot be written.
         """
+        if "\0" in str(self.path):
+            raise RecordingError(f"{path_text(self.path)}: is no name of a file (R8). Rename it.")
         if not self.path.parent.is_dir():
             raise RecordingError(
                 f"{self.path}: there is no directory {self.path.parent}. Make it first."
@@ -44,12 +52,15 @@ class Store:
         with self._written():
             if not self.path.exists():
                 self._make(worlds, request, chunk)
+        self._refuse_damaged()
         group = self._opened("r")
         refuse_other(dict(group.attrs), worlds, request, str(self.path))
-        outcome, chunk = group["outcome"][:], group["outcome"].chunks[0]
-        starts = range(0, len(worlds), chunk)
-        blocks = [(first, min(first + chunk, len(worlds))) for first in starts]
-        return [(first, last) for first, last in blocks if (outcome[first:last] == UNKNOWN).any()]
+        chunk = group["outcome"].chunks[0]
+        return [
+            (first, min(first + chunk, len(worlds)))
+            for first in range(0, len(worlds), chunk)
+            if self._ledger.damaged(str(first // chunk))
+        ]
 
     def write(self, block: Block) -> None:
         """Write a block; it counts as finished from the end of this call on.
@@ -59,9 +70,17 @@ class Store:
         """
         with self._written():
             group = self._opened("r+")
-            for name, values in block.arrays.items():
+            number = str(block.first // group["outcome"].chunks[0])
+            arrays: dict[str, NDArray[Any]] = {"outcome": block.outcome, **block.arrays}
+            chunks = [
+                f"{name}/{'.'.join([number] + ['0'] * (values.ndim - 1))}"
+                for name, values in arrays.items()
+            ]
+            for chunk in chunks:  # what is damaged cannot be written over
+                (self.path / chunk).unlink(missing_ok=True)
+            for name, values in reversed(arrays.items()):
                 group[name][block.first : block.last] = values
-            group["outcome"][block.first : block.last] = block.outcome
+            self._ledger.enter(number, chunks)
 
     def dataset(self) -> Any:
         """Return the `xarray.Dataset`, of which values are read when they are asked for."""
@@ -90,20 +109,30 @@ class Store:
                 template.to_zarr(
                     draft, compute=False, consolidated=False, zarr_format=2, encoding=sizes
                 )
+            files = [file for file in draft.rglob("*") if file.is_file()]
+            Ledger(draft).enter(_MADE, [file.relative_to(draft).as_posix() for file in files])
             os.rename(draft, self.path)
         finally:
             shutil.rmtree(draft, ignore_errors=True)
+
+    def _refuse_damaged(self) -> None:
+        """Raise `RecordingError` if what describes the store is not there as it was made."""
+        if _MADE not in self._ledger:
+            raise RecordingError(
+                f"{self.path}: is no Zarr store of an ensemble, or one of another version of the "
+                "program (R8). Give another `out`, or delete it."
+            )
+        if damaged := self._ledger.damaged(_MADE):
+            raise RecordingError(
+                f"{self.path}: its file {damaged} is missing, or not as it was written (R8). Bring "
+                "it back from a copy, or delete the store, then call again."
+            )
 
     def _opened(self, mode: Literal["r", "r+"]) -> Any:
         with extra():
             from zarr import open_group
 
-        try:
-            return open_group(self.path, mode=mode, zarr_format=2)
-        except (FileNotFoundError, ValueError, KeyError) as fault:
-            raise RecordingError(
-                f"{self.path}: is no Zarr store of an ensemble (R8). Give another `out`."
-            ) from fault
+        return open_group(self.path, mode=mode, zarr_format=2)
 
     @contextmanager
     def _written(self) -> Iterator[None]:

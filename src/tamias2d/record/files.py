@@ -6,7 +6,7 @@ import importlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tamias2d.errors import InputError, RecordingError
+from tamias2d.errors import InputError, RecordingError, path_text
 from tamias2d.record import header as headers, history
 from tamias2d.recording_file import refuse_missing, refuse_place
 
@@ -63,7 +63,7 @@ def _kind(path: Path) -> Any:
     if path.suffix == ".rrd":
         return rerun(path)
     raise InputError(
-        f"{path}: suffix {path.suffix!r}: a run is saved as .rrd or .npz (R5). "
+        f"{path_text(path)}: suffix {path.suffix!r}: a run is saved as .rrd or .npz (R5). "
         "Give the name one of these endings."
     )
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tamias2d.balance import kinetic_energy
-from tamias2d.errors import InputError, RecordingError
+from tamias2d.errors import InputError, RecordingError, path_text
 from tamias2d.record import drawing, joint_drawing
 from tamias2d.recording_file import aside, refuse_place
 from tamias2d.scene import HalfPlane
@@ -59,8 +59,8 @@ def figure_for(path: Path) -> Any:
     kinds = figure.canvas.get_supported_filetypes()
     if path.suffix[1:] not in kinds:
         raise InputError(
-            f"{path}: suffix {path.suffix!r}: a picture is one of {', '.join(sorted(kinds))}. "
-            "Give it such a name, .png for one."
+            f"{path_text(path)}: suffix {path.suffix!r}: a picture is one of "
+            f"{', '.join(sorted(kinds))}. Give it such a name, .png for one."
         )
     return figure
 

@@ -1,7 +1,7 @@
 """A body: its shape, its mass and inertia, and the state in which it starts."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from tamias2d.scene.compound import Shape
 from tamias2d.scene.filters import ALL
@@ -61,6 +61,8 @@ class Body:
     """Those of one group always touch where it is positive, and never where it is negative."""
     sensor: bool = False
     """Whether it only tells what overlaps it, and pushes nothing."""
+    where: str = field(default="", compare=False, repr=False)
+    """Its place in a scene file, as file:line:column; empty for one that code added."""
 
     @property
     def inverse_mass(self) -> float:

@@ -16,6 +16,8 @@ from tamias2d.suggestions import suggests
 
 End: TypeAlias = int | Vector
 """A body, by its index, or a point of the plane, m."""
+OWN_EQUATION = "equation of one's own"
+"""What steps do not know of a joint that is stated by its equation."""
 
 
 @suggests
@@ -86,7 +88,7 @@ class Joint:
     def beyond_steps(self) -> str | None:
         """What the frame loop does not know of it, or None (R13)."""
         if self.equations:
-            return "equation of one's own"
+            return OWN_EQUATION
         if self.breaks:
             return "breaking of joints"
         if any(each.pitch is not None for each in self.freedoms):

@@ -6,7 +6,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from tamias2d.errors import SceneError
+from tamias2d.errors import SceneError, path_text
 from tamias2d.scene.forms import SECTIONS, listed, mapping, two_names, within
 from tamias2d.scene.quantities import KeyPath, read_quantity, read_value, scalar_text
 from tamias2d.scene.reading_acting import add_acting
@@ -68,7 +68,6 @@ def _file_text(path: Path) -> str:
 
 
 def _file_bytes(path: Path) -> bytes:
-    where = shown(str(path)) if not str(path).isprintable() else str(path)
     try:
         status = path.stat()
         if not stat.S_ISREG(status.st_mode):
@@ -83,7 +82,7 @@ def _file_bytes(path: Path) -> bytes:
     except (OSError, ValueError) as error:
         said = error.strerror if isinstance(error, OSError) else error
         fault = f"{said} (R2). Give a file to read."
-    raise SceneError(f"{where}: {fault}")
+    raise SceneError(f"{path_text(path)}: {fault}")
 
 
 def read_scene(text: str, *, file: str, name: str = "", longest: float = MAX_SIZE) -> Scene:
@@ -99,10 +98,15 @@ def read_scene(text: str, *, file: str, name: str = "", longest: float = MAX_SIZ
     except MarkupError as error:
         raise SceneError(str(error)) from None
     try:
-        return _scene(tree, name)
+        scene = _scene(tree, name)
     except RuleError as error:
         line, column = _place(marks, error.path)
         raise SceneError(f"{file}:{line}:{column}: {error}") from None
+    for body in scene.bodies:
+        places = (marks.get((section, body.name, "key")) for section in SECTIONS)
+        line, column = next(filter(None, places), (1, 1))
+        scene.locate(body.name, f"{file}:{line}:{column}")
+    return scene
 
 
 def _place(marks: Mapping[KeyPath, Place], path: KeyPath) -> Place:

@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import count
 from numbers import Integral
 from typing import Any
@@ -298,6 +299,11 @@ class Scene(SceneData):
         )
         self._append_joint(joint)
         return len(self._joints) - 1
+
+    def locate(self, body: int | str, where: str) -> None:
+        """State where a file has a body, as file:line:column, for what is said of it later."""
+        k = self.index(body)
+        self._bodies[k], self._shown = replace(self._bodies[k], where=where), ()
 
     def repeat_joint(self, joint: Joint) -> None:
         """Add a joint of a scene whose bodies have the same indices.

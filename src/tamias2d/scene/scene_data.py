@@ -115,7 +115,8 @@ class SceneData:
         stated = [value for value in own if value is not None]
         if not stated:
             raise SceneError(
-                f"restitution of the pair {self._pair(i, j)}: not stated, and they can meet (R3). "
+                f"{self.place_of(i, j)}restitution of the pair {self._pair(i, j)}: not stated, and "
+                "they can meet (R3). "
                 "Give one of them a restitution, or set it for the pair."
             )
         return float(definitions.pair_restitution(stated[0], stated[-1]))
@@ -173,6 +174,11 @@ class SceneData:
 
     def __repr__(self) -> str:
         return f"<Scene {self.name!r} of {len(self)} bodies>"
+
+    def place_of(self, *bodies: int) -> str:
+        """Return where a file has the first of some bodies that it has, as messages begin."""
+        places = (self._bodies[k].where for k in bodies)
+        return next((f"{where}: " for where in places if where), "")
 
     def _pair(self, i: int, j: int) -> str:
         return f"'{self._bodies[i].name}' and '{self._bodies[j].name}'"

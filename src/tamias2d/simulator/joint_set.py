@@ -37,7 +37,8 @@ from tamias2d.read_only import read_only
 from tamias2d.scene.bodies import Body
 from tamias2d.scene.freedoms import Freedom, JointSpring, Limits, Motor
 from tamias2d.scene.joint_checks import checked_joint
-from tamias2d.scene.joints import End, Joint
+from tamias2d.scene.joint_kinds import Equation
+from tamias2d.scene.joints import OWN_EQUATION, End, Joint
 from tamias2d.scene.rules import RuleError, shown
 from tamias2d.scene.springs import arm
 from tamias2d.simulator.told_only import REMEDIES
@@ -117,6 +118,8 @@ class JointSet:
             RuleError: it breaks a rule, or its name is taken.
         """
         name = self._free_name(name)
+        if isinstance(kind, Equation):
+            raise _beyond_steps(name, "equation", OWN_EQUATION)
         joint = checked_joint(kind, name, ends, anchors, collide, bodies, at_rest=True)
         refuse_unknown([joint])
         self._joints[name] = joint
@@ -299,11 +302,15 @@ def refuse_unknown(joints: Iterable[Joint]) -> None:
     """Raise `RuleError` where a joint has what steps do not know."""
     for joint in joints:
         if what := joint.beyond_steps:
-            raise RuleError(
-                f"joint '{joint.name}' ({joint.kind}): steps know no {what} (R13). Leave it out, "
-                "or take simulate(scene, ...) without Stepped(), which knows it.",
-                "joints",
-            )
+            raise _beyond_steps(joint.name, joint.kind, what)
+
+
+def _beyond_steps(name: str, kind: str, what: str) -> RuleError:
+    return RuleError(
+        f"joint '{name}' ({kind}): steps know no {what} (R13). Leave it out, or take "
+        "simulate(scene, ...) without Stepped(), which knows it.",
+        "joints",
+    )
 
 
 def joint_rows(joint: Joint) -> list[JointRow]:

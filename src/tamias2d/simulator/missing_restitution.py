@@ -27,11 +27,12 @@ def refuse_missing_restitution(
     batch: Batch,
     named: Callable[[int], str],
     stated: Mapping[tuple[int, int], float] | None = None,
+    place_of: Callable[[int, int], str] = lambda *_: "",
 ) -> None:
     """Raise `SceneError` if a body of a batch can meet one, and nothing states a restitution.
 
     Bodies of the engine are given by rows, those of the batch count on from their number; `stated`
-    are the restitutions of pairs, the lower number first.
+    are the restitutions of pairs, the lower number first. `place_of` a pair begins the message.
     """
     known = stated or {}
     new = list(_new(batch, engine.size))
@@ -45,10 +46,11 @@ def refuse_missing_restitution(
             continue
         for i, j in product(groups[one], groups[other]):
             if i != j and max(i, j) >= engine.size and (min(i, j), max(i, j)) not in known:
+                first, second = min(i, j), max(i, j)
                 raise SceneError(
-                    f"restitution of the pair {named(min(i, j))} and {named(max(i, j))}: not "
-                    "stated, and they can meet (R3). Give one of them a restitution, set it for "
-                    "the pair, or let them not touch."
+                    f"{place_of(first, second)}restitution of the pair {named(first)} and "
+                    f"{named(second)}: not stated, and they can meet (R3). Give one of "
+                    "them a restitution, set it for the pair, or let them not touch."
                 )
 
 

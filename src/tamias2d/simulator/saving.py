@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tamias2d import archive
 from tamias2d.engine.contact_report import Contacts, Touching, contacts_of, pairs_of
 from tamias2d.engine.saved_checks import UnfitError, require
-from tamias2d.errors import RecordingError, TamiasError
+from tamias2d.errors import RecordingError, TamiasError, path_text
 from tamias2d.recording_file import aside, refuse_missing
 from tamias2d.scene import Scene
 from tamias2d.scene.reading import read_scene
@@ -50,7 +50,8 @@ def write(path: Path, arrays: Arrays) -> None:
     """
     if path.suffix != ".npz":
         raise RecordingError(
-            f"{path}: a simulator is saved as .npz. Give the name this ending, e.g. game.npz."
+            f"{path_text(path)}: a simulator is saved as .npz. Give the name this ending, e.g. "
+            "game.npz."
         )
     with aside(path) as draft, draft.open("wb") as file:
         np.savez(file, allow_pickle=False, **arrays)

@@ -19,7 +19,7 @@ from tamias2d.engine.saved_state import restored_engine, rewind, saved_arrays
 from tamias2d.engine.tables import DYNAMIC, KINEMATIC, STATIC
 from tamias2d.errors import RecordingError, StepWarning
 from tamias2d.scene import Scene, scene_text
-from tamias2d.scene.joint_kinds import Kind
+from tamias2d.scene.joint_kinds import Equation, Kind
 from tamias2d.scene.joints import End, kept_apart
 from tamias2d.scene.rules import RuleError, VectorLike, shown, vector
 from tamias2d.scene.scene_data import checked_scene
@@ -137,7 +137,8 @@ class Simulator(Views):
         names = [f"'{body.name}'" for body in scene.bodies]
         known = scene.restitution_of_pairs
         apart = dict.fromkeys(kept_apart(scene.joints), 0.0)
-        refuse_missing_restitution(engine, batch, names.__getitem__, {**apart, **known})
+        stated = {**apart, **known}
+        refuse_missing_restitution(engine, batch, names.__getitem__, stated, scene.place_of)
         engine.add(batch)
         engine.override_pairs(scene.friction_of_pairs, known)
         self._begin(engine)
@@ -296,7 +297,7 @@ class Simulator(Views):
         """Change velocities by an impulse in N s, (2,) or (k, 2), for each of k bodies.
 
         It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m. A body that
-        is given twice gets it twice; what nothing can push stays as it is.
+        is given twice gets it twice; what nothing can push, such as a static body, stays as it is.
 
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
@@ -309,7 +310,8 @@ class Simulator(Views):
     def apply_force(self, bodies: Bodies, force: object, *, at: object | None = None) -> None:
         """Push bodies through the next step with a force in N, (2,) or (k, 2), besides `force`.
 
-        It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m.
+        It acts at the centres of mass, or `at` points of the world, (2,) or (k, 2), m. What nothing
+        can push stays as it is.
 
         Raises:
             InputError: a body is not there, or a value breaks a rule (R4).
@@ -438,7 +440,7 @@ class Simulator(Views):
         self,
         kind: Kind,
         first: int | str | VectorLike,
-        second: int | str | VectorLike,
+        second: int | str | VectorLike | None = None,
         *,
         anchor: VectorLike = (0.0, 0.0),
         other_anchor: VectorLike = (0.0, 0.0),
@@ -458,7 +460,7 @@ class Simulator(Views):
         """
         ends = (
             self._end(first),
-            self._end(second),
+            (0.0, 0.0) if second is None and isinstance(kind, Equation) else self._end(second),
             (0.0, 0.0) if third is None else self._end(third),
         )
         anchors = (anchor, other_anchor, third_anchor)

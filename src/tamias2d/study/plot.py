@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tamias2d.errors import InputError, RecordingError
+from tamias2d.errors import InputError, RecordingError, path_text
 from tamias2d.storage import write_aside
 from tamias2d.study.contact_errors import ContactErrors
 from tamias2d.study.contact_study import ContactStudy
@@ -68,8 +68,8 @@ def _refuse_kind(figure: Any, path: Path) -> None:
     kinds = figure.canvas.get_supported_filetypes()
     if path.suffix[1:] not in kinds:
         raise InputError(
-            f"{path}: suffix {path.suffix!r}: a picture is one of {', '.join(sorted(kinds))}. "
-            "Give it such a name, .png for one."
+            f"{path_text(path)}: suffix {path.suffix!r}: a picture is one of "
+            f"{', '.join(sorted(kinds))}. Give it such a name, .png for one."
         )
 
 
