@@ -45,6 +45,11 @@ def test_a_segment_that_falls_flat_on_a_long_free_one_stays_above() -> None:
     assert not stepped(throw(922_401))
 
 
+def test_a_capsule_that_falls_flat_on_a_sheet_with_slanted_ends_stays_above() -> None:
+    """The sides of its ends are turned by 1e-8 against its top, and 200 m away."""
+    assert not stepped(throw(1_107_555))
+
+
 @pytest.mark.parametrize(
     ("tilt", "height", "speed", "spin"),
     [(0.03344, 0.0167, 0.4743, 0.2964), (0.0445, 0.0216, 0.474, 0.3)],

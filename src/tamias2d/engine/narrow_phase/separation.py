@@ -18,6 +18,7 @@ from tamias2d.state import Array, Vector
 SEPARATED, REFERENCE_A, REFERENCE_B, EITHER_IS_REFERENCE = 1, 2, 3, 4
 INFINITE = 1e308
 BEHIND = -0.5  # cosine of the angle between directions on opposite sides of a thin shape
+OPPOSITE = -1.0 + 2.0**-40  # cosine of sides that face each other but for a millionth
 
 
 class Axis(NamedTuple):
@@ -199,10 +200,16 @@ def inner_radius(p: Core, vertices: Array) -> float:
 
 
 def incident_side(q: Core, vertex: int, nx: float, ny: float, vertices: Array) -> int:
-    """Return which of the two sides at a vertex faces more against a direction."""
+    """Return which of the two sides at a vertex faces more against a direction.
+
+    Where both nearly do, sines tell: of a sheet with slanted ends all cosines are rounded to -1.
+    """
     before = vertex - 1 if vertex > 0 else q.vertex_count - 1
-    here = nx * vertices[q.first + vertex, 2] + ny * vertices[q.first + vertex, 3]
-    other = nx * vertices[q.first + before, 2] + ny * vertices[q.first + before, 3]
+    mx, my = vertices[q.first + vertex, 2], vertices[q.first + vertex, 3]
+    kx, ky = vertices[q.first + before, 2], vertices[q.first + before, 3]
+    here, other = nx * mx + ny * my, nx * kx + ny * ky
+    if here < OPPOSITE and other < OPPOSITE:
+        here, other = abs(nx * my - ny * mx), abs(nx * ky - ny * kx)
     return before if other < here else vertex
 
 
