@@ -59,6 +59,12 @@ def only_slowed(scene: SceneData) -> bool:
     return all(why.endswith(_DRAG) for _, why in _variations(scene, moving))
 
 
+def kinked(scene: SceneData) -> bool:
+    """Return whether some force has a kink: a scheme of high order has none of it across that."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    return any(law.kinked for _, law in varying_laws(scene, moving))
+
+
 def timed_loads(scene: SceneData) -> set[int]:
     """Return the bodies on which some law acts that depends on time, whatever their state."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]

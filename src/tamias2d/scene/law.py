@@ -23,6 +23,7 @@ from tamias2d.spec.symbols import SymbolTable, table_from
 VARYING = ("time", "position", "velocity", "orientation", "angular_velocity")
 """What a law may use and what changes during a run; `mass` may stand in it too."""
 _NO_NUMBER = ("d", "integral", "sum")  # of the language, but they need more than an instant
+_KINKED = ("abs", "min", "max", "atan2")  # of the language, but not smooth
 _NOTHING = dict.fromkeys((*VARYING, "mass"), math.nan) | dict.fromkeys(
     ("position", "velocity"), (math.nan, math.nan)
 )
@@ -49,6 +50,12 @@ class StateLaw:
     def varies(self) -> bool:
         """Whether the law can change during a run."""
         return bool(self.names & set(VARYING))
+
+    @cached_property
+    def kinked(self) -> bool:
+        """Whether the law has a derivative that jumps, or jumps itself, where it can change."""
+        called = {part.function for part in walk(self.node) if isinstance(part, Call)}
+        return self.varies and not called.isdisjoint(_KINKED)
 
     @cached_property
     def shape(self) -> tuple[str, tuple[float, ...]]:

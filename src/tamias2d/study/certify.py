@@ -20,6 +20,7 @@ from tamias2d.motion import (
     Stepped,
 )
 from tamias2d.run import Run
+from tamias2d.scene.acting import kinked
 from tamias2d.scene.rules import shown
 from tamias2d.solve import solve_halved
 from tamias2d.state import Array, History
@@ -379,10 +380,10 @@ def _of_halves(run: Run, apart: Array | None) -> _Bound:
 
     By the order p of the scheme halves err 2^p - 1 times less than both differ. The farther apart
     they are, and the fewer, the less the order is believed: where a run meets something sharp, or
-    is coarse, both may err by much the same.
+    is coarse, both may err by much the same. Across a kink of a force there is no order.
     """
     steps = run.cost.steps if run.cost else 0
-    if apart is None or steps < _FEW or run.method.facts is None:
+    if apart is None or steps < _FEW or run.method.facts is None or kinked(run.scene):
         return _embedded(run, [])
     farthest = float((np.hypot(apart[:, 0], apart[:, 1]) + apart[:, 2] * radii(run.scene)).max())
     order = float(run.method.facts.order)

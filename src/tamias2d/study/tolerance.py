@@ -10,7 +10,7 @@ from tamias2d.errors import SceneError, SimulationError
 from tamias2d.motion import Dop853, DormandPrince5
 from tamias2d.run import Run
 from tamias2d.scene import Scene
-from tamias2d.scene.acting import only_slowed
+from tamias2d.scene.acting import kinked, only_slowed
 from tamias2d.scene.reach import pairs_that_can_meet
 from tamias2d.solve import Interrupted, solve, solve_halved
 from tamias2d.state import Array
@@ -122,7 +122,7 @@ def _unweighed(asked: _Asked) -> Run | None:
     meet = bool(pairs_that_can_meet(scene, asked.duration))
     slowed = only_slowed(scene)
     try:
-        if not (meet or slowed or scene.joints) and tolerance < _HALVES:
+        if not (meet or slowed or scene.joints or kinked(scene)) and tolerance < _HALVES:
             return _halved(asked)
         loose = tolerance >= (_IMPACTS if meet else _ORDER_8)
         method = DormandPrince5 if slowed and loose else Dop853
