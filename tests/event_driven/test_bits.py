@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.event_driven import Discs, follower, tables
+from tamias2d.event_driven import EventDriven, follower, tables
 from tamias2d.solve import sampler
 from tests.event_driven.conftest import Solving
 from tests.event_driven.scenes import crowd
@@ -52,7 +52,7 @@ def test_paths_at_any_time_are_those_of_the_general_way(
     run, _ = solving(scene, "compiled", 0.5)
     assert len(run.impacts) > 40
     found = sampler(run)(times, range(len(scene)))
-    monkeypatch.setattr(Discs, "pays", lambda *_: False)
+    monkeypatch.setattr(EventDriven, "pays", lambda *_: False)
     wanted = sampler(run)(times, range(len(scene)))
     for name, values in found._asdict().items():
         np.testing.assert_array_equal(values, getattr(wanted, name))

@@ -17,7 +17,7 @@ from rich.progress import track
 
 from tamias2d.balance import balance
 from tamias2d.contact import Located
-from tamias2d.event_driven import Discs
+from tamias2d.event_driven import EventDriven
 from tamias2d.motion import ClosedForm
 from tamias2d.scene import Disc, HalfPlane, Scene
 from tamias2d.solve import solve
@@ -108,7 +108,7 @@ def _followed(scene: Scene, duration: float) -> dict[str, Any]:
     """Return how many impacts a run has, how fast they are found, and how energy is kept."""
     times = np.array([0.0, duration])
     motion = ClosedForm().motion(scene, duration, duration)
-    discs = Discs(scene, times, many=True)
+    discs = EventDriven(scene, times, many=True)
     located = Located(scene, motion, Work(duration, _NO_LIMIT), discs)
     start = process_time()
     located.go(duration)

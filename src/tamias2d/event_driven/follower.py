@@ -1,4 +1,4 @@
-"""Discs and half-planes of one scene, followed from impact to impact (`contact.Follower`)."""
+"""The bodies of one scene, followed from impact to impact (`contact.Follower`)."""
 
 from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
@@ -11,6 +11,7 @@ from tamias2d.contact.rest_time import Estimate
 from tamias2d.event_driven import tables
 from tamias2d.event_driven.arrangement import set_path, states_at, with_cells, world_of
 from tamias2d.event_driven.follow import follow, follow_worlds
+from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.event_driven.tables import World
 from tamias2d.kernels import Library
@@ -22,7 +23,7 @@ from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History, State
 
-LIBRARY = Library("impacts of discs", (follow, follow_worlds))
+LIBRARY = Library("located impacts", (follow, follow_worlds))
 _NEAR = 1.1  # times the radii: more than what may touch
 _LOAD, _COMPILE = 0.4, 12.0  # s, of what was compiled before, and of what was not
 _LOOK = 0.1  # s, after which it is asked which of the two it is
@@ -39,7 +40,7 @@ def compiled_code() -> Callable[[World], int]:
     return code
 
 
-class Discs:
+class EventDriven:
     """The bodies of one scene, as compiled code knows them."""
 
     def __init__(self, scene: Scene, times: Array | None, *, many: bool) -> None:
@@ -176,7 +177,7 @@ class Discs:
         if self._places is None:
             self._places = states_at(world, np.arange(len(world.kinds)), self.now)[:, :2]
         solid = (world.kinds > 0) & (world.kinds < tables.MOVING_PARTICLE)
-        pushed = world.kinds == tables.DISC
+        pushed = (world.kinds >= tables.DISC) & (world.kinds <= tables.HULL)
         way = np.abs(self._places - self._places[body]).max(axis=1)
         reach = _NEAR * (world.bodies[:, tables.RADIUS] + world.bodies[body, tables.RADIUS])
         close = (world.kinds == tables.PLANE) | (way <= reach)
@@ -191,7 +192,7 @@ class Discs:
         found: dict[tuple[int, int], Estimate] = {}
         for body in wanted:
             other, last, best, doubt = world.bounces[body].tolist()
-            pushed = world.kinds[body] == tables.DISC
+            pushed = is_pushed(body, world)
             if pushed and other and self._agree(body, int(other) - 1):
                 pair = min(body, int(other) - 1), max(body, int(other) - 1)
                 found[pair] = Estimate(last, best, doubt)
@@ -200,7 +201,7 @@ class Discs:
 
     def _agree(self, body: int, other: int) -> bool:
         """Whether nothing has come between the bounces of two bodies."""
-        pushed = self.world.kinds[other] == tables.DISC
+        pushed = is_pushed(other, self.world)
         return not pushed or int(self.world.bounces[other, tables.WITH]) == body + 1
 
     def remember(self, bodies: Iterable[int], memory: Memory) -> None:

@@ -1,0 +1,17 @@
+"""What kinds of bodies there are: with corners or without, pushed or fixed."""
+
+from tamias2d.event_driven.tables import DISC, FIXED_HULL, HULL, World
+from tamias2d.kernels.assembled import inlined
+
+
+@inlined
+def is_pushed(k: int, world: World) -> bool:
+    """Return whether impacts change how a body moves."""
+    return bool(DISC <= world.kinds[k] <= HULL)
+
+
+@inlined
+def has_hull(i: int, j: int, world: World) -> bool:
+    """Return whether one of two bodies has corners."""
+    one, other = world.kinds[i], world.kinds[j]
+    return bool(one == HULL or one == FIXED_HULL or other == HULL or other == FIXED_HULL)
