@@ -1,5 +1,6 @@
 """The bodies of one scene, followed from impact to impact (`contact.Follower`)."""
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
 
@@ -7,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.contact.follower import Memory, Tracks
-from tamias2d.contact.rest_time import Estimate
+from tamias2d.contact.rest_time import NONE, Estimate
+from tamias2d.contact.touching import PairOf
 from tamias2d.event_driven import tables
 from tamias2d.event_driven.arrangement import set_path, states_at, with_cells, world_of
 from tamias2d.event_driven.follow import follow, follow_worlds
@@ -62,6 +64,7 @@ class EventDriven:
         self._leads = False  # the paths are in the tables, not in the tracks
         self._given: dict[int, tuple[int, Piece]] = {}
         self._places: Array | None = None
+        self._several: dict[int, dict[PairOf, Estimate]] = {}
 
     @property
     def now(self) -> float:
@@ -186,35 +189,47 @@ class EventDriven:
         found: list[int] = np.flatnonzero(close).tolist()
         return found
 
-    def recall(self, bodies: Iterable[int]) -> Memory:
-        """Return what is known of some bodies."""
-        world, wanted = self.world, list(bodies)
-        found: dict[tuple[int, int], Estimate] = {}
-        for body in wanted:
-            other, last, best, doubt = world.bounces[body].tolist()
-            pushed = is_pushed(body, world)
-            if pushed and other and self._agree(body, int(other) - 1):
-                pair = min(body, int(other) - 1), max(body, int(other) - 1)
-                found[pair] = Estimate(last, best, doubt)
-        stalled = {body: int(world.notes[body, tables.STALLED]) for body in wanted}
-        return Memory({}, found, stalled)
+    def recall(self) -> Memory:
+        """Return what is known of all bodies."""
+        bounces = self.world.bounces
+        known = {
+            body: self._bounces_of(body, bounces[body].tolist())
+            for body in np.flatnonzero(bounces[:, tables.WITH]).tolist()
+            if is_pushed(body, self.world)
+        }
+        found = {
+            pair: estimate
+            for of_body in known.values()
+            for pair, estimate in of_body.items()
+            if all(pair in known.get(k, {}) for k in pair if is_pushed(k, self.world))
+        }
+        stalled = self.world.notes[:, tables.STALLED].tolist()
+        return Memory({}, found, dict(enumerate(stalled)))
 
-    def _agree(self, body: int, other: int) -> bool:
-        """Whether nothing has come between the bounces of two bodies."""
-        pushed = is_pushed(other, self.world)
-        return not pushed or int(self.world.bounces[other, tables.WITH]) == body + 1
+    def _bounces_of(self, body: int, row: Sequence[float]) -> dict[PairOf, Estimate]:
+        """Return the bounces of a body since it last met another one."""
+        other, *estimate = row
+        if other == tables.SEVERAL:
+            return self._several[body]
+        pair = min(body, int(other) - 1), max(body, int(other) - 1)
+        return {pair: Estimate(*estimate)}
 
     def remember(self, bodies: Iterable[int], memory: Memory) -> None:
-        """Replace what is known of some bodies: of each, the bounces that end first."""
-        ends_last = sorted(memory.bounces.items(), key=lambda known: -known[1].last)
-        rows = {k: (pair, known) for pair, known in ends_last for k in pair}
+        """Replace what is known of some bodies."""
+        known: dict[int, dict[PairOf, Estimate]] = defaultdict(dict)
+        for pair, estimate in memory.bounces.items():
+            for body in pair:
+                known[body][pair] = estimate
         for body in bodies:
             note = self.world.notes[body]
             note[tables.STALLED] = memory.stalled.get(body, 0)
             note[tables.HELD_BY] = memory.supports.get(body, -1) + 1
-            pair, known = rows.get(body, ((-1, -1), (0.0, 0.0, 0.0)))
+            self._several[body] = known[body]
+            pair, estimate = next(iter(known[body].items()), ((-1, -1), NONE))
             other = pair[1] if pair[0] == body else pair[0]
-            self.world.bounces[body] = (other + 1, *known)
+            self.world.bounces[body] = (other + 1, *estimate)
+            if len(known[body]) > 1:
+                self.world.bounces[body, tables.WITH] = tables.SEVERAL
 
     def give_back(self) -> None:
         """Add the paths that all bodies have now to their tracks."""
@@ -229,7 +244,7 @@ class EventDriven:
         if self._world is None or self._keeps_paths:
             return sample(tracks, times)
         known = np.array(
-            [self._leads or self.path(k) is track[-1] for k, track in enumerate(tracks)]
+            [self._leads or self._is_on(k, track[-1]) for k, track in enumerate(tracks)]
         )
         for body in np.flatnonzero(~known).tolist():
             self._tell(body, np.inf, tracks[body])
@@ -237,6 +252,10 @@ class EventDriven:
         rows = self._world.samples.reshape(-1, len(tracks), 6)[: len(times)]
         position, velocity = rows[..., :2].copy(), rows[..., 3:5].copy()
         return History(position, rows[..., 2].copy(), velocity, rows[..., 5].copy())
+
+    def _is_on(self, body: int, path: Piece) -> bool:
+        """Whether the tables have the path of a body: one on which contacts turn they have not."""
+        return self.path(body) is path and isinstance(path, Uniform)
 
     def _tell_last(self, bodies: NDArray[np.int64], count: int) -> None:
         """Write down the states of bodies on their paths of now at so many samples, all at once."""

@@ -35,6 +35,7 @@ from tamias2d.event_driven.tables import (
     RADIUS,
     ROUNDING,
     SETTLES,
+    SEVERAL,
     SPIN,
     STALLED,
     START,
@@ -85,17 +86,20 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
     noise = speed * (64 * EPSILON)
     if speed <= 64 * EPSILON * time * (pull_of(i, world) + pull_of(j, world)):
         return False
+    q, arm = (a, arm_a) if swapped == 1 else (b, arm_b)
     before = world.counts[IMPACTS]
     after_a, after_b, rate = rebound(a, b, arm_a, arm_b, normal, noise, restitution, i, j, world)
     staying = abs(rate) <= noise
     on_points = pressing(arm_a, arm_b, normal, i, j, world)
-    p, q = (after_b, after_a) if swapped == 1 else (after_a, after_b)
-    opening = opening_acceleration(on_points, p, q, point, sided)
+    pair = (after_b, after_a) if swapped == 1 else (after_a, after_b)
+    opening = opening_acceleration(on_points, pair[0], pair[1], point, sided)
     if not staying and opening < 0.0:
         staying = rest.bounce_height(rate, opening) <= tolerance
     if rate < -noise or before == world.counts[IMPACTS] or (staying and not world.counts[SETTLES]):
         world.counts[IMPACTS] = before
         return False
+    for row in range(before, world.counts[IMPACTS]):
+        world.impacts[row, POINT_X], world.impacts[row, POINT_Y] = q[0] + arm[0], q[1] + arm[1]
     forecast(i, j, time, rate, opening, restitution, tolerance, world)
     depart(i, time, after_a, world)
     depart(j, time, after_b, world)
@@ -104,10 +108,11 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
 
 @inlined
 def is_bound(k: int, time: float, world: World) -> bool:
-    """Return whether a body rests, or has come to no later time again and again."""
+    """Return whether a body rests, bounces on several, or has come to no later time time and again.
+    """
     note = world.notes[k]
     repeats = note[STALLED] >= MOST_REPEATS and world.paths[k, START] >= time * (1 - 4 * EPSILON)
-    return bool(note[HELD_BY] > 0 or repeats)
+    return bool(note[HELD_BY] > 0 or world.bounces[k, WITH] == SEVERAL or repeats)
 
 
 def reach(k: int, world: World) -> float:
@@ -164,7 +169,7 @@ def rebound(
             after_a, after_b, impulse = after_impulse(
                 a, b, arm_a, arm_b, normal, rate, restitution, i, j, world
             )
-        note_impact(i, j, b, arm_b, normal, impulse, rate, world)
+        note_impact(i, j, normal, impulse, rate, world)
         a, b = after_a, after_b
         rate = normal_velocity(a, b, arm_a, arm_b, normal)
     return a, b, rate
@@ -268,20 +273,12 @@ def after_friction(
 
 @inlined
 def note_impact(
-    i: int,
-    j: int,
-    b: Moving,
-    arm_b: Pair,
-    normal: Pair,
-    impulse: float,
-    rate: float,
-    world: World,
+    i: int, j: int, normal: Pair, impulse: float, rate: float, world: World
 ) -> None:
-    """Record an impulse."""
+    """Record an impulse, but for where it acts."""
     row = world.impacts[world.counts[IMPACTS]]
     world.counts[IMPACTS] += 1
     row[TIME], row[A], row[B] = world.numbers[NOW], i, j
-    row[POINT_X], row[POINT_Y] = b[0] + arm_b[0], b[1] + arm_b[1]
     row[ALONG_X], row[ALONG_Y] = normal
     row[IMPULSE], row[NORMAL_VELOCITY] = impulse, rate
 

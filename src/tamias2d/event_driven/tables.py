@@ -64,6 +64,7 @@ SEARCH_COLUMNS = 5
 TOLD, HELD_BY, STALLED, VERSION, ACROSS, UP, NEXT, BEFORE = range(8)
 NOTE_COLUMNS = 8
 WITH, LAST, BEST, DOUBT = range(4)  # of a body that bounces: the other + 1, when the bounces end, s
+SEVERAL = -1.0  # of a body that bounces on more than one other, instead of the other + 1
 FIRST, SECOND, FIRST_VERSION, SECOND_VERSION = range(4)  # of an event; one body twice: it leaves
 EVENT_COLUMNS = 4
 # of a departure: the body, its path from then on
