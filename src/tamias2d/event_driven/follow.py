@@ -86,9 +86,10 @@ def happen(world: World) -> int:
         world.counts[MEETING], world.counts[OTHER] = i, j
         return INSTANT
     first, second = (i, j) if is_pushed(i, world) else (j, i)
-    good = set_out(first, -1, time, world)
-    if good and is_pushed(second, world):
-        good = set_out(second, first, time, world)
+    both = is_pushed(second, world)  # together, once both have left for their cells' sides
+    good = set_out(first, second if both else -1, time, world)
+    if good and both:
+        good = set_out(second, -1, time, world)
     return DONE if good else SEARCH
 
 
