@@ -52,13 +52,14 @@ from tamias2d.event_driven.tables import (
     Y,
 )
 from tamias2d.generated import continuous_collision, impact, rotation
-from tamias2d.kernels.assembled import inlined
+from tamias2d.kernels.assembled import inlined, separate
 
 BEHIND = -0.5  # cosine between directions that separate a pair from either side
 FAR = 1.1  # times the bounding radii
 HERE = -2.0
 
 
+@separate
 def time_of_hull_impact(i: int, j: int, start: float, limit: float, world: World) -> float:
     """Return when two bodies touch and do not separate, s, as `time_of_meeting` does."""
     end, search = world.numbers[END], world.hulls.search

@@ -49,7 +49,7 @@ def blank_world(
 ) -> World:
     """Return the tables of n bodies of some kinds, near to each other, with room for records."""
     count, room = len(kinds), 16 * (len(kinds) + 4)
-    shaped = (kinds > 0) & (kinds < tables.MOVING_PARTICLE)
+    shaped = kinds >= tables.PLANE
     return World(
         numbers=np.zeros(tables.NUMBERS),
         counts=np.zeros(tables.COUNTS, dtype=np.int64),
@@ -170,10 +170,9 @@ def with_cells(world: World, now: float) -> World:
     world.notes[:, tables.ACROSS : tables.BEFORE + 1] = 0
     world.notes[:, tables.ACROSS] = -1
     world.leaving[:] = math.inf
-    bounded = (world.kinds >= tables.FIXED_DISC) & (world.kinds <= tables.HULL)
-    small = _small(world, np.flatnonzero(bounded))
+    small = _small(world, np.flatnonzero(world.kinds > tables.PLANE))
     inside = np.isin(np.arange(len(world.kinds)), small)
-    shaped = (world.kinds > 0) & (world.kinds < tables.MOVING_PARTICLE)
+    shaped = world.kinds >= tables.PLANE
     everywhere = np.flatnonzero(shaped & ~inside).astype(np.int32)
     if not len(small):
         return world._replace(everywhere=everywhere, cells=np.zeros((1, 1), dtype=np.int32))

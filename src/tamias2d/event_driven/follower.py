@@ -17,7 +17,6 @@ from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.event_driven.tables import World
 from tamias2d.kernels import Library
-from tamias2d.kernels.compiled import is_kept
 from tamias2d.kernels.groups import addresses
 from tamias2d.motion.track import sample
 from tamias2d.motion.uniform import Uniform
@@ -27,7 +26,7 @@ from tamias2d.state import Array, History, State
 
 LIBRARY = Library("located impacts", (follow, follow_worlds))
 _NEAR = 1.1  # times the radii: more than what may touch
-_LOAD, _COMPILE = 0.4, 12.0  # s, of what was compiled before, and of what was not
+_LOAD, _COMPILE = 0.5, 20.0  # s, of what was compiled before, and of what was not
 _LOOK = 0.1  # s, after which it is asked which of the two it is
 
 
@@ -97,7 +96,7 @@ class EventDriven:
         if spent < _LOOK or time <= 0 or not hypot_agrees():
             return False
         if not self._price:
-            self._price = _LOAD if is_kept(LIBRARY.source()) else _COMPILE
+            self._price = _LOAD if LIBRARY.is_kept() else _COMPILE
         return spent / time * (until - time) > self._price
 
     def take(self, time: float, until: float, tracks: Tracks, *, begun: bool) -> None:
@@ -179,8 +178,8 @@ class EventDriven:
         world = self.world
         if self._places is None:
             self._places = states_at(world, np.arange(len(world.kinds)), self.now)[:, :2]
-        solid = (world.kinds > 0) & (world.kinds < tables.MOVING_PARTICLE)
-        pushed = (world.kinds >= tables.DISC) & (world.kinds <= tables.HULL)
+        solid = world.kinds >= tables.PLANE
+        pushed = world.kinds >= tables.DISC
         way = np.abs(self._places - self._places[body]).max(axis=1)
         reach = _NEAR * (world.bodies[:, tables.RADIUS] + world.bodies[body, tables.RADIUS])
         close = (world.kinds == tables.PLANE) | (way <= reach)

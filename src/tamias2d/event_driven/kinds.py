@@ -7,7 +7,7 @@ from tamias2d.kernels.assembled import inlined
 @inlined
 def is_pushed(k: int, world: World) -> bool:
     """Return whether impacts change how a body moves."""
-    return bool(DISC <= world.kinds[k] <= HULL)
+    return bool(world.kinds[k] >= DISC)
 
 
 @inlined

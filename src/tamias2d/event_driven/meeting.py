@@ -7,15 +7,15 @@ from tamias2d.event_driven.approach import MARGIN, state_at, time_of_impact
 from tamias2d.event_driven.tables import (
     AX,
     AY,
+    DISC,
     HELD_BY,
     LOOKED_AT,
-    MOVING_PARTICLE,
     PLANE,
     RADIUS,
     START,
     World,
 )
-from tamias2d.event_driven.kinds import has_hull, is_pushed
+from tamias2d.event_driven.kinds import has_hull
 from tamias2d.kernels.assembled import inlined
 
 
@@ -23,9 +23,9 @@ from tamias2d.kernels.assembled import inlined
 def meets(i: int, j: int, world: World) -> bool:
     """Return whether two bodies can meet at all: one is pushed, and neither rests on the other."""
     one, other = world.kinds[i], world.kinds[j]
-    solid = 0 < one < MOVING_PARTICLE and 0 < other < MOVING_PARTICLE
+    solid, pushed = min(one, other) >= PLANE, max(one, other) >= DISC
     held = world.notes[i, HELD_BY] == j + 1 or world.notes[j, HELD_BY] == i + 1
-    return bool(i != j and solid and (is_pushed(i, world) or is_pushed(j, world)) and not held)
+    return bool(i != j and solid and pushed and not held)
 
 
 @inlined

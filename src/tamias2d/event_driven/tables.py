@@ -29,8 +29,8 @@ ROUNDING = 17  # how far it reaches beyond its corners, m; `RADIUS` is how far b
 COLUMNS = 18
 START = 9  # of a path, after its state and its acceleration, s
 PATH_COLUMNS = 10
-# kinds of bodies: a hull has corners, discs and hulls are pushed unless they are fixed
-PARTICLE, PLANE, FIXED_DISC, FIXED_HULL, DISC, HULL, MOVING_PARTICLE = range(7)
+# kinds of bodies: a hull has corners; from PLANE on they are solid, from DISC on they are pushed
+PARTICLE, MOVING_PARTICLE, PLANE, FIXED_DISC, FIXED_HULL, DISC, HULL = range(7)
 
 # of a body's outline: where it begins, how many corners and sides it has
 BEGIN, CORNERS, SIDES = range(3)

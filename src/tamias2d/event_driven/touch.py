@@ -33,7 +33,7 @@ from tamias2d.event_driven.tables import (
     Point,
     World,
 )
-from tamias2d.kernels.assembled import inlined
+from tamias2d.kernels.assembled import inlined, separate
 
 NOT_ONE = -1.0
 
@@ -55,6 +55,7 @@ def touch_of(
     return (ux, uy, 0.0, 0.0, 0.0, 0.0), swapped, sided, tolerance if good else NOT_ONE
 
 
+@separate
 def touch_of_hulls(i: int, j: int, time: float, world: World) -> tuple[Point, int, int, float]:
     """Return what `touch_of` does, for a pair with corners; undecided where several axes touch."""
     tolerance, count = axes_at(i, j, time, world)
@@ -75,6 +76,7 @@ def touch_of_hulls(i: int, j: int, time: float, world: World) -> tuple[Point, in
     return point, world.hulls.owners[best, SWAPPED], sided, tolerance if good else NOT_ONE
 
 
+@separate
 def axes_at(i: int, j: int, time: float, world: World) -> tuple[float, int]:
     """List the axes of a pair with corners at a time, s; return its resolution, m, and how many."""
     stand(FIRST_STAND, i, time, world)
