@@ -1,6 +1,7 @@
 """Scenes of bodies between walls."""
 
 import math
+from typing import TypeAlias
 
 import numpy as np
 
@@ -83,7 +84,10 @@ def mixed_crowd(seed: int) -> t2.Scene:
     return scene
 
 
-def shape_of(chance: np.random.Generator, reach: float) -> t2.Disc | t2.Segment | t2.Capsule | t2.Box | t2.Polygon:
+Convex: TypeAlias = t2.Disc | t2.Segment | t2.Capsule | t2.Box | t2.Polygon
+
+
+def shape_of(chance: np.random.Generator, reach: float) -> Convex:
     """Return a shape by chance, of which no point is farther than `reach` from its middle, m."""
     kind, share = chance.integers(6), chance.uniform(0.2, 0.9)
     if kind == 0:

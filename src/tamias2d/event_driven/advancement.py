@@ -258,4 +258,4 @@ def spin_bound(place: int, until: float, world: World) -> float:
     """Return the largest angular velocity of a body at hand until a time, rad/s."""
     body = world.hulls.stands[place]
     late = rotation.angular_velocity(body[START_SPIN], body[TURNING], until - body[START])
-    return max(abs(body[SPIN]), abs(late))
+    return float(max(abs(body[SPIN]), abs(late)))

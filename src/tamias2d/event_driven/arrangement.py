@@ -28,9 +28,7 @@ def world_of(scene: Scene, paths: Sequence[Piece], times: Array, *, keeps_paths:
     """Return the tables of a scene whose bodies are on some paths, with samples at times, s."""
     pairs, laws = pair_laws(scene)
     hulls, departures = hulls_of(scene), 2 * _ROOM if keeps_paths else 0
-    world = blank_world(
-        kinds_of(scene), pairs, times, hulls, impacts=_ROOM, departures=departures
-    )
+    world = blank_world(kinds_of(scene), pairs, times, hulls, impacts=_ROOM, departures=departures)
     world.bodies[:], world.laws[:] = body_table(scene), laws
     for k, path in enumerate(paths):
         set_path(world, k, path)
@@ -100,14 +98,18 @@ def body_table(scene: Scene) -> Array:
 
 def hulls_of(scene: Scene) -> Hulls:
     """Return the outlines of all bodies, and room for two of them at hand."""
-    shapes, outline, most = [], [], 1
+    shapes: list[tuple[int, int, int]] = []
+    outline: list[tuple[float, ...]] = []
+    most = 1
     for body in scene.bodies:
         core = Core(0, body)
         count = (len(core.corners), len(core.sides)) if core.solid else (0, 0)
         shapes.append((len(outline), *count))
         outline += _outline(core, max(count))
         most = max(most, *count)
-    return blank_hulls(np.array(shapes), np.array(outline).reshape(-1, tables.OUTLINE_COLUMNS), most)
+    return blank_hulls(
+        np.array(shapes), np.array(outline).reshape(-1, tables.OUTLINE_COLUMNS), most
+    )
 
 
 def blank_hulls(shapes: NDArray[np.int64], outline: Array, most: int) -> Hulls:

@@ -163,9 +163,7 @@ def distance_to_sides(a: int, b: int, dx: float, dy: float, world: World) -> flo
     return best
 
 
-def distance_to_outline(
-    x: float, y: float, body: int, dx: float, dy: float, world: World
-) -> float:
+def distance_to_outline(x: float, y: float, body: int, dx: float, dy: float, world: World) -> float:
     """Return the distance of a point from the nearest side that it stands beside, or infinity."""
     best, count = inf, world.hulls.forms[body, CORNERS]
     for k in range(count):

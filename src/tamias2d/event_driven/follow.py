@@ -86,7 +86,7 @@ def happen(world: World) -> int:
         world.counts[MEETING], world.counts[OTHER] = i, j
         return INSTANT
     first, second = (i, j) if is_pushed(i, world) else (j, i)
-    both = is_pushed(second, world)  # together, once both have left for their cells' sides
+    both = is_pushed(second, world)  # when both leave their cells is known to the second search
     good = set_out(first, second if both else -1, time, world)
     if good and both:
         good = set_out(second, -1, time, world)

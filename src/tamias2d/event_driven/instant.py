@@ -8,7 +8,7 @@ from math import inf
 
 from tamias2d.contact.rest_time import better_estimate
 from tamias2d.event_driven.approach import EPSILON, state_at
-from tamias2d.event_driven.kinds import has_hull, is_pushed
+from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.laws import friction_of, restitution_of
 from tamias2d.event_driven.length import hypot
 from tamias2d.event_driven.settling import settle
@@ -108,8 +108,7 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
 
 @inlined
 def is_bound(k: int, time: float, world: World) -> bool:
-    """Return whether a body rests, bounces on several, or has come to no later time time and again.
-    """
+    """Return whether a body rests, bounces on several others, or does not get on in time."""
     note = world.notes[k]
     repeats = note[STALLED] >= MOST_REPEATS and world.paths[k, START] >= time * (1 - 4 * EPSILON)
     return bool(note[HELD_BY] > 0 or world.bounces[k, WITH] == SEVERAL or repeats)
@@ -272,9 +271,7 @@ def after_friction(
 
 
 @inlined
-def note_impact(
-    i: int, j: int, normal: Pair, impulse: float, rate: float, world: World
-) -> None:
+def note_impact(i: int, j: int, normal: Pair, impulse: float, rate: float, world: World) -> None:
     """Record an impulse, but for where it acts."""
     row = world.impacts[world.counts[IMPACTS]]
     world.counts[IMPACTS] += 1
@@ -284,9 +281,7 @@ def note_impact(
 
 
 @inlined
-def pressing(
-    arm_a: Pair, arm_b: Pair, normal: Pair, i: int, j: int, world: World
-) -> float:
+def pressing(arm_a: Pair, arm_b: Pair, normal: Pair, i: int, j: int, world: World) -> float:
     """Return the normal acceleration of a contact under the loads alone, m/s^2 (DD19)."""
     on_a, on_b = pull_on(i, world), pull_on(j, world)
     return float(
@@ -297,9 +292,7 @@ def pressing(
 
 
 @inlined
-def opening_acceleration(
-    on_points: float, p: Moving, q: Moving, point: Point, sided: int
-) -> float:
+def opening_acceleration(on_points: float, p: Moving, q: Moving, point: Point, sided: int) -> float:
     """Return the second derivative of a gap of which the points accelerate, m/s^2 (GD15)."""
     ux, uy, wx, wy, vx, vy = point
     u, w, v = (ux, uy), (wx, wy), (vx, vy)

@@ -13,5 +13,5 @@ def is_pushed(k: int, world: World) -> bool:
 @inlined
 def has_hull(i: int, j: int, world: World) -> bool:
     """Return whether one of two bodies has corners."""
-    one, other = world.kinds[i], world.kinds[j]
-    return bool(one == HULL or one == FIXED_HULL or other == HULL or other == FIXED_HULL)
+    corners = HULL, FIXED_HULL
+    return bool(world.kinds[i] in corners or world.kinds[j] in corners)

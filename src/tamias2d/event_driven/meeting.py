@@ -4,6 +4,7 @@ from math import inf
 
 from tamias2d.event_driven.advancement import time_of_hull_impact
 from tamias2d.event_driven.approach import MARGIN, state_at, time_of_impact
+from tamias2d.event_driven.kinds import has_hull
 from tamias2d.event_driven.tables import (
     AX,
     AY,
@@ -15,7 +16,6 @@ from tamias2d.event_driven.tables import (
     START,
     World,
 )
-from tamias2d.event_driven.kinds import has_hull
 from tamias2d.kernels.assembled import inlined
 
 
