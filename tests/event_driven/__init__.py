@@ -1,1 +1,1 @@
-"""Tests of discs that are followed from impact to impact by compiled code."""
+"""Tests of bodies that are followed from impact to impact by compiled code."""

@@ -26,11 +26,11 @@ def solving(monkeypatch: pytest.MonkeyPatch) -> Solving:
     def solved(scene: t2.Scene, way: str, duration: float, **given: object) -> tuple[Run, str]:
         asked = iter(range(10**9))
 
-        def pays(self: follower.Discs, time: float, until: float) -> bool:  # noqa: ARG001
+        def pays(self: follower.EventDriven, time: float, until: float) -> bool:  # noqa: ARG001
             self.code = self.code or (follow if way == "plain" else follower.compiled_code())
             return way != "general" and (way != "alternating" or next(asked) % 7 == 6)
 
-        monkeypatch.setattr(follower.Discs, "pays", pays)
+        monkeypatch.setattr(follower.EventDriven, "pays", pays)
         limit = {"method": t2.ClosedForm(), "work_limit": 10**7}
         try:
             return solve(scene, duration=duration, **(limit | given)), ""  # type: ignore[arg-type]

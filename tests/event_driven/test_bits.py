@@ -1,14 +1,16 @@
 """Compiled code has the bits of the same code as plain Python, and of the general way."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
 import tamias2d as t2
-from tamias2d.event_driven import Discs, follower, tables
+from tamias2d.event_driven import EventDriven, follower, tables
 from tamias2d.solve import sampler
 from tests.event_driven.conftest import Solving
-from tests.event_driven.scenes import crowd
-from tools.measurements.impacts import gas
+from tests.event_driven.scenes import crowd, mixed_crowd
+from tools.measurements.impacts import gas, polygon_gas
 
 
 @pytest.mark.parametrize("way", ["compiled", "plain", "alternating"])
@@ -22,10 +24,40 @@ def test_every_way_has_the_bits_of_the_general_one(solving: Solving, way: str, s
     assert found.notes == wanted.notes
 
 
-def test_a_gas_has_these_bits_in_every_way(solving: Solving) -> None:
-    runs = [solving(gas(20, seed=3), way, 0.3)[0] for way in ("general", "plain", "compiled")]
+@pytest.mark.parametrize("way", ["compiled", "plain", "alternating"])
+@pytest.mark.parametrize(
+    ("seed", "duration"), [*((seed, 1.0) for seed in range(24)), (5, 1.5), (32, 1.0), (82, 1.0)]
+)
+def test_all_convex_shapes_have_these_bits_too(
+    solving: Solving, way: str, seed: int, duration: float
+) -> None:
+    """Boxes, polygons, segments, capsules and discs, flying, sliding, tipping, resting."""
+    scene = mixed_crowd(seed)
+    (wanted, why), (found, found_why) = (solving(scene, each, duration) for each in ("general", way))
+    assert found_why == why
+    assert found.digest() == wanted.digest()
+    assert found.notes == wanted.notes
+
+
+@pytest.mark.parametrize("made", [gas, polygon_gas])
+def test_a_gas_has_these_bits_in_every_way(solving: Solving, made: Callable[..., t2.Scene]) -> None:
+    runs = [solving(made(20, seed=3), way, 0.3)[0] for way in ("general", "plain", "compiled")]
     assert len(runs[0].impacts) > 60
     assert len({run.digest() for run in runs}) == 1
+
+
+def test_a_body_may_come_before_what_it_meets(solving: Solving) -> None:
+    """The point of an impact is on the corner or rim, whichever body that belongs to."""
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    for k, shape in enumerate((t2.Disc(radius=0.3), t2.Box(width=0.4, height=0.3))):
+        scene.add_body(
+            shape, mass=1.0, position=(k / 1.1, 1 / 3), orientation=0.3, restitution=0.9,
+            angular_velocity=1.7, velocity=(0.1, 0.0),
+        )  # fmt: skip
+    scene.add_static(t2.HalfPlane(normal=(0.1, 1.0), offset=-0.7), restitution=0.9)
+    (wanted, _), (found, _) = (solving(scene, way, 3.0) for way in ("general", "compiled"))
+    assert len(found.impacts) > 6
+    assert found.digest() == wanted.digest()
 
 
 def test_a_search_that_is_not_decided_is_left_to_the_general_way(
@@ -52,7 +84,7 @@ def test_paths_at_any_time_are_those_of_the_general_way(
     run, _ = solving(scene, "compiled", 0.5)
     assert len(run.impacts) > 40
     found = sampler(run)(times, range(len(scene)))
-    monkeypatch.setattr(Discs, "pays", lambda *_: False)
+    monkeypatch.setattr(EventDriven, "pays", lambda *_: False)
     wanted = sampler(run)(times, range(len(scene)))
     for name, values in found._asdict().items():
         np.testing.assert_array_equal(values, getattr(wanted, name))

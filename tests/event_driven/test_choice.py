@@ -1,4 +1,6 @@
-"""Many discs are located where compiled code decides all of it, and stepped where it does not."""
+"""Many bodies are located where compiled code decides all of it, and stepped where it does not."""
+
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -6,7 +8,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.event_driven import follower
 from tamias2d.solve import Interrupted
-from tools.measurements.impacts import gas
+from tools.measurements.impacts import gas, polygon_gas
 
 
 def row(count: int, restitution: float, gravity: float = 0.0) -> t2.Scene:
@@ -22,8 +24,9 @@ def row(count: int, restitution: float, gravity: float = 0.0) -> t2.Scene:
     return scene
 
 
-def test_a_gas_of_any_number_is_located() -> None:
-    run = t2.simulate(gas(150), duration=0.02, times=[0.02])
+@pytest.mark.parametrize("made", [gas, polygon_gas])
+def test_a_gas_of_any_number_is_located(made: Callable[..., t2.Scene]) -> None:
+    run = t2.simulate(made(150), duration=0.02, times=[0.02])
     assert run.notes == ("ClosedForm(): every force and torque is constant",)
     assert len(run.impacts) > 10
 

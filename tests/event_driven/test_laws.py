@@ -6,8 +6,12 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.contact.core import cores_of, place as placed
+from tamias2d.contact.gap import axes
+from tamias2d.state import State
 from tests.event_driven.conftest import Solving
-from tools.measurements.impacts import gas
+from tests.event_driven.scenes import shape_of
+from tools.measurements.impacts import gas, polygon_gas
 
 
 def reversed_at(run: t2.Run, scene: t2.Scene) -> t2.Scene:
@@ -34,6 +38,66 @@ def test_energy_is_kept_to_rounding_over_a_long_run() -> None:
     assert len(run.impacts) > 12_000
     # each impact rounds the energy of its bodies by a few units of 2e-16: a walk of 2e4 steps
     assert run.energy[1] == pytest.approx(run.energy[0], rel=1e-13)
+
+
+def test_polygons_keep_energy_and_do_not_overlap() -> None:
+    """A tenth of a box, for so long that each polygon meets some 200 others."""
+    scene, times = polygon_gas(100, seed=3), np.linspace(0.0, 5.0, 400)
+    run = t2.simulate(scene, duration=5.0, times=times)
+    assert run.notes[0].startswith("ClosedForm()")
+    assert len(run.impacts) > 5000
+    # as above, a walk of 1e4 steps
+    np.testing.assert_allclose(run.energy, run.energy[0], rtol=1e-13)
+    assert least_gap(run, scene) > -1e-12  # places of 1 m and times of 5 s, to rounding
+
+
+def least_gap(run: t2.Run, scene: t2.Scene) -> float:
+    """Return the least gap of all pairs at all samples, m."""
+    cores, found = cores_of(scene), math.inf
+    reach = np.array([core.bounding_radius for core in cores])
+    for k, place_of in enumerate(run.position):
+        bodies = [
+            placed(core, State(tuple(at), turn, (0.0, 0.0), 0.0))
+            for core, at, turn in zip(cores, place_of.tolist(), run.orientation[k], strict=True)
+        ]
+        apart = np.hypot(*(place_of[:, None] - place_of).transpose(2, 0, 1))
+        for i, j in np.argwhere(np.triu(apart < reach[:, None] + reach, 1)).tolist():
+            if cores[i].dynamic or cores[j].dynamic:
+                found = min(found, max(axis.gap for axis in axes(bodies[i], bodies[j])))
+    return found
+
+
+def test_energy_is_shared_alike_by_all_freedoms() -> None:
+    """Equipartition: smooth polygons turn with a third of the energy, however they began."""
+    scene = polygon_gas(150, seed=2)
+    times = np.linspace(2.0, 6.0, 80)  # after some 50 impacts of each
+    run = t2.simulate(scene, duration=6.0, times=times, work_limit=10**6)
+    inertia = np.array([body.inertia if body.dynamic else 0.0 for body in scene.bodies])
+    turning = (inertia * run.angular_velocity**2).sum(axis=1) / 2
+    # 80 looks at 150 bodies: the mean of 1/3 is off by some 0.5 %
+    assert (turning / run.energy).mean() == pytest.approx(1 / 3, rel=0.03)
+
+
+def test_shapes_without_walls_keep_momentum() -> None:
+    """A cloud of all convex shapes that collapses and flies apart, with friction."""
+    scene, chance = t2.Scene(gravity=(0.0, 0.0)), np.random.default_rng(7)
+    for k in chance.permutation(225)[:120].tolist():
+        at = np.array(divmod(k, 15)) * 0.2 - 1.4
+        going = tuple((-at + 0.1 * chance.normal(size=2)).tolist())
+        scene.add_body(
+            shape_of(chance, chance.uniform(0.02, 0.09)), mass=chance.uniform(0.5, 2.0),
+            position=tuple(at.tolist()), velocity=going, restitution=0.8, friction=0.4,
+            angular_velocity=chance.normal(0, 5), orientation=chance.normal(),
+        )  # fmt: skip
+    run = t2.simulate(scene, duration=3.0, times=np.linspace(0, 3, 7))
+    assert run.notes[0].startswith("ClosedForm()")
+    assert len(run.impacts) > 150
+    size = 120 * 2.0  # about the sum of masses times speeds, kg m/s
+    np.testing.assert_allclose(run.momentum, run.momentum[:1].repeat(7, 0), atol=1e-13 * size)
+    np.testing.assert_allclose(
+        run.angular_momentum, run.angular_momentum[0].repeat(7), atol=1e-13 * size
+    )
+    assert (np.diff(run.energy) <= 1e-13 * run.energy[0]).all()
 
 
 def test_discs_without_walls_keep_momentum() -> None:

@@ -118,10 +118,10 @@ def test_fronts(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 def test_impacts(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(impacts, "_PILOT", 0.005)
-    small = {"counts": [30, 110], "impacts": 100, "steps": 3}
+    small = {"counts": [30, 110], "polygons": [10], "impacts": 100, "steps": 3}
     monkeypatch.setattr(impacts, "measure", partial(impacts.measure, **small))
     found, _ = lines_of(impacts)
-    assert [row["discs"] for row in found["rows"]] == [30, 110]
+    assert [row["bodies"] for row in found["rows"]] == [30, 110, 10]
 
 
 def test_kinds(monkeypatch: pytest.MonkeyPatch) -> None:

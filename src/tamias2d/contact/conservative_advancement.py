@@ -208,14 +208,18 @@ class Pair:
         return distance > 1.1 * radius, _root(distance - radius, rate, least)
 
     def _spinning_step(self, a: Placed, b: Placed, time: float, end: float) -> float:
-        """Return how long the circles around bodies that turn often stay apart, or 0.
+        """Return how long the circle around a body that turns often stays off the sides of another.
 
-        Without it, every turn before the impact would be examined.
+        It is 0 where there is none such. Without it, every turn before the impact would be
+        examined.
         """
-        often = [abs(body.state.angular_velocity) * (end - time) > math.tau for body in (a, b)]
-        if not any(often):
+        often = [
+            len(x.corners) > 1 and abs(x.state.angular_velocity) * (end - time) > math.tau
+            for x in (a, b)
+        ]
+        if often[0] == often[1] or not (b if often[0] else a).core.sides:
             return 0.0
-        a, b = (rounded(x) if turns else x for x, turns in zip((a, b), often, strict=True))
+        a, b = (rounded(a), b) if often[0] else (a, rounded(b))
         axis = max(axes(a, b), key=_gap_of)
         if axis.gap <= 0:
             return 0.0
@@ -234,7 +238,8 @@ class Pair:
     ) -> float:
         """Return the safe step along one axis, from bounds over a window that suits it.
 
-        Where gaps are `relative` to another corner, only turning changes them.
+        The window is how long the step could be if what bounds it held on, as it is now; no longer
+        one helps. Where gaps are `relative` to another corner, only turning changes them.
         """
 
         def smallest_root(window: float) -> float:
@@ -242,12 +247,8 @@ class Pair:
             least_of = _LeastGapAcceleration(axis, a, b, *bounds, window, relative=relative)
             return min(_root(gap.value, gap.rate, least_of(gap)) for gap in near)
 
-        window = end - time
-        step = smallest_root(window)
-        if step < window / 4:
-            window = 2 * step
-            step = max(step, min(smallest_root(window), window))
-        return step
+        longest = smallest_root(0.0)
+        return min(longest, smallest_root(min(longest, end - time)))
 
     def _bounds(self, first: float, last: float) -> tuple[Bounds, Bounds]:
         path_a, path_b = self._paths

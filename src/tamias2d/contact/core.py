@@ -124,9 +124,7 @@ def place(core: Core, state: State) -> Placed:
 
 
 def rounded(body: Placed) -> Placed:
-    """Return the disc around a body, about its centre of mass; of a half-plane there is none."""
-    if body.core.endless:
-        return body
+    """Return the disc around a body with corners, about its centre of mass."""
     core = copy(body.core)
     core.radius, core.sides = core.bounding_radius, ()
     core.corners, core.reaches = ((0.0, 0.0),), (0.0,)

@@ -1,16 +1,16 @@
 """Scenes that compiled code can follow from impact to impact (`tamias2d.event_driven`)."""
 
-from tamias2d.scene import Body, Disc, HalfPlane, Scene
+from tamias2d.scene import Body, Chain, Compound, Scene
 from tamias2d.scene.acting import varying_loads
 from tamias2d.scene.filters import filters
 
 
 def is_event_driven(scene: Scene) -> bool:
-    """Whether a scene is of discs, half-planes and particles under constant loads alone."""
+    """Whether a scene is of convex bodies, half-planes and particles under constant loads alone."""
     loads = scene.springs or scene.fields or scene.joints or scene.attraction is not None
     return not loads and all(map(_is_known, scene.bodies)) and not varying_loads(scene)
 
 
 def _is_known(body: Body) -> bool:
-    plain = body.shape is None or isinstance(body.shape, Disc | HalfPlane)
-    return plain and not (body.kinematic or body.sensor or filters(body))
+    convex = not isinstance(body.shape, Chain | Compound)
+    return convex and not (body.kinematic or body.sensor or filters(body))

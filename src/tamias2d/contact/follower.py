@@ -56,8 +56,8 @@ class Follower(Protocol):
     def near(self, body: int) -> list[int]:
         """Return all bodies, in order, that may touch a body now."""
 
-    def recall(self, bodies: Iterable[int]) -> Memory:
-        """Return what is known of some bodies."""
+    def recall(self) -> Memory:
+        """Return what is known of all bodies."""
 
     def remember(self, bodies: Iterable[int], memory: Memory) -> None:
         """Replace what is known of some bodies."""

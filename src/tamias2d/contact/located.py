@@ -180,6 +180,8 @@ class Located:
 
     def _advance(self, follower: Follower, limit: float) -> tuple[int, ...] | None:
         """Let a follower go on to a time, s, and count the impacts."""
+        kept = self._separating_direction.keys() & self._lasting.keys()  # others may turn round
+        self._separating_direction = {pair: self._separating_direction[pair] for pair in kept}
         try:
             return follower.go(limit)
         finally:
@@ -192,7 +194,7 @@ class Located:
 
     def _give_back(self, follower: Follower, end: float) -> None:
         """Take all bodies back from a follower, and go on without it where it does not."""
-        memory = follower.recall(range(len(self._cores)))
+        memory = follower.recall()
         follower.give_back()
         self._following = None
         self._take_memory(memory)
@@ -357,7 +359,7 @@ class Located:
     def _resolve_instant(self, time: float, bodies: list[int], end: float) -> None:
         """Resolve an instant around some bodies, and set the paths after it."""
         if self._following is not None:
-            self._take_memory(self._following.recall(bodies))
+            self._take_memory(self._following.recall())
         world = InstantInputs(
             self._cores,
             self._state,
@@ -487,6 +489,7 @@ class Located:
     def _schedule_resumption(self, instant: Instant) -> None:
         """Find from when on pairs that separate without normal velocity are resolved as apart."""
         struck = {i for c, *_ in instant.contact_impulses for i in (c.a, c.b)}
+        struck = {i for i in struck if self._cores[i].dynamic}
         for pair in [pair for pair in self._resume if set(pair) & struck]:
             del self._resume[pair]  # it was found on paths that are no more
         for pair, acceleration in instant.separating.items():

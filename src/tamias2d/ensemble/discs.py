@@ -16,7 +16,7 @@ from tamias2d.contact.stepping_choice import MANY
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds, value_of
 from tamias2d.event_driven import LIBRARY, tables
-from tamias2d.event_driven.arrangement import blank_world, kinds_of
+from tamias2d.event_driven.arrangement import blank_world, hulls_of, kinds_of
 from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.generated import definitions, rotation, translation
 from tamias2d.kernels.groups import addresses
@@ -86,7 +86,7 @@ def _world(scene: Scene, times: Array, duration: float) -> tables.World:
     """Return the tables in which one world after the other is followed."""
     pairs = [i * len(scene) + j for i, j in combinations(range(len(scene)), 2)]
     kinds, keys = kinds_of(scene), np.array(pairs, dtype=np.int64)
-    world = blank_world(kinds, keys, times, impacts=_MOST_IMPACTS)
+    world = blank_world(kinds, keys, times, hulls_of(scene), impacts=_MOST_IMPACTS)
     world.numbers[[tables.LIMIT, tables.END]] = duration
     world.counts[tables.SETTLES] = 1
     return world
@@ -139,7 +139,7 @@ def _pushed(scene: Scene) -> list[int]:
 
 
 def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
-    """Return the columns (w, 15) of a body."""
+    """Return the columns (w, 18) of a body."""
     body, found = worlds.base.bodies[k], np.zeros((count, tables.COLUMNS))
 
     def value(key: str, *component: int) -> Any:
@@ -156,7 +156,7 @@ def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
         found[:, tables.NORMAL_X], found[:, tables.NORMAL_Y] = body.shape.normal
         found[:, tables.OFFSET] = body.shape.offset
     if isinstance(body.shape, Disc):
-        found[:, tables.RADIUS] = _radius(worlds, body)
+        found[:, tables.RADIUS] = found[:, tables.ROUNDING] = _radius(worlds, body)
     if body.dynamic:
         for name, column in _motion(worlds, body, value):
             found[:, name] = column

@@ -12,11 +12,7 @@ from tamias2d.event_driven.tables import (
     AT_START,
     AX,
     AY,
-    DISC,
     END,
-    HELD_BY,
-    LOOKED_AT,
-    MOVING_PARTICLE,
     NORMAL_X,
     NORMAL_Y,
     OFFSET,
@@ -51,47 +47,6 @@ TINY_STEP = 2.0**-48
 TINY_STEPS = 1000
 MARGIN = 1e-6  # of the size: discs that pass at more than that do not touch, whatever the rounding
 UNDECIDED = -1.0
-
-
-@inlined
-def meets(i: int, j: int, world: World) -> bool:
-    """Return whether two bodies can meet at all: one is pushed, and neither rests on the other."""
-    one, other = world.kinds[i], world.kinds[j]
-    solid = 0 < one < MOVING_PARTICLE and 0 < other < MOVING_PARTICLE
-    held = world.notes[i, HELD_BY] == j + 1 or world.notes[j, HELD_BY] == i + 1
-    return bool(i != j and solid and (one == DISC or other == DISC) and not held)
-
-
-@inlined
-def time_of_meeting(i: int, j: int, limit: float, world: World) -> float:
-    """Return when a pair meets, s: later than the limit or infinity if not until then.
-
-    It is below 0 where that is not decided.
-    """
-    world.counts[LOOKED_AT] += 1
-    start = max(world.paths[i, START], world.paths[j, START])
-    if passes(i, j, start, limit, world):
-        return inf
-    return time_of_impact(i, j, start, limit, world)
-
-
-@inlined
-def passes(i: int, j: int, start: float, limit: float, world: World) -> bool:
-    """Return whether two discs on which the same acts are well apart until a limit, s.
-
-    One moves on a straight line before the other, so that no search is needed.
-    """
-    a, b = world.paths[i], world.paths[j]
-    plane = world.kinds[i] == PLANE or world.kinds[j] == PLANE
-    if plane or a[AX] != b[AX] or a[AY] != b[AY]:
-        return False
-    p, q = state_at(i, start, world.paths), state_at(j, start, world.paths)
-    x, y, u, v = q[0] - p[0], q[1] - p[1], q[3] - p[3], q[4] - p[4]
-    closing, square = -(x * u + y * v), u * u + v * v
-    left = min(closing / square, limit - start) if closing > 0.0 and square > 0.0 else 0.0
-    x_least, y_least = x + u * left, y + v * left
-    apart = (world.bodies[i, RADIUS] + world.bodies[j, RADIUS]) * (1.0 + MARGIN)
-    return bool(x_least * x_least + y_least * y_least > apart * apart)
 
 
 @inlined

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from tamias2d.contact.core import Core
 from tamias2d.event_driven import tables
 from tamias2d.event_driven.instant import MOST_IMPULSES
-from tamias2d.event_driven.tables import World
+from tamias2d.event_driven.tables import Hulls, World
 from tamias2d.generated import rotation, translation
 from tamias2d.path import Piece
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
@@ -20,15 +21,14 @@ _ROOM = 16_384  # impacts that are recorded at once
 _SLACK = 0.1  # of a cell
 _CROWD = 0.5  # bodies in a cell, about
 _SPREAD = 5  # percent of the bodies that may be beyond the cells at either end
-_CLEAR = 1.0 + 1e-6  # discs that touch are nearer to each other than that
+_CLEAR = 1.0 + 1e-6  # bodies that touch are nearer to each other than that
 
 
 def world_of(scene: Scene, paths: Sequence[Piece], times: Array, *, keeps_paths: bool) -> World:
     """Return the tables of a scene whose bodies are on some paths, with samples at times, s."""
     pairs, laws = pair_laws(scene)
-    world = blank_world(
-        kinds_of(scene), pairs, times, impacts=_ROOM, departures=2 * _ROOM if keeps_paths else 0
-    )
+    hulls, departures = hulls_of(scene), 2 * _ROOM if keeps_paths else 0
+    world = blank_world(kinds_of(scene), pairs, times, hulls, impacts=_ROOM, departures=departures)
     world.bodies[:], world.laws[:] = body_table(scene), laws
     for k, path in enumerate(paths):
         set_path(world, k, path)
@@ -40,18 +40,20 @@ def blank_world(
     kinds: NDArray[np.int32],
     pairs: NDArray[np.int64],
     times: Array,
+    hulls: Hulls,
     *,
     impacts: int,
     departures: int = 0,
 ) -> World:
     """Return the tables of n bodies of some kinds, near to each other, with room for records."""
     count, room = len(kinds), 16 * (len(kinds) + 4)
-    shaped = (kinds > 0) & (kinds < tables.MOVING_PARTICLE)
+    shaped = kinds >= tables.PLANE
     return World(
         numbers=np.zeros(tables.NUMBERS),
         counts=np.zeros(tables.COUNTS, dtype=np.int64),
         kinds=kinds,
         bodies=np.zeros((count, tables.COLUMNS)),
+        hulls=hulls,
         pairs=pairs,
         laws=np.zeros((len(pairs), 2)),
         paths=np.zeros((count, tables.PATH_COLUMNS)),
@@ -85,12 +87,52 @@ def body_table(scene: Scene) -> Array:
         row[tables.INVERSE_INERTIA] = body.inverse_inertia
         row[tables.RESTITUTION] = -1.0 if body.restitution is None else body.restitution
         row[tables.FRICTION] = -1.0 if body.friction is None else body.friction
-        if isinstance(body.shape, Disc):
-            row[tables.RADIUS] = body.shape.radius
-        elif isinstance(body.shape, HalfPlane):
+        if isinstance(body.shape, HalfPlane):
             row[tables.NORMAL_X], row[tables.NORMAL_Y] = _turned(body, body.shape.normal)
             row[tables.OFFSET] = body.shape.offset
+        elif body.shape is not None:
+            core = Core(0, body)
+            row[tables.RADIUS], row[tables.ROUNDING] = core.bounding_radius, core.radius
     return rows
+
+
+def hulls_of(scene: Scene) -> Hulls:
+    """Return the outlines of all bodies, and room for two of them at hand."""
+    shapes: list[tuple[int, int, int]] = []
+    outline: list[tuple[float, ...]] = []
+    most = 1
+    for body in scene.bodies:
+        core = Core(0, body)
+        count = (len(core.corners), len(core.sides)) if core.solid else (0, 0)
+        shapes.append((len(outline), *count))
+        outline += _outline(core, max(count))
+        most = max(most, *count)
+    return blank_hulls(
+        np.array(shapes), np.array(outline).reshape(-1, tables.OUTLINE_COLUMNS), most
+    )
+
+
+def blank_hulls(shapes: NDArray[np.int64], outline: Array, most: int) -> Hulls:
+    """Return the tables of outlines with so many corners at most."""
+    return Hulls(
+        shapes=shapes.astype(np.int32).reshape(-1, tables.SHAPE_COLUMNS),
+        outline=outline,
+        stands=np.zeros((tables.STANDS, tables.STAND_COLUMNS)),
+        forms=np.zeros((tables.STANDS, tables.SHAPE_COLUMNS), dtype=np.int32),
+        placed=np.zeros((tables.STANDS, most, tables.PLACED_COLUMNS)),
+        axes=np.zeros((2 * most, tables.AXIS_COLUMNS)),
+        owners=np.zeros((2 * most, tables.OWNER_COLUMNS), dtype=np.int32),
+        gaps=np.zeros((most * most, tables.GAP_COLUMNS)),
+        search=np.zeros(tables.SEARCH_COLUMNS),
+    )
+
+
+def _outline(core: Core, count: int) -> list[tuple[float, ...]]:
+    """Return the rows of a body's corners and sides; what it has not is 0."""
+    none = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0)
+    corners = [(*at, far) for at, far in zip(core.corners, core.reaches, strict=True)] or [none[0]]
+    sides = [(*side.normal, side.offset, *side.ends) for side in core.sides] or [none[1]]
+    return [(*corners[k], *sides[k]) for k in range(count)]
 
 
 def _turned(body: Body, normal: tuple[float, float]) -> tuple[float, float]:
@@ -111,7 +153,9 @@ def _kind(body: Body) -> int:
         return tables.PLANE
     if body.shape is None:
         return tables.MOVING_PARTICLE if body.dynamic else tables.PARTICLE
-    return tables.DISC if body.dynamic else tables.FIXED_DISC
+    if isinstance(body.shape, Disc):
+        return tables.DISC if body.dynamic else tables.FIXED_DISC
+    return tables.HULL if body.dynamic else tables.FIXED_HULL
 
 
 def pair_laws(scene: Scene) -> tuple[NDArray[np.int64], Array]:
@@ -128,10 +172,9 @@ def with_cells(world: World, now: float) -> World:
     world.notes[:, tables.ACROSS : tables.BEFORE + 1] = 0
     world.notes[:, tables.ACROSS] = -1
     world.leaving[:] = math.inf
-    discs = np.flatnonzero((world.kinds == tables.FIXED_DISC) | (world.kinds == tables.DISC))
-    small = _small(world, discs)
+    small = _small(world, np.flatnonzero(world.kinds > tables.PLANE))
     inside = np.isin(np.arange(len(world.kinds)), small)
-    shaped = (world.kinds > 0) & (world.kinds < tables.MOVING_PARTICLE)
+    shaped = world.kinds >= tables.PLANE
     everywhere = np.flatnonzero(shaped & ~inside).astype(np.int32)
     if not len(small):
         return world._replace(everywhere=everywhere, cells=np.zeros((1, 1), dtype=np.int32))
@@ -152,11 +195,11 @@ def with_cells(world: World, now: float) -> World:
     return world._replace(everywhere=everywhere, cells=cells)
 
 
-def _small(world: World, discs: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return the discs for which cells pay: not the largest few, if these are much larger."""
-    if len(discs) <= _FEW:
-        return discs[:0]
-    order = discs[np.argsort(world.bodies[discs, tables.RADIUS], kind="stable")]
+def _small(world: World, bodies: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return the bodies for which cells pay: not the largest few, if these are much larger."""
+    if len(bodies) <= _FEW:
+        return bodies[:0]
+    order = bodies[np.argsort(world.bodies[bodies, tables.RADIUS], kind="stable")]
     radii = world.bodies[order, tables.RADIUS]
     most = len(order) - 1 - math.isqrt(len(order)) // 4
     return np.sort(order[radii <= _LARGER * radii[most]])

@@ -5,9 +5,10 @@ Cost of an event: O(log n), and a search for each body that is near to those of 
 
 from math import inf
 
-from tamias2d.event_driven.approach import meets, time_of_meeting
 from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
 from tamias2d.event_driven.instant import MOST_IMPULSES, meet, tell
+from tamias2d.event_driven.kinds import is_pushed
+from tamias2d.event_driven.meeting import meets, time_of_meeting
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
 from tamias2d.event_driven.tables import (
     ACROSS,
@@ -17,7 +18,6 @@ from tamias2d.event_driven.tables import (
     COLUMNS,
     CROWDED,
     DEPARTURES,
-    DISC,
     DONE,
     END,
     EVENTS,
@@ -85,10 +85,11 @@ def happen(world: World) -> int:
     if not meet(i, j, time, world):
         world.counts[MEETING], world.counts[OTHER] = i, j
         return INSTANT
-    first, second = (i, j) if world.kinds[i] == DISC else (j, i)
-    good = set_out(first, -1, time, world)
-    if good and world.kinds[second] == DISC:
-        good = set_out(second, first, time, world)
+    first, second = (i, j) if is_pushed(i, world) else (j, i)
+    both = is_pushed(second, world)  # when both leave their cells is known to the second search
+    good = set_out(first, second if both else -1, time, world)
+    if good and both:
+        good = set_out(second, -1, time, world)
     return DONE if good else SEARCH
 
 

@@ -1,5 +1,6 @@
-"""Discs and half-planes of one scene, followed from impact to impact (`contact.Follower`)."""
+"""The bodies of one scene, followed from impact to impact (`contact.Follower`)."""
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
 
@@ -7,14 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tamias2d.contact.follower import Memory, Tracks
-from tamias2d.contact.rest_time import Estimate
+from tamias2d.contact.rest_time import NONE, Estimate
+from tamias2d.contact.touching import PairOf
 from tamias2d.event_driven import tables
 from tamias2d.event_driven.arrangement import set_path, states_at, with_cells, world_of
 from tamias2d.event_driven.follow import follow, follow_worlds
+from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.event_driven.tables import World
 from tamias2d.kernels import Library
-from tamias2d.kernels.compiled import is_kept
 from tamias2d.kernels.groups import addresses
 from tamias2d.motion.track import sample
 from tamias2d.motion.uniform import Uniform
@@ -22,9 +24,9 @@ from tamias2d.path import Piece
 from tamias2d.scene import Scene
 from tamias2d.state import Array, History, State
 
-LIBRARY = Library("impacts of discs", (follow, follow_worlds))
+LIBRARY = Library("located impacts", (follow, follow_worlds))
 _NEAR = 1.1  # times the radii: more than what may touch
-_LOAD, _COMPILE = 0.4, 12.0  # s, of what was compiled before, and of what was not
+_LOAD, _COMPILE = 0.5, 20.0  # s, of what was compiled before, and of what was not
 _LOOK = 0.1  # s, after which it is asked which of the two it is
 
 
@@ -39,7 +41,7 @@ def compiled_code() -> Callable[[World], int]:
     return code
 
 
-class Discs:
+class EventDriven:
     """The bodies of one scene, as compiled code knows them."""
 
     def __init__(self, scene: Scene, times: Array | None, *, many: bool) -> None:
@@ -61,6 +63,7 @@ class Discs:
         self._leads = False  # the paths are in the tables, not in the tracks
         self._given: dict[int, tuple[int, Piece]] = {}
         self._places: Array | None = None
+        self._several: dict[int, dict[PairOf, Estimate]] = {}
 
     @property
     def now(self) -> float:
@@ -93,7 +96,7 @@ class Discs:
         if spent < _LOOK or time <= 0 or not hypot_agrees():
             return False
         if not self._price:
-            self._price = _LOAD if is_kept(LIBRARY.source()) else _COMPILE
+            self._price = _LOAD if LIBRARY.is_kept() else _COMPILE
         return spent / time * (until - time) > self._price
 
     def take(self, time: float, until: float, tracks: Tracks, *, begun: bool) -> None:
@@ -175,8 +178,8 @@ class Discs:
         world = self.world
         if self._places is None:
             self._places = states_at(world, np.arange(len(world.kinds)), self.now)[:, :2]
-        solid = (world.kinds > 0) & (world.kinds < tables.MOVING_PARTICLE)
-        pushed = world.kinds == tables.DISC
+        solid = world.kinds >= tables.PLANE
+        pushed = world.kinds >= tables.DISC
         way = np.abs(self._places - self._places[body]).max(axis=1)
         reach = _NEAR * (world.bodies[:, tables.RADIUS] + world.bodies[body, tables.RADIUS])
         close = (world.kinds == tables.PLANE) | (way <= reach)
@@ -185,35 +188,47 @@ class Discs:
         found: list[int] = np.flatnonzero(close).tolist()
         return found
 
-    def recall(self, bodies: Iterable[int]) -> Memory:
-        """Return what is known of some bodies."""
-        world, wanted = self.world, list(bodies)
-        found: dict[tuple[int, int], Estimate] = {}
-        for body in wanted:
-            other, last, best, doubt = world.bounces[body].tolist()
-            pushed = world.kinds[body] == tables.DISC
-            if pushed and other and self._agree(body, int(other) - 1):
-                pair = min(body, int(other) - 1), max(body, int(other) - 1)
-                found[pair] = Estimate(last, best, doubt)
-        stalled = {body: int(world.notes[body, tables.STALLED]) for body in wanted}
-        return Memory({}, found, stalled)
+    def recall(self) -> Memory:
+        """Return what is known of all bodies."""
+        bounces = self.world.bounces
+        known = {
+            body: self._bounces_of(body, bounces[body].tolist())
+            for body in np.flatnonzero(bounces[:, tables.WITH]).tolist()
+            if is_pushed(body, self.world)
+        }
+        found = {
+            pair: estimate
+            for of_body in known.values()
+            for pair, estimate in of_body.items()
+            if all(pair in known.get(k, {}) for k in pair if is_pushed(k, self.world))
+        }
+        stalled = self.world.notes[:, tables.STALLED].tolist()
+        return Memory({}, found, dict(enumerate(stalled)))
 
-    def _agree(self, body: int, other: int) -> bool:
-        """Whether nothing has come between the bounces of two bodies."""
-        pushed = self.world.kinds[other] == tables.DISC
-        return not pushed or int(self.world.bounces[other, tables.WITH]) == body + 1
+    def _bounces_of(self, body: int, row: Sequence[float]) -> dict[PairOf, Estimate]:
+        """Return the bounces of a body since it last met another one."""
+        other, *estimate = row
+        if other == tables.SEVERAL:
+            return self._several[body]
+        pair = min(body, int(other) - 1), max(body, int(other) - 1)
+        return {pair: Estimate(*estimate)}
 
     def remember(self, bodies: Iterable[int], memory: Memory) -> None:
-        """Replace what is known of some bodies: of each, the bounces that end first."""
-        ends_last = sorted(memory.bounces.items(), key=lambda known: -known[1].last)
-        rows = {k: (pair, known) for pair, known in ends_last for k in pair}
+        """Replace what is known of some bodies."""
+        known: dict[int, dict[PairOf, Estimate]] = defaultdict(dict)
+        for pair, estimate in memory.bounces.items():
+            for body in pair:
+                known[body][pair] = estimate
         for body in bodies:
             note = self.world.notes[body]
             note[tables.STALLED] = memory.stalled.get(body, 0)
             note[tables.HELD_BY] = memory.supports.get(body, -1) + 1
-            pair, known = rows.get(body, ((-1, -1), (0.0, 0.0, 0.0)))
+            self._several[body] = known[body]
+            pair, estimate = next(iter(known[body].items()), ((-1, -1), NONE))
             other = pair[1] if pair[0] == body else pair[0]
-            self.world.bounces[body] = (other + 1, *known)
+            self.world.bounces[body] = (other + 1, *estimate)
+            if len(known[body]) > 1:
+                self.world.bounces[body, tables.WITH] = tables.SEVERAL
 
     def give_back(self) -> None:
         """Add the paths that all bodies have now to their tracks."""
@@ -228,7 +243,7 @@ class Discs:
         if self._world is None or self._keeps_paths:
             return sample(tracks, times)
         known = np.array(
-            [self._leads or self.path(k) is track[-1] for k, track in enumerate(tracks)]
+            [self._leads or self._is_on(k, track[-1]) for k, track in enumerate(tracks)]
         )
         for body in np.flatnonzero(~known).tolist():
             self._tell(body, np.inf, tracks[body])
@@ -236,6 +251,10 @@ class Discs:
         rows = self._world.samples.reshape(-1, len(tracks), 6)[: len(times)]
         position, velocity = rows[..., :2].copy(), rows[..., 3:5].copy()
         return History(position, rows[..., 2].copy(), velocity, rows[..., 5].copy())
+
+    def _is_on(self, body: int, path: Piece) -> bool:
+        """Whether the tables have the path of a body: one on which contacts turn they have not."""
+        return self.path(body) is path and isinstance(path, Uniform)
 
     def _tell_last(self, bodies: NDArray[np.int64], count: int) -> None:
         """Write down the states of bodies on their paths of now at so many samples, all at once."""

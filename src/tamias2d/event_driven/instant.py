@@ -1,4 +1,4 @@
-"""What happens where two bodies meet and touch nothing else: IM3, or IM9 with friction.
+"""What happens where two bodies meet in one point and touch nothing else: IM3, IM9 with friction.
 
 It is what `tamias2d.contact` does at such an instant, operation by operation. Whatever else
 happens at an instant, a contact that lasts above all, is not decided here.
@@ -7,17 +7,8 @@ happens at an instant, a contact that lasts above all, is not decided here.
 from math import inf
 
 from tamias2d.contact.rest_time import better_estimate
-from tamias2d.event_driven.approach import (
-    EPSILON,
-    MARGIN,
-    axis_of,
-    meets,
-    position_at,
-    resolution,
-    size_of,
-    state_at,
-)
-from tamias2d.event_driven.cells import gather
+from tamias2d.event_driven.approach import EPSILON, state_at
+from tamias2d.event_driven.kinds import is_pushed
 from tamias2d.event_driven.laws import friction_of, restitution_of
 from tamias2d.event_driven.length import hypot
 from tamias2d.event_driven.settling import settle
@@ -28,7 +19,6 @@ from tamias2d.event_driven.tables import (
     AY,
     BEST,
     DEPARTURES,
-    DISC,
     DOUBT,
     HELD_BY,
     IMPACTS,
@@ -43,7 +33,9 @@ from tamias2d.event_driven.tables import (
     POINT_X,
     POINT_Y,
     RADIUS,
+    ROUNDING,
     SETTLES,
+    SEVERAL,
     SPIN,
     STALLED,
     START,
@@ -59,10 +51,12 @@ from tamias2d.event_driven.tables import (
     B,
     Moving,
     Pair,
+    Point,
     World,
     X,
     Y,
 )
+from tamias2d.event_driven.touch import touch_of, touches_third
 from tamias2d.generated import friction, impact, rest
 from tamias2d.kernels.arrays import FloatRows
 from tamias2d.kernels.assembled import inlined
@@ -82,23 +76,30 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
     if touches_third(i, j, time, world):
         return False
     a, b = state_at(i, time, world.paths), state_at(j, time, world.paths)
-    tolerance = resolution(a, b, size_of(i, world), size_of(j, world), time)
-    ux, uy, gap, swapped = axis_of(a, b, i, j, world)
-    if gap > tolerance or tolerance > MOST_RESOLUTION * min(reach(i, world), reach(j, world)):
+    point, swapped, sided, tolerance = touch_of(i, j, a, b, time, world)
+    if tolerance < 0.0 or tolerance > MOST_RESOLUTION * min(reach(i, world), reach(j, world)):
         return False
     sign = -1.0 if swapped == 1 else 1.0
-    normal = (sign * ux, sign * uy)
-    arm_a, arm_b = arms(a, b, ux, uy, swapped, i, j, world)
-    noise = speed_of(a, b, arm_a, arm_b) * (64 * EPSILON)
+    normal = (sign * point[0], sign * point[1])
+    arm_a, arm_b = arms(a, b, point, swapped, i, j, world)
+    speed = speed_of(a, b, arm_a, arm_b)
+    noise = speed * (64 * EPSILON)
+    if speed <= 64 * EPSILON * time * (pull_of(i, world) + pull_of(j, world)):
+        return False
+    q, arm = (a, arm_a) if swapped == 1 else (b, arm_b)
     before = world.counts[IMPACTS]
     after_a, after_b, rate = rebound(a, b, arm_a, arm_b, normal, noise, restitution, i, j, world)
     staying = abs(rate) <= noise
-    opening = opening_acceleration(after_a, after_b, arm_a, arm_b, normal, i, j, world)
+    on_points = pressing(arm_a, arm_b, normal, i, j, world)
+    pair = (after_b, after_a) if swapped == 1 else (after_a, after_b)
+    opening = opening_acceleration(on_points, pair[0], pair[1], point, sided)
     if not staying and opening < 0.0:
         staying = rest.bounce_height(rate, opening) <= tolerance
     if rate < -noise or before == world.counts[IMPACTS] or (staying and not world.counts[SETTLES]):
         world.counts[IMPACTS] = before
         return False
+    for row in range(before, world.counts[IMPACTS]):
+        world.impacts[row, POINT_X], world.impacts[row, POINT_Y] = q[0] + arm[0], q[1] + arm[1]
     forecast(i, j, time, rate, opening, restitution, tolerance, world)
     depart(i, time, after_a, world)
     depart(j, time, after_b, world)
@@ -107,10 +108,10 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
 
 @inlined
 def is_bound(k: int, time: float, world: World) -> bool:
-    """Return whether a body rests, or has come to no later time again and again."""
+    """Return whether a body rests, bounces on several others, or does not get on in time."""
     note = world.notes[k]
     repeats = note[STALLED] >= MOST_REPEATS and world.paths[k, START] >= time * (1 - 4 * EPSILON)
-    return bool(note[HELD_BY] > 0 or repeats)
+    return bool(note[HELD_BY] > 0 or world.bounces[k, WITH] == SEVERAL or repeats)
 
 
 def reach(k: int, world: World) -> float:
@@ -118,42 +119,14 @@ def reach(k: int, world: World) -> float:
     return inf if world.kinds[k] == PLANE else world.bodies[k, RADIUS]
 
 
-@inlined
-def touches_third(i: int, j: int, time: float, world: World) -> bool:
-    """Return whether one of two bodies that meet touches a third one."""
-    for k in (i, j):
-        if world.kinds[k] != DISC:
-            continue
-        a = state_at(k, time, world.paths)
-        for place in range(gather(k, world)):
-            other = world.near[place]
-            if other in (i, j) or not meets(k, other, world) or is_far(a, k, other, time, world):
-                continue
-            b = state_at(other, time, world.paths)
-            tolerance = resolution(a, b, size_of(k, world), size_of(other, world), time)
-            _, _, gap, _ = axis_of(a, b, k, other, world)
-            if gap <= 2.0 * tolerance:
-                return True
-    return False
-
-
-@inlined
-def is_far(a: Moving, i: int, j: int, time: float, world: World) -> bool:
-    """Return whether a disc in a state is well apart from another one at a time, s."""
-    if world.kinds[j] == PLANE:
-        return False
-    x, y = position_at(j, time, world.paths)
-    apart = (world.bodies[i, RADIUS] + world.bodies[j, RADIUS]) * (1.0 + MARGIN)
-    return bool((x - a[0]) * (x - a[0]) + (y - a[1]) * (y - a[1]) > apart * apart)
-
-
 def arms(
-    a: Moving, b: Moving, ux: float, uy: float, swapped: int, i: int, j: int, world: World
+    a: Moving, b: Moving, point: Point, swapped: int, i: int, j: int, world: World
 ) -> tuple[Pair, Pair]:
-    """Return the arms of both bodies, from P to Q along an axis, m."""
+    """Return the arms of both bodies to where they touch, m."""
     p, q = (b, a) if swapped == 1 else (a, b)
-    radius = world.bodies[i, RADIUS] if swapped == 1 else world.bodies[j, RADIUS]
-    arm_q = (0.0 - radius * ux, 0.0 - radius * uy)
+    ux, uy, wx, wy, _, _ = point
+    radius = world.bodies[i, ROUNDING] if swapped == 1 else world.bodies[j, ROUNDING]
+    arm_q = (wx - radius * ux, wy - radius * uy)
     arm_p = (arm_q[0] + (q[0] - p[0]), arm_q[1] + (q[1] - p[1]))
     return (arm_q, arm_p) if swapped == 1 else (arm_p, arm_q)
 
@@ -195,7 +168,7 @@ def rebound(
             after_a, after_b, impulse = after_impulse(
                 a, b, arm_a, arm_b, normal, rate, restitution, i, j, world
             )
-        note_impact(i, j, b, arm_b, normal, impulse, rate, world)
+        note_impact(i, j, normal, impulse, rate, world)
         a, b = after_a, after_b
         rate = normal_velocity(a, b, arm_a, arm_b, normal)
     return a, b, rate
@@ -249,11 +222,11 @@ def after_impulse(
     mass_a, turn_a = inverses(i, world)
     mass_b, turn_b = inverses(j, world)
     impulse, _ = smooth_impulse(arm_a, arm_b, normal, rate, restitution, i, j, world)
-    if world.kinds[i] == DISC:
+    if is_pushed(i, world):
         u, v = impact.velocity_a_after((a[3], a[4]), impulse, normal, mass_a)
         spin = impact.angular_velocity_a_after(a[5], impulse, arm_a, normal, turn_a)
         a = (a[0], a[1], a[2], u, v, spin)
-    if world.kinds[j] == DISC:
+    if is_pushed(j, world):
         u, v = impact.velocity_b_after((b[3], b[4]), impulse, normal, mass_b)
         spin = impact.angular_velocity_b_after(b[5], impulse, arm_b, normal, turn_b)
         b = (b[0], b[1], b[2], u, v, spin)
@@ -288,61 +261,59 @@ def after_friction(
     share = friction.share(friction_of(i, j, world), impulse, sticking, change)
     along = friction.normal_impulse(impulse, share, change)
     vector = friction.impulse_vector(along, friction.tangential_impulse(share, sticking), normal)
-    if world.kinds[i] == DISC:
+    if is_pushed(i, world):
         u, v = friction.velocity_a_after((a[3], a[4]), mass_a, vector)
         a = (a[0], a[1], a[2], u, v, friction.angular_velocity_a_after(a[5], turn_a, arm_a, vector))
-    if world.kinds[j] == DISC:
+    if is_pushed(j, world):
         u, v = friction.velocity_b_after((b[3], b[4]), mass_b, vector)
         b = (b[0], b[1], b[2], u, v, friction.angular_velocity_b_after(b[5], turn_b, arm_b, vector))
     return a, b, along
 
 
 @inlined
-def note_impact(
-    i: int,
-    j: int,
-    b: Moving,
-    arm_b: Pair,
-    normal: Pair,
-    impulse: float,
-    rate: float,
-    world: World,
-) -> None:
-    """Record an impulse."""
+def note_impact(i: int, j: int, normal: Pair, impulse: float, rate: float, world: World) -> None:
+    """Record an impulse, but for where it acts."""
     row = world.impacts[world.counts[IMPACTS]]
     world.counts[IMPACTS] += 1
     row[TIME], row[A], row[B] = world.numbers[NOW], i, j
-    row[POINT_X], row[POINT_Y] = b[0] + arm_b[0], b[1] + arm_b[1]
     row[ALONG_X], row[ALONG_Y] = normal
     row[IMPULSE], row[NORMAL_VELOCITY] = impulse, rate
 
 
 @inlined
-def opening_acceleration(
-    a: Moving, b: Moving, arm_a: Pair, arm_b: Pair, normal: Pair, i: int, j: int, world: World
-) -> float:
-    """Return the second derivative of a gap under the loads alone, m/s^2 (GD15)."""
+def pressing(arm_a: Pair, arm_b: Pair, normal: Pair, i: int, j: int, world: World) -> float:
+    """Return the normal acceleration of a contact under the loads alone, m/s^2 (DD19)."""
     on_a, on_b = pull_on(i, world), pull_on(j, world)
-    points = rest.normal_acceleration(
-        (on_a[0], on_a[1]), on_a[2], arm_a, (on_b[0], on_b[1]), on_b[2], arm_b, normal
-    )
-    if world.kinds[i] == PLANE or world.kinds[j] == PLANE:
-        return float(points)
-    centre = (0.0, 0.0)
-    slip = friction.tangential_velocity(
-        (a[3], a[4]), a[5], centre, (b[3], b[4]), b[5], centre, normal
-    )
-    distance = normal[0] * (b[0] - a[0]) + normal[1] * (b[1] - a[1])
     return float(
-        rest.gap_acceleration_corner(
-            points, a[5], (0.0, 0.0), b[5], (0.0, 0.0), normal, slip, distance
+        rest.normal_acceleration(
+            (on_a[0], on_a[1]), on_a[2], arm_a, (on_b[0], on_b[1]), on_b[2], arm_b, normal
         )
     )
 
 
+@inlined
+def opening_acceleration(on_points: float, p: Moving, q: Moving, point: Point, sided: int) -> float:
+    """Return the second derivative of a gap of which the points accelerate, m/s^2 (GD15)."""
+    ux, uy, wx, wy, vx, vy = point
+    u, w, v = (ux, uy), (wx, wy), (vx, vy)
+    distance = ux * (q[0] - p[0] + wx - vx) + uy * (q[1] - p[1] + wy - vy)
+    slip = friction.tangential_velocity((p[3], p[4]), p[5], v, (q[3], q[4]), q[5], w, u)
+    if sided == 1:
+        return float(rest.gap_acceleration_side(on_points, p[5], q[5], w, u, slip, distance))
+    if distance == 0.0:
+        slip, distance = 0.0, 1.0
+    return float(rest.gap_acceleration_corner(on_points, p[5], v, q[5], w, u, slip, distance))
+
+
+def pull_of(k: int, world: World) -> float:
+    """Return how large the acceleration of a body by its loads is at most, m/s^2."""
+    on = pull_on(k, world)
+    return abs(on[0]) + abs(on[1])
+
+
 def pull_on(k: int, world: World) -> tuple[float, float, float]:
     """Return the acceleration of a body by its loads, m/s^2 and rad/s^2."""
-    if world.kinds[k] != DISC:
+    if not is_pushed(k, world):
         return 0.0, 0.0, 0.0
     body = world.bodies[k]
     return body[AX], body[AY], body[TURNING]
@@ -362,10 +333,10 @@ def forecast(
     """Note when the bounces of a pair end, s, if they go on as a geometric series (GD5)."""
     known = True
     for k, other in ((i, j), (j, i)):
-        known = known and (world.kinds[k] != DISC or world.bounces[k, WITH] == other + 1)
+        known = known and (not is_pushed(k, world) or world.bounces[k, WITH] == other + 1)
     last, best, doubt = 0.0, 0.0, -1.0
     if known:
-        row = world.bounces[i if world.kinds[i] == DISC else j]
+        row = world.bounces[i if is_pushed(i, world) else j]
         last, best, doubt = row[LAST], row[BEST], row[DOUBT]
     if opening * (1 - restitution) < 0.0:
         end = time + rest.time_to_rest(rate, opening, restitution)
@@ -373,7 +344,7 @@ def forecast(
             noise = tolerance / rate / (1 - restitution)
             last, best, doubt = better_estimate(last, best, doubt, end, noise)
     for k, other in ((i, j), (j, i)):
-        if world.kinds[k] == DISC:
+        if is_pushed(k, world):
             row = world.bounces[k]
             row[WITH] = other + 1 if doubt >= 0.0 else 0.0
             row[LAST], row[BEST], row[DOUBT] = last, best, doubt
@@ -381,7 +352,7 @@ def forecast(
 
 def depart(k: int, time: float, state: Moving, world: World) -> None:
     """Set the path of a body, if it is one that is pushed."""
-    if world.kinds[k] != DISC:
+    if not is_pushed(k, world):
         return
     tell(k, time, world)
     path, body, note = world.paths[k], world.bodies[k], world.notes[k]

@@ -1,4 +1,4 @@
-"""The tables of discs and half-planes that are followed from impact to impact.
+"""The tables of bodies that are followed from impact to impact.
 
 Every number that the compiled code reads or writes is in a group of arrays; each column has a name
 here.
@@ -18,22 +18,53 @@ from tamias2d.kernels.arrays import (
 Moving: TypeAlias = tuple[float, float, float, float, float, float]
 """x, y, m; orientation, rad; velocity, m/s; angular velocity, rad/s"""
 Pair: TypeAlias = tuple[float, float]
+Point: TypeAlias = tuple[float, float, float, float, float, float]
+"""Where a pair touches: the axis from P to Q, the corners of Q and of P, m; (0, 0) for a side"""
 
 # of a body: its start and what acts on it, then what it is
 X, Y, TURN, VX, VY, SPIN, AX, AY, TURNING, INVERSE_MASS, INVERSE_INERTIA, RADIUS = range(12)
 NORMAL_X, NORMAL_Y, OFFSET = range(12, 15)
 RESTITUTION, FRICTION = range(15, 17)  # its own; below 0 where it states none
-COLUMNS = 17
+ROUNDING = 17  # how far it reaches beyond its corners, m; `RADIUS` is how far beyond its centre
+COLUMNS = 18
 START = 9  # of a path, after its state and its acceleration, s
 PATH_COLUMNS = 10
-PARTICLE, PLANE, FIXED_DISC, DISC = range(4)  # kinds of bodies; only the last one is pushed
-MOVING_PARTICLE = 4
+# kinds of bodies: a hull has corners; from PLANE on they are solid, from DISC on they are pushed
+PARTICLE, MOVING_PARTICLE, PLANE, FIXED_DISC, FIXED_HULL, DISC, HULL = range(7)
+
+# of a body's outline: where it begins, how many corners and sides it has
+BEGIN, CORNERS, SIDES = range(3)
+SHAPE_COLUMNS = 3
+# of a corner and the side after it, about the body's centre and in its axes
+CORNER_X, CORNER_Y, REACH, SIDE_X, SIDE_Y, SIDE_OFFSET, LOW, HIGH = range(8)
+OUTLINE_COLUMNS = 8
+PLACED_X, PLACED_Y, PLACED_NORMAL_X, PLACED_NORMAL_Y = range(4)  # of these, in the world's axes
+PLACED_COLUMNS = 4
+# of a body that is looked at, after its state, its acceleration and when its path starts, s: the
+# angular velocity there, and how far it reaches
+START_SPIN, BOUND, ROUND, SIZE = range(10, 14)
+STAND_COLUMNS = 14
+FIRST_STAND, SECOND_STAND, ROUND_STAND, STANDS = range(4)
+# of an axis: its direction from P to Q, the least gap along it, m; then whether P is the second
+# of the pair, and the side of P, below 0 if it has none
+AXIS_X, AXIS_Y, AXIS_GAP = range(3)
+AXIS_COLUMNS = 3
+SWAPPED, SIDE = range(2)
+OWNER_COLUMNS = 2
+# of a gap: its size, m, and rate, m/s; how far off the corners are; the corners of Q and P
+GAP, RATE, REACH_P, REACH_Q, Q_X, Q_Y, P_X, P_Y = range(8)
+GAP_COLUMNS = 8
+# of a search: the direction in which the pair was last apart, whether there is one, whether it
+# touches now; the distance of the centres, m
+SEEN_X, SEEN_Y, IS_SEEN, TOUCHES, DISTANCE = range(5)
+SEARCH_COLUMNS = 5
 
 # of a body, as it is followed: samples written, support + 1, paths without advance, paths so far;
 # its cell, 0 to the right and upwards, and its neighbours in the list of the cell, each + 1
 TOLD, HELD_BY, STALLED, VERSION, ACROSS, UP, NEXT, BEFORE = range(8)
 NOTE_COLUMNS = 8
 WITH, LAST, BEST, DOUBT = range(4)  # of a body that bounces: the other + 1, when the bounces end, s
+SEVERAL = -1.0  # of a body that bounces on more than one other, instead of the other + 1
 FIRST, SECOND, FIRST_VERSION, SECOND_VERSION = range(4)  # of an event; one body twice: it leaves
 EVENT_COLUMNS = 4
 # of a departure: the body, its path from then on
@@ -55,6 +86,29 @@ DONE, FULL, CROWDED, INSTANT, SEARCH = range(5)
 not decided."""
 
 
+class Hulls(NamedTuple):
+    """The outlines of n bodies, and where a search has two of them at hand (`stand`)."""
+
+    shapes: IndexRows
+    """(n, 3)"""
+    outline: FloatRows
+    """(c, 8): the corners and sides of all"""
+    stands: FloatRows
+    """(3, 14): both bodies of a pair, and the disc around one"""
+    forms: IndexRows
+    """(3, 3): their rows of `shapes`"""
+    placed: FloatBlocks
+    """(3, m, 4): their corners and sides"""
+    axes: FloatRows
+    """(2 m, 3)"""
+    owners: IndexRows
+    """(2 m, 2)"""
+    gaps: FloatRows
+    """(m m, 8): along one axis"""
+    search: Floats
+    """(5,)"""
+
+
 class World(NamedTuple):
     """n bodies, what is known of them, and what is recorded."""
 
@@ -63,7 +117,8 @@ class World(NamedTuple):
     kinds: Indices
     """(n,)"""
     bodies: FloatRows
-    """(n, 17)"""
+    """(n, 18)"""
+    hulls: Hulls
     pairs: Ranks
     """(p,): n times the first body plus the second, in order, of pairs with laws of their own"""
     laws: FloatRows
@@ -79,7 +134,7 @@ class World(NamedTuple):
     cells: IndexRows
     """(across, up): the first body of a cell + 1"""
     everywhere: Indices
-    """The bodies that are in no cell, and near to all: half-planes and the largest discs."""
+    """The bodies that are in no cell, and near to all: half-planes and the largest bodies."""
     changed: Indices
     """(n,): the bodies whose paths are new"""
     near: Indices
@@ -102,7 +157,7 @@ class Worlds(NamedTuple):
     world: World
     """The one that is being followed."""
     bodies: FloatBlocks
-    """(w, n, 17)"""
+    """(w, n, 18)"""
     laws: FloatBlocks
     """(w, p, 2)"""
     samples: FloatBlocks

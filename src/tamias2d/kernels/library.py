@@ -8,7 +8,7 @@ from functools import cache
 from types import SimpleNamespace
 
 from tamias2d.kernels.assembled import assembled
-from tamias2d.kernels.compiled import loaded
+from tamias2d.kernels.compiled import is_kept, loaded
 from tamias2d.kernels.copied import Function, leaving_out
 from tamias2d.kernels.kept_source import is_of_package, kept_source
 from tamias2d.kernels.progress import progress
@@ -31,6 +31,10 @@ class Library:
         with leaving_out(self.without):
             return assembled(*self.entries, says=f"The {self.name} of Tamias2D.")
 
+    def is_kept(self) -> bool:
+        """Whether it was compiled before, as far as can be told without the compiler."""
+        return is_kept(_text(self))
+
     def plain(self) -> SimpleNamespace:
         """Return the entries by their names as they are, to look into and to compare with."""
         return SimpleNamespace(**{entry.__name__: entry for entry in self.entries})
@@ -46,10 +50,15 @@ class Library:
 
 @cache
 def _compiled(library: Library) -> SimpleNamespace:
-    keeps = all(is_of_package(entry) for entry in library.entries)
-    text = kept_source(library.name, library.source) if keeps else library.source()
+    text = _text(library)
     with progress(library.name, text):
         module = loaded(text)
     return SimpleNamespace(
         **{entry.__name__: getattr(module, entry.__name__) for entry in library.entries}
     )
+
+
+@cache
+def _text(library: Library) -> str:
+    keeps = all(is_of_package(entry) for entry in library.entries)
+    return kept_source(library.name, library.source) if keeps else library.source()

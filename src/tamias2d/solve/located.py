@@ -6,7 +6,7 @@ import numpy as np
 
 from tamias2d.contact import MANY, MOST_RULED, Located, RangeError, is_event_driven
 from tamias2d.errors import SimulationError
-from tamias2d.event_driven import Discs
+from tamias2d.event_driven import EventDriven
 from tamias2d.kernels import flight, joint_code, march_by_kernels
 from tamias2d.motion import ClosedForm, Motion, PathMethod
 from tamias2d.motion.fixed_steps import grid
@@ -34,12 +34,12 @@ def run_by_paths(
     motion = motion or method.motion(scene, plan.duration, plan.time_step or plan.duration)
     motion.work = Work(plan.duration, plan.work_limit)
     march_by_kernels(motion, scene)
-    discs = discs_of(plan.scene, method, plan.times)
+    follower = follower_of(plan.scene, method, plan.times)
     located = Located(
         scene,
         motion,
         motion.work,
-        discs,
+        follower,
         alone=asked or not are_many(scene),
         most_ruled=math.inf if asked else MOST_RULED,
     )
@@ -51,11 +51,11 @@ def run_by_paths(
             return run_of(plan, history, NO_IMPACTS, motion.notes, motion.tally, events)
         follow(located, plan.duration, progress=progress)
     except SimulationError as refusal:
-        refusal.run = _finite(plan, motion, located, discs)
+        refusal.run = _finite(plan, motion, located, follower)
         raise
     except KeyboardInterrupt:
-        raise Interrupted(_finite(plan, motion, located, discs)) from None
-    return _reached(plan, motion, located, discs)
+        raise Interrupted(_finite(plan, motion, located, follower)) from None
+    return _reached(plan, motion, located, follower)
 
 
 def _without_contact(plan: Plan, method: PathMethod, motion: Motion) -> History:
@@ -70,23 +70,23 @@ def _without_contact(plan: Plan, method: PathMethod, motion: Motion) -> History:
     return _of_bodies(motion.history(plan.times), plan.scene)
 
 
-def _finite(plan: Plan, motion: Motion, located: Located, discs: Discs | None) -> Run:
+def _finite(plan: Plan, motion: Motion, located: Located, follower: EventDriven | None) -> Run:
     """Return the run up to the time that was reached, or to the last finite energy before."""
     try:
-        return _reached(plan, motion, located, discs)
+        return _reached(plan, motion, located, follower)
     except RangeError as beyond:
         before = plan._replace(times=plan.times[plan.times < beyond.time])
-        return _reached(before, motion, located, discs)
+        return _reached(before, motion, located, follower)
 
 
-def discs_of(scene: Scene, method: PathMethod, times: Array | None) -> Discs | None:
+def follower_of(scene: Scene, method: PathMethod, times: Array | None) -> EventDriven | None:
     """Return what follows the bodies of a scene by compiled code, with samples at times, s.
 
     None where it does not know them.
     """
     if not (isinstance(method, ClosedForm) and is_event_driven(scene)):
         return None
-    return Discs(scene, times, many=are_many(scene))
+    return EventDriven(scene, times, many=are_many(scene))
 
 
 def are_many(scene: Scene) -> bool:
@@ -94,7 +94,7 @@ def are_many(scene: Scene) -> bool:
     return sum(body.dynamic and body.shape is not None for body in scene.bodies) > MANY
 
 
-def _reached(plan: Plan, motion: Motion, located: Located, discs: Discs | None) -> Run:
+def _reached(plan: Plan, motion: Motion, located: Located, follower: EventDriven | None) -> Run:
     """Return the run up to the time that was reached."""
     if not all(located.tracks):  # it did not get as far as a first path
         history, times = _sampled(plan, motion)
@@ -104,7 +104,7 @@ def _reached(plan: Plan, motion: Motion, located: Located, discs: Discs | None) 
     times = plan.times[plan.times <= located.time]
     plan = plan._replace(times=times if len(times) else np.zeros(1))
     events = motion.joint_events()
-    states = sample if discs is None else discs.history
+    states = sample if follower is None else follower.history
     found = states(located.tracks[: len(plan.scene)], plan.times)
     history = fitted_history(plan.scene, plan.times, found, events, joint_code)
     impacts = _impacts(located.impacts, owners(in_pieces(plan.scene)))

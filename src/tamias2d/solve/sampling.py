@@ -13,7 +13,7 @@ from tamias2d.motion.track import sample
 from tamias2d.run import Run
 from tamias2d.scene import in_pieces
 from tamias2d.solve.assembly import work_limit_of
-from tamias2d.solve.located import discs_of
+from tamias2d.solve.located import follower_of
 from tamias2d.solve.solution import solve
 from tamias2d.state import Array, History, place_between
 from tamias2d.work_limit import Work, WorkLimitError
@@ -33,7 +33,7 @@ def sampler(run: Run) -> Callable[[Array, Sequence[int]], History]:
     motion = method.motion(scene, run.duration, step or run.duration)
     motion.work = Work(0.0, work_limit_of(run))
     march_by_kernels(motion, scene)
-    located = Located(scene, motion, motion.work, discs_of(scene, method, None))
+    located = Located(scene, motion, motion.work, follower_of(scene, method, None))
     refusals = (Refusal, NoStepError, WorkLimitError)
     with np.errstate(all="ignore"), suppress(*refusals):  # as far as the run went
         located.go(run.duration)

@@ -1,0 +1,126 @@
+"""In which one point a pair touches, if in one, and whether it touches a third body besides."""
+
+from tamias2d.event_driven.approach import (
+    MARGIN,
+    axis_of,
+    position_at,
+    resolution,
+    size_of,
+    state_at,
+)
+from tamias2d.event_driven.axes import best_axis, find_axes, find_gaps
+from tamias2d.event_driven.cells import gather
+from tamias2d.event_driven.kinds import has_hull, is_pushed
+from tamias2d.event_driven.meeting import meets
+from tamias2d.event_driven.stand import resolution_of, stand, turn
+from tamias2d.event_driven.tables import (
+    AXIS_GAP,
+    AXIS_X,
+    AXIS_Y,
+    FIRST_STAND,
+    GAP,
+    P_X,
+    P_Y,
+    PLANE,
+    Q_X,
+    Q_Y,
+    RADIUS,
+    SECOND_STAND,
+    SIDE,
+    SWAPPED,
+    Moving,
+    Pair,
+    Point,
+    World,
+)
+from tamias2d.kernels.assembled import inlined, separate
+
+NOT_ONE = -1.0
+
+
+@inlined
+def touch_of(
+    i: int, j: int, a: Moving, b: Moving, time: float, world: World
+) -> tuple[Point, int, int, float]:
+    """Return where a pair touches, whether P is the second body and has a side there, as 0 or 1.
+
+    Last comes the largest gap that counts as none, m, or `NOT_ONE` where it is not one point.
+    """
+    if has_hull(i, j, world):
+        return touch_of_hulls(i, j, time, world)
+    tolerance = resolution(a, b, size_of(i, world), size_of(j, world), time)
+    ux, uy, gap, swapped = axis_of(a, b, i, j, world)
+    sided = 1 if world.kinds[i] == PLANE or world.kinds[j] == PLANE else 0
+    good = gap <= tolerance
+    return (ux, uy, 0.0, 0.0, 0.0, 0.0), swapped, sided, tolerance if good else NOT_ONE
+
+
+@separate
+def touch_of_hulls(i: int, j: int, time: float, world: World) -> tuple[Point, int, int, float]:
+    """Return what `touch_of` does, for a pair with corners; undecided where several axes touch."""
+    tolerance, count = axes_at(i, j, time, world)
+    best = best_axis(count, world)
+    gap = world.hulls.axes[best, AXIS_GAP]
+    sided = 1 if world.hulls.owners[best, SIDE] >= 0 else 0
+    good = gap <= tolerance
+    for axis in range(count):
+        good = good and (axis == best or world.hulls.axes[axis, AXIS_GAP] < gap - tolerance)
+    nearest, touching = 0, 0
+    for k in range(find_gaps(best, FIRST_STAND, SECOND_STAND, world)):
+        touching += 1 if world.hulls.gaps[k, GAP] <= gap + tolerance else 0
+        if world.hulls.gaps[k, GAP] < world.hulls.gaps[nearest, GAP]:
+            nearest = k
+    good = good and not (sided == 1 and touching > 1)
+    axis, row = world.hulls.axes[best], world.hulls.gaps[nearest]
+    point = (axis[AXIS_X], axis[AXIS_Y], row[Q_X], row[Q_Y], row[P_X], row[P_Y])
+    return point, world.hulls.owners[best, SWAPPED], sided, tolerance if good else NOT_ONE
+
+
+@separate
+def axes_at(i: int, j: int, time: float, world: World) -> tuple[float, int]:
+    """List the axes of a pair with corners at a time, s; return its resolution, m, and how many."""
+    stand(FIRST_STAND, i, time, world)
+    stand(SECOND_STAND, j, time, world)
+    turn(FIRST_STAND, world)
+    turn(SECOND_STAND, world)
+    tolerance = resolution_of(FIRST_STAND, SECOND_STAND, time, world)
+    return tolerance, find_axes(FIRST_STAND, SECOND_STAND, world)
+
+
+@inlined
+def touches_third(i: int, j: int, time: float, world: World) -> bool:
+    """Return whether one of two bodies that meet may touch a third one."""
+    for k in (i, j):
+        if not is_pushed(k, world):
+            continue
+        a = state_at(k, time, world.paths)
+        for place in range(gather(k, world)):
+            other = world.near[place]
+            if other in (i, j) or not meets(k, other, world) or is_far(a, k, other, time, world):
+                continue
+            gap, tolerance = gap_between(k, a, other, time, world)
+            if gap <= 2.0 * tolerance:
+                return True
+    return False
+
+
+@inlined
+def gap_between(k: int, a: Moving, other: int, time: float, world: World) -> Pair:
+    """Return the gap between a body in a state and another one, and its resolution, m."""
+    if has_hull(k, other, world):
+        tolerance, count = axes_at(k, other, time, world)
+        return float(world.hulls.axes[best_axis(count, world), AXIS_GAP]), tolerance
+    b = state_at(other, time, world.paths)
+    tolerance = resolution(a, b, size_of(k, world), size_of(other, world), time)
+    _, _, gap, _ = axis_of(a, b, k, other, world)
+    return gap, tolerance
+
+
+@inlined
+def is_far(a: Moving, i: int, j: int, time: float, world: World) -> bool:
+    """Return whether a body in a state is well apart from another one at a time, s."""
+    if world.kinds[j] == PLANE:
+        return False
+    x, y = position_at(j, time, world.paths)
+    apart = (world.bodies[i, RADIUS] + world.bodies[j, RADIUS]) * (1.0 + MARGIN)
+    return bool((x - a[0]) * (x - a[0]) + (y - a[1]) * (y - a[1]) > apart * apart)
