@@ -33,7 +33,9 @@ def test_all_convex_shapes_have_these_bits_too(
 ) -> None:
     """Boxes, polygons, segments, capsules and discs, flying, sliding, tipping, resting."""
     scene = mixed_crowd(seed)
-    (wanted, why), (found, found_why) = (solving(scene, each, duration) for each in ("general", way))
+    (wanted, why), (found, found_why) = (
+        solving(scene, each, duration) for each in ("general", way)
+    )
     assert found_why == why
     assert found.digest() == wanted.digest()
     assert found.notes == wanted.notes
