@@ -173,8 +173,8 @@ class JointSet:
         for joint in self._joints.values():
             bodies = list(joint.bodies)
             for row in joint_rows(joint):
-                turns = _units(row)[0] == "rad"
-                inverse = (engine.inverse_inertia if turns else engine.inverse_mass)[bodies]
+                long = _units(row)[0] == "m"
+                inverse = (engine.inverse_mass if long else engine.inverse_inertia)[bodies]
                 if row.law == SPRING and row.numbers[2] * time_step**2 * inverse.max() > STIFFEST:
                     return joint, row.numbers[2]
         return None
