@@ -19,8 +19,9 @@ from tamias2d.motion import (
     Reference,
     Stepped,
 )
+from tamias2d.motion.law_resolution import LOOKS, UNRESOLVED
 from tamias2d.run import Run
-from tamias2d.scene.acting import kinked
+from tamias2d.scene.acting import brief_laws, kinked
 from tamias2d.scene.rules import shown
 from tamias2d.solve import solve_halved
 from tamias2d.state import Array, History
@@ -56,6 +57,7 @@ _LEFT_OPEN = (
     "that rigid bodies do so where several contacts act at once, as those of a side that lands "
     "flat: steps solve them one after the other"
 )
+_BRIEF = "what a law does for less than {shortest:.3g} s: it is asked a thousand times over the run"
 _UNSEEN = "that no body passes through another: of so many it is not looked for"
 _BALANCE = "balance of energy, with what impacts take, relative to the largest kinetic energy"
 _KEPT = "the balance of energy"
@@ -211,6 +213,7 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
         claims=(f"how far it is from {_LIMIT if stepped else _SOLUTION}, {until}",),
         does_not_claim=(
             *not_claimed(None),
+            *_brief(run),
             *((_LEFT_OPEN,) if stepped else ()),
             *((_UNSEEN,) if stepped and crowded(run) else ()),
         ),
@@ -218,6 +221,13 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
         predictability_horizon=None,
         hashes=hashes(run.scene),
     )
+
+
+def _brief(run: Run) -> tuple[str, ...]:
+    """Return what is not claimed of laws that may do something for a moment."""
+    if isinstance(run.method, ClosedForm) or not brief_laws(run.scene):
+        return ()
+    return (_BRIEF.format(shortest=run.duration / LOOKS),)
 
 
 def _of_penetration(run: Run, fault: Penetration) -> Certificate:
@@ -304,6 +314,8 @@ def _step_doubling(run: Run, _: Array | None) -> _Bound:
     comes from a grid of half the step, and from the slower of both orders; from none where nothing
     converges yet.
     """
+    if note := next((note for note in run.notes if note.startswith(UNRESOLVED)), ""):
+        raise _NoBoundError(note)
     step = run.time_step or run.duration
     nominal = float(run.method.facts.order) if run.method.facts else 1.0
     coarse, fine = _coarser(run, step)
