@@ -91,13 +91,14 @@ def test_given_steps_that_miss_it_have_no_bound() -> None:
 
 
 def test_what_is_too_brief_to_be_seen_is_not_claimed() -> None:
-    """The certificate says how long something must be; of a polynomial it says nothing."""
+    """The certificate says how long something must be; of what goes on evenly it says nothing."""
     run = t2.simulate(pushed(0.1), duration=DURATION, tolerance=1e-6)
     assert run.certificate is not None
     told = f"what a law does for less than {DURATION / LOOKS:.3g} s"
     assert any(told in text for text in run.certificate.does_not_claim)
     scene = t2.Scene(gravity=(0.0, 0.0))
-    scene.add_body(None, mass=1.0, position=(0.0, 0.0), force=("3[N/s]*time", 0.0))
+    law = "3[N/s]*time+2[N]*sin(5[rad/s]*time)**2"
+    scene.add_body(None, mass=1.0, position=(0.0, 0.0), force=(law, 0.0))
     run = t2.simulate(scene, duration=DURATION, tolerance=1e-6)
     assert run.certificate is not None
     assert not any("what a law does" in text for text in run.certificate.does_not_claim)

@@ -159,6 +159,7 @@ class Adaptive:
                 return steps
             if len(steps.times) == 2:
                 limit = missed.time
+                field.recall(start, position, velocity)
                 continue
             most = max(missed.step, 1)  # anew, at the cost of these alone
             vars(memory).update(vars(before[0]))

@@ -71,7 +71,8 @@ class _Asked(NamedTuple):
     @property
     def place(self) -> Array:
         """(k,): of each time in its step, from -1 to 1."""
-        return 2.0 * (self.looks - self.nodes[self.of, 0]) / self.length - 1.0
+        gone = (self.looks - self.nodes[self.of, 0]) / self.length
+        return np.asarray(2.0 * gone - 1.0)
 
 
 class LawResolution:
@@ -137,7 +138,7 @@ class LawResolution:
 
     def _found(self, bodies: tuple[int, ...]) -> Iterator[_Load]:
         for (component, law), rows in varying_laws(self._scene, bodies).items():
-            if not law.polynomial:
+            if law.brief:
                 felt = [self._scene.bodies[bodies[row]] for row in rows]
                 mass = np.array([body.mass for body in felt])
                 inertia = np.array([body.inertia for body in felt])

@@ -71,6 +71,11 @@ class MemoisedField:
         self._known[time] = self._known.pop(time)  # what is asked for stays longest
         return known[2]
 
+    def recall(self, time: float, position: Array, velocity: Array) -> None:
+        """Remember accelerations that were computed before, and counted, and then forgotten."""
+        if self.known(time, position, velocity) is None:
+            self.remember(time, position, velocity, self._field(time, position, velocity))
+
     def forget(self) -> None:
         """Forget all: from here on the accelerations are others."""
         self._known.clear()

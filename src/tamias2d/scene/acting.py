@@ -68,7 +68,7 @@ def kinked(scene: SceneData) -> bool:
 def brief_laws(scene: SceneData) -> bool:
     """Return whether some law may do something for a moment."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
-    return any(not law.polynomial for _, law in varying_laws(scene, moving))
+    return any(law.brief for _, law in varying_laws(scene, moving))
 
 
 def timed_loads(scene: SceneData) -> set[int]:

@@ -24,7 +24,8 @@ VARYING = ("time", "position", "velocity", "orientation", "angular_velocity")
 """What a law may use and what changes during a run; `mass` may stand in it too."""
 _NO_NUMBER = ("d", "integral", "sum")  # of the language, but they need more than an instant
 _KINKED = ("abs", "min", "max", "atan2")  # of the language, but not smooth
-_COMPONENTS = ("x", "y")
+_EVEN, _PEAKED = ("x", "y", "sin", "cos"), 4
+"""What is called by laws that go on evenly; the power from which on what is called has peaks."""
 _NOTHING = dict.fromkeys((*VARYING, "mass"), math.nan) | dict.fromkeys(
     ("position", "velocity"), (math.nan, math.nan)
 )
@@ -59,16 +60,9 @@ class StateLaw:
         return self.varies and not called.isdisjoint(_KINKED)
 
     @cached_property
-    def polynomial(self) -> bool:
-        """Whether the law is one of time and state, which never does something for a moment."""
-        return all(
-            part.function in _COMPONENTS
-            if isinstance(part, Call)
-            else part.exponent >= 0 and part.exponent.denominator == 1
-            if isinstance(part, Power)
-            else not (isinstance(part, Binary) and part.operator == "/" and any(names(part.right)))
-            for part in walk(self.node)
-        )
+    def brief(self) -> bool:
+        """Whether the law may do something for a moment: no polynomial in it, sine or cosine is."""
+        return self.varies and any(_brief(part) for part in walk(self.node))
 
     @cached_property
     def shape(self) -> tuple[str, tuple[float, ...]]:
@@ -182,6 +176,18 @@ def _read(text: str, symbol: str) -> Node:
                 Code.NOT_ALLOWED, f"'{part.function}' has no value at an instant", part.offset
             )
     return node
+
+
+def _brief(part: Node) -> bool:
+    match part:
+        case Call():
+            return part.function not in _EVEN
+        case Power():
+            peaked = part.exponent > _PEAKED and any(isinstance(n, Call) for n in walk(part.base))
+            return part.exponent < 0 or part.exponent.denominator > 1 or peaked
+        case Binary():
+            return part.operator == "/" and any(names(part.right))
+    return False
 
 
 @cache
