@@ -126,7 +126,9 @@ def _dense_step(
 ) -> DenseStep:
     """Return the path from a state on with given accelerations (10, n, 3) at the nodes."""
     half = (end - start) / 2
-    second = np.tensordot(_fit(), accelerations, axes=1)
+    changes = accelerations - accelerations[0]  # what is constant is kept to the bit
+    second = np.tensordot(_fit(), changes, axes=1)
+    second[0] += accelerations[0]
     power = np.arange(len(second))[:, None, None]
     bend = half**2 * second / ((power + 1) * (power + 2))
     sign = (-1.0) ** power

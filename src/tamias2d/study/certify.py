@@ -36,6 +36,7 @@ from tamias2d.suggestions import suggests
 _EPSILON = 2.0**-52
 _GAP = 2.0**-41  # of the larger size: four times what an impact in a step leaves between bodies
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
+_FORCES, _EVALUATIONS = 2.0, 22  # roundings of a force that holds; forces that a step asks for
 _SPREADS = 3.0  # times as far as runs perturbed by one rounding the exact answer may be
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (after Roache's index)
 _ONE = 2.5  # times what a single companion says: where a run meets something sharp, both may err
@@ -278,7 +279,7 @@ def _exact(run: Run, grown: Array | None) -> _Bound:
     An impact is located within the rounding of its gap, which moves its instant by that over the
     normal velocity, and all that follows. Runs perturbed by one rounding show that.
     """
-    value = _ROUNDINGS * rounding(run)
+    value = _ROUNDINGS * rounding(run) * _held(run)
     if not len(run.impacts):
         return _Bound("exact", value, "closed form, bounded from the rounding of its terms")
     strayed = rounding_spread(run)
@@ -289,6 +290,15 @@ def _exact(run: Run, grown: Array | None) -> _Bound:
         f"by one rounding; a small change grows to {float(grown.max()):.3g} times its size"
     )
     return _Bound("exact", value + _SPREADS * strayed, how)
+
+
+def _held(run: Run) -> float:
+    """Return how much more rounds where contacts hold bodies, whose paths are integrated then.
+
+    Each step rounds, at random, and so does the force that holds them.
+    """
+    evaluations = run.cost.force_evaluations if run.cost else 0
+    return max(1.0, _FORCES * math.sqrt(evaluations / _EVALUATIONS))
 
 
 def rounding(run: Run) -> float:
