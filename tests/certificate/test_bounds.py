@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -158,3 +159,28 @@ def test_energy_bounds_hold_to_the_last_digit(which: int) -> None:
     assert certificate.bound is not None
     run = t2.simulate(scene, duration=20.0, times=times)
     assert energy_error(run) <= certificate.bound < 1e-13
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_box_that_slides_on_a_box_is_within_rounding(seed: int) -> None:
+    """Contacts that couple bodies round in every step; the closed form is in whole fractions."""
+    chance = np.random.default_rng(seed)
+    long, high, friction, speed = chance.uniform((4.0, 0.3, 0.05, 0.5), (8.0, 1.0, 0.4, 3.0))
+    surface = {"restitution": 0.0, "friction": float(friction)}
+    scene = t2.Scene(gravity=(0.0, -G))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), restitution=0.0, friction=0.9)
+    scene.add_body(t2.Box(width=long, height=high), mass=10.0, position=(0, high / 2), **surface)
+    start = float(-long / 2 + 0.4), float(high + 0.1)
+    box = scene.add_body(
+        t2.Box(width=0.4, height=0.2), mass=1.0, position=start, velocity=(speed, 0), **surface
+    )
+    run = t2.certify(t2.simulate(scene, duration=3.0, method=t2.ClosedForm()))
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    slowing = Fraction(float(friction)) * Fraction(G)
+    stop = Fraction(float(speed)) / slowing
+    moving = [min(Fraction(float(time)), stop) for time in run.times]
+    exact_places = [Fraction(start[0]) + (stop - t / 2) * slowing * t for t in moving]
+    places = run.position[:, box, 0].tolist()
+    error = max(abs(Fraction(x) - y) for x, y in zip(places, exact_places, strict=True))
+    assert float(error) / np.ptp(places) <= run.certificate.bound < 5e-13

@@ -179,3 +179,26 @@ def test_compiled_kernels_have_the_bits_of_plain_ones(
         at_price(-np.inf)
         assert outcome(everything(seed), method, step) == plain
         assert not isinstance(plain, str)
+
+
+def pushes(seed: int) -> Scene:
+    """A body that a spring holds, and that is pushed for a moment now and then."""
+    draw = np.random.default_rng(seed).uniform
+    at, width = draw(0, 3, 3).tolist(), (3 * 10 ** draw(-2.8, -1.3, 3)).tolist()
+    law = "+".join(f"9[N]*exp(-((time-{t}[s])/{w}[s])**2)" for t, w in zip(at, width, strict=True))
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(1.0, 0.0), force=(f"{law}-x(position)*2[N/m]", 0.0))
+    return scene
+
+
+@pytest.mark.parametrize("method", [t2.Dop853(1e-7), t2.DormandPrince5(1e-5, halved=True)], ids=str)
+def test_short_pushes_have_the_same_bits_and_cost_in_all_ways(
+    method: Method, at_price: Callable[[float], None], generally: Callable[..., Outcome]
+) -> None:
+    for seed in range(8):
+        at_price(np.inf)
+        plain = outcome(pushes(seed), method, None)
+        assert generally(pushes(seed), method, None) == plain
+        at_price(-np.inf)
+        assert outcome(pushes(seed), method, None) == plain
+        assert not isinstance(plain, str)

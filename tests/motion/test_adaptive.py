@@ -8,6 +8,7 @@ import pytest
 import tamias2d as t2
 from tamias2d.generated import schemes
 from tamias2d.motion.adaptive import Adaptive, Tolerance
+from tamias2d.motion.law_resolution import LawResolution
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.methods import Method
 from tamias2d.motion.motion import Tally
@@ -93,6 +94,8 @@ def test_path_within_a_step(name: str, orders: tuple[int, ...]) -> None:
         return -position
 
     start = np.array([[1.0, 0.0, 0.5]]), np.array([[0.3, 1.0, -0.2]])
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(0.0, 0.0))
     watched = MemoisedField(field, [0], [None], Tally())
     steps = Adaptive(
         name,
@@ -100,6 +103,7 @@ def test_path_within_a_step(name: str, orders: tuple[int, ...]) -> None:
         orders=orders,
         tolerance=Tolerance(1e-9, 1e-9, 1e-9),
         damping=0.0,
+        resolution=LawResolution(scene, 10.0),
     )
     step = steps.step(watched, 0.0, 10.0, *start)
     assert np.array_equal(step.at(0.0)[0], start[0])

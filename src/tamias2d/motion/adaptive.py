@@ -7,13 +7,14 @@ Ordinary Differential Equations I, section II.4).
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import numpy as np
 
 from tamias2d.errors import SimulationError
 from tamias2d.generated.schemes import Pair
+from tamias2d.motion.law_resolution import LawResolution, States, Unresolved
 from tamias2d.motion.marching import Control, Start, name_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep, dense_path
@@ -81,6 +82,7 @@ class Adaptive:
         orders: Sequence[int],
         tolerance: Tolerance,
         damping: float,
+        resolution: LawResolution,
     ) -> None:
         self._name = name
         self.scheme = scheme
@@ -90,18 +92,26 @@ class Adaptive:
         powers = [order + 1 for order in orders]
         self.power = powers[0] if len(powers) == 1 else 2 * powers[0] - powers[1]
         self.damping = damping
+        self._resolution = resolution
+        self.missed = False
+        """Whether some steps had to be shorter than errors said."""
         self._memory: dict[tuple[int, ...], Memory] = {}
 
     def step(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
     ) -> DenseStep:
-        """Take one step, of the length that the tolerance allows.
+        """Take one step, of the length that the tolerance and the laws allow.
 
         Raises:
             StepSizeError: it allows none.
         """
-        end, pair = self._accepted(field, start, limit, position, velocity)
-        return dense_step(start, end, (position, velocity), pair)
+        while True:
+            end, pair = self._accepted(field, start, limit, position, velocity)
+            step = dense_step(start, end, (position, velocity), pair)
+            missed = self._missed(field, (start, end), step.states)
+            if missed is None:
+                return step
+            limit = missed.time
 
     def _accepted(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
@@ -139,6 +149,45 @@ class Adaptive:
 
         Raises as `step` does.
         """
+        known = field.known(start, position, velocity)
+        while True:
+            memory = self.memory(field, start, limit, position, velocity)
+            before = replace(memory), replace(field.tally)
+            steps = self._batch(field, start, limit, position, velocity, most)
+            missed = self._missed(field, steps.times, steps.at)
+            if missed is None:
+                return steps
+            if len(steps.times) == 2:
+                limit = missed.time
+                field.recall(start, position, velocity)
+                continue
+            most = max(missed.step, 1)  # anew, at the cost of these alone
+            vars(memory).update(vars(before[0]))
+            vars(field.tally).update(vars(before[1]))
+            if known is not None:
+                field.remember(start, position, velocity, known)
+
+    def _missed(
+        self, field: MemoisedField, times: Sequence[float], states: States
+    ) -> Unresolved | None:
+        """Return which of the steps between some times, s, has missed what a law does."""
+        relative, rate = self.tolerance.relative, self.tolerance.rate
+        found = self._resolution.unresolved(
+            field.bodies, times, states, relative=relative, rate=rate
+        )
+        self.missed = self.missed or found is not None
+        return found
+
+    def _batch(
+        self,
+        field: MemoisedField,
+        start: float,
+        limit: float,
+        position: Array,
+        velocity: Array,
+        most: int,
+    ) -> StepBatch:
+        """Take several steps at once, if the field can, whatever they miss of a law."""
         memory = self.memory(field, start, limit, position, velocity)
         if field.marching is not None:
             now = Start(position, velocity, field.known(start, position, velocity))

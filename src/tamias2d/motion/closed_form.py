@@ -8,6 +8,7 @@ from tamias2d.generated import rotation, translation
 from tamias2d.motion.constrained import ConstrainedMotion
 from tamias2d.motion.dragged import Dragged
 from tamias2d.motion.joint_events import JointEvents, joint_events
+from tamias2d.motion.law_resolution import LawResolution
 from tamias2d.motion.loads import Loads, StateOf, coordinates, start_states
 from tamias2d.motion.motion import Tally
 from tamias2d.motion.oscillating import Oscillating
@@ -31,7 +32,7 @@ class ClosedFormMotion:
         self._scene = scene
         self._duration = duration
         self._loads = Loads(scene)
-        self._constrained = ConstrainedMotion(scene, self.tally)
+        self._constrained = ConstrainedMotion(scene, self.tally, LawResolution(scene, duration))
         self._forms = closed_forms(scene)
 
     def segment(

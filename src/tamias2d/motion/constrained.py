@@ -5,6 +5,7 @@ The contact's force depends on the state, so that the path is integrated whateve
 
 import math
 
+from tamias2d.motion.law_resolution import LawResolution
 from tamias2d.motion.loads import Loads, StateOf, coordinates, state_of
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.motion import Tally
@@ -23,9 +24,10 @@ _TOLERANCE = 1e-13
 class ConstrainedMotion:
     """Paths of bodies under state-dependent constraints, step by step."""
 
-    def __init__(self, scene: Scene, tally: Tally) -> None:
+    def __init__(self, scene: Scene, tally: Tally, resolution: LawResolution) -> None:
         self._scene = scene
         self._tally = tally
+        self._resolution = resolution
         self._loads = Loads(scene)
         self._integrators: dict[int, ScipyDop853] = {}
         self._coupled: dict[tuple[int, ...], ScipyDop853] = {}
@@ -35,7 +37,8 @@ class ConstrainedMotion:
     ) -> Piece:
         """Return one step of the path of a body from `start` towards `end`, s."""
         if body not in self._integrators:
-            self._integrators[body] = ScipyDop853(_TOLERANCE, self._scale(body, start, state))
+            scale = self._scale(body, start, state)
+            self._integrators[body] = ScipyDop853(_TOLERANCE, scale, self._resolution)
         field = MemoisedField(
             self._loads.field([body], [constraint]), [body], [constraint], self._tally
         )
@@ -63,7 +66,7 @@ class ConstrainedMotion:
         if bodies not in self._coupled:
             scales = [self._scale(i, start, s) for i, s in zip(bodies, states, strict=True)]
             scale = min(length for length, _ in scales), min(time for _, time in scales)
-            self._coupled[bodies] = ScipyDop853(_TOLERANCE, scale)
+            self._coupled[bodies] = ScipyDop853(_TOLERANCE, scale, self._resolution)
         loads = self._loads.free_field(bodies)
 
         def held(time: float, position: Array, velocity: Array) -> Array:

@@ -17,6 +17,8 @@ from tamias2d.motion.polynomial import DenseStep
 from tamias2d.motion.step_batch import StepBatch, joined
 from tamias2d.state import Array
 
+_SUDDEN = 0.5  # of the step before is one that meets something sudden
+
 
 @dataclass
 class _Whole:
@@ -27,6 +29,18 @@ class _Whole:
     time: float
     state: tuple[Array, Array]
     halved: tuple[Array, Array]
+    length: float = 0.0
+    """Of the last step, s."""
+
+    def shortens(self, steps: StepBatch, limit: float) -> bool:
+        """Return whether one of the steps that follow is far shorter than the one before it.
+
+        The last one of all, up to the limit, may be.
+        """
+        lengths = np.array([self.length, *np.diff(steps.times)])
+        self.length = float(lengths[-1])
+        sudden = lengths[1:] < _SUDDEN * lengths[:-1]
+        return bool(sudden[:-1].any() or (sudden[-1] and steps.end < limit))
 
 
 class Halved:
@@ -40,7 +54,8 @@ class Halved:
         self.apart: dict[int, Array] | None = {}
         """Of each body (3,): how far its coordinates were from those of whole steps, at most.
 
-        None where something else changed a state, as impacts do, and whole steps began anew.
+        None where something else changed a state, as impacts do, and whole steps began anew, and
+        where steps met something sudden: there halves do not err less by the order.
         """
 
     def step(
@@ -69,6 +84,8 @@ class Halved:
         times = np.repeat(whole.times, 2)[:-1]
         times[1::2] = (times[:-1:2] + times[2::2]) / 2
         halves = self._halves(field, times.tolist(), position, velocity)
+        if self._whole.missed or known.shortens(whole, limit):
+            self.apart = None
         self._compare(field.bodies, whole, halves)
         known.time, known.state, known.halved = whole.end, whole.last, halves.last
         return halves

@@ -15,6 +15,7 @@ from tamias2d.motion.joint_decision import begin
 from tamias2d.motion.joint_events import JointEvents, joint_events
 from tamias2d.motion.joint_instant import Now
 from tamias2d.motion.joint_search import JointSearch
+from tamias2d.motion.law_resolution import UNRESOLVED, LawResolution, States
 from tamias2d.motion.limited_mechanism import LimitedMechanism
 from tamias2d.motion.loads import Field, Loads, StateOf, coordinates, start_states
 from tamias2d.motion.marching import Marching
@@ -65,12 +66,14 @@ class IntegratedMotion:
         self.work = Work(duration)
         self.sampled: History | None = None
         self._loads = Loads(scene)
-        self._constrained = ConstrainedMotion(scene, self.tally)
+        self._resolution = LawResolution(scene, duration)
+        self._constrained = ConstrainedMotion(scene, self.tally, self._resolution)
         self._felt_velocity = bool(self._loads.varying) and felt_velocity(scene)
         self._fields: dict[tuple[int, ...], MemoisedField] = {}
         self.marching: Callable[[Sequence[int]], Marching | None] = lambda _: None
         """What takes many steps at once of bodies that act on no others, if anything does."""
         self._moving = [i for i, body in enumerate(scene.bodies) if body.dynamic]
+        self._missed = False
         self.notes = notes + self._loads.joint_notes(self._moving)
 
     def take_joint_codes(self, codes: JointCodes) -> None:
@@ -269,6 +272,15 @@ class IntegratedMotion:
             self._fields[tuple(bodies)] = known
         return known
 
+    def _note_missed(self, field: MemoisedField, times: Sequence[float], states: States) -> None:
+        """Note what steps have missed of a law, where they could not be shorter for it."""
+        if not isinstance(self._integrator, FixedSteps) or self._missed:
+            return
+        missed = self._resolution.unresolved(field.bodies, times, states, given=True)
+        if missed is not None:
+            self._missed = True
+            self.notes += (f"{UNRESOLVED}: {missed.law.what}, near {missed.time:.6g} s",)
+
     def _dense_steps(
         self, field: MemoisedField, start: float, end: float, position: Array, velocity: Array
     ) -> Iterator[DenseStep]:
@@ -295,6 +307,7 @@ class IntegratedMotion:
     ) -> DenseStep:
         """Return a step that ends where the joints hold."""
         step = self._integrator.step(field, start, end, position, velocity)
+        self._note_missed(field, (step.start, step.end), step.states)
         found = self._loads.mechanisms(field.bodies)
         return moved_end(step, *fitted(found, step.end, *step.last)) if found else step
 
@@ -359,6 +372,7 @@ class IntegratedMotion:
             return
         while start < end:
             batch = self._batching.batch(field, start, end, *now, most=max(most, 1))
+            self._note_missed(field, batch.times, batch.at)
             for k, time in enumerate(batch.times[1:]):
                 self.tally.steps += 1
                 if not isinstance(self._integrator, FixedSteps):

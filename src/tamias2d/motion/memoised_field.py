@@ -45,7 +45,7 @@ class MemoisedField:
             return known
         self.tally.force_evaluations += 1
         result = self._field(time, position, velocity)
-        self._remember(time, position, velocity, result)
+        self.remember(time, position, velocity, result)
         return result
 
     def beside(self) -> "MemoisedField":
@@ -71,6 +71,11 @@ class MemoisedField:
         self._known[time] = self._known.pop(time)  # what is asked for stays longest
         return known[2]
 
+    def recall(self, time: float, position: Array, velocity: Array) -> None:
+        """Remember accelerations that were computed before, and counted, and then forgotten."""
+        if self.known(time, position, velocity) is None:
+            self.remember(time, position, velocity, self._field(time, position, velocity))
+
     def forget(self) -> None:
         """Forget all: from here on the accelerations are others."""
         self._known.clear()
@@ -91,10 +96,11 @@ class MemoisedField:
         self.tally.rejected += steps.rejected
         self._known.clear()
         if steps.last_known:
-            self._remember(steps.times[-1], *steps.knots[-1])
+            self.remember(steps.times[-1], *steps.knots[-1])
         return len(steps.times) > 1
 
-    def _remember(self, time: float, position: Array, velocity: Array, result: Array) -> None:
+    def remember(self, time: float, position: Array, velocity: Array, result: Array) -> None:
+        """Keep accelerations that are known for a time and a state."""
         self._known.pop(time, None)
         if len(self._known) >= _REMEMBERED:
             del self._known[next(iter(self._known))]

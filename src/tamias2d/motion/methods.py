@@ -19,6 +19,7 @@ from tamias2d.motion.exponential import ExponentialSteps
 from tamias2d.motion.fixed_steps import FixedSteps, Scheme
 from tamias2d.motion.halved import Halved
 from tamias2d.motion.integrated import IntegratedMotion
+from tamias2d.motion.law_resolution import LawResolution
 from tamias2d.motion.legacy import Legacy2018
 from tamias2d.motion.loads import Loads, coordinates, start_states
 from tamias2d.motion.method import Method
@@ -164,6 +165,7 @@ class _Embedded(PathMethod):
             orders=self.estimates,
             tolerance=Tolerance(self.rtol, small, small / time),
             damping=self.damping,
+            resolution=LawResolution(scene, duration),
         )
         return IntegratedMotion(scene, duration, Halved(steps) if self.halved else steps)
 
@@ -235,7 +237,9 @@ class Reference(PathMethod):
 
     def motion(self, scene: Scene, duration: float, time_step: float) -> Motion:  # noqa: ARG002
         """Return motion by adaptive steps."""
-        return IntegratedMotion(scene, duration, ScipyDop853(self.rtol, _scale(scene, duration)))
+        resolution = LawResolution(scene, duration)
+        steps = ScipyDop853(self.rtol, _scale(scene, duration), resolution)
+        return IntegratedMotion(scene, duration, steps)
 
 
 Solvable: TypeAlias = PathMethod | Legacy2018 | Stepped

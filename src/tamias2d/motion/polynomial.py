@@ -43,6 +43,10 @@ class DenseStep:
             value = value * x + c
         return value, slope / half
 
+    def states(self, times: Array) -> Array:
+        """Return coordinates and rates (k, 2, n, 3) at times (k,), s, within the step."""
+        return np.stack([np.stack(self.at(time)) for time in times.tolist()])
+
     def piece(self, body: int) -> Piece:
         """Return the path of one of the bodies."""
         return Polynomial(

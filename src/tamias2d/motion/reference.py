@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 
 from tamias2d.errors import SimulationError
+from tamias2d.motion.law_resolution import LawResolution
 from tamias2d.motion.memoised_field import MemoisedField
 from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
@@ -36,19 +37,38 @@ class ScipyDop853:
 
     best_at_ends = False
 
-    def __init__(self, rtol: float, scale: tuple[float, float]) -> None:
+    def __init__(self, rtol: float, scale: tuple[float, float], resolution: LawResolution) -> None:
         self._rtol = rtol
+        self._resolution = resolution
         self._scale = scale
         self._proposed: dict[int, float] = {}
 
     def step(
         self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
     ) -> DenseStep:
+        """Take one step, of the length that the tolerance and the laws allow."""
+        if not position.size:
+            return _dense_step(start, limit, position, velocity, np.zeros((10, *position.shape)))
+        while True:
+            step = self._step(field, start, limit, position, velocity)
+            times = step.start, step.end
+            missed = self._resolution.unresolved(
+                field.bodies,
+                times,
+                step.states,
+                relative=self._rtol,
+                rate=self._rtol * self._scale[0] / self._scale[1],
+            )
+            if missed is None:
+                return step
+            limit = missed.time
+
+    def _step(
+        self, field: MemoisedField, start: float, limit: float, position: Array, velocity: Array
+    ) -> DenseStep:
         """Take one step, of the length that the tolerance allows."""
         from scipy.integrate import DOP853
 
-        if not position.size:
-            return _dense_step(start, limit, position, velocity, np.zeros((10, *position.shape)))
         shape = position.shape
         size = position.size
 
@@ -106,7 +126,9 @@ def _dense_step(
 ) -> DenseStep:
     """Return the path from a state on with given accelerations (10, n, 3) at the nodes."""
     half = (end - start) / 2
-    second = np.tensordot(_fit(), accelerations, axes=1)
+    changes = accelerations - accelerations[0]  # what is constant is kept to the bit
+    second = np.tensordot(_fit(), changes, axes=1)
+    second[0] += accelerations[0]
     power = np.arange(len(second))[:, None, None]
     bend = half**2 * second / ((power + 1) * (power + 2))
     sign = (-1.0) ** power

@@ -65,6 +65,12 @@ def kinked(scene: SceneData) -> bool:
     return any(law.kinked for _, law in varying_laws(scene, moving))
 
 
+def brief_laws(scene: SceneData) -> bool:
+    """Return whether some law may do something for a moment."""
+    moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]
+    return any(law.brief for _, law in varying_laws(scene, moving))
+
+
 def timed_loads(scene: SceneData) -> set[int]:
     """Return the bodies on which some law acts that depends on time, whatever their state."""
     moving = [k for k, body in enumerate(scene.bodies) if body.dynamic]

@@ -15,7 +15,7 @@ from tamias2d.errors import InputError
 from tamias2d.generated.symbols import SYMBOLS
 from tamias2d.scene.rules import RuleError, label, number, pair
 from tamias2d.spec.check import Type, expect
-from tamias2d.spec.expression import Call, Node, names, parse, walk
+from tamias2d.spec.expression import Binary, Call, Node, Power, names, parse, walk
 from tamias2d.spec.messages import Code, SpecFault
 from tamias2d.spec.printed import law_function, shape_of
 from tamias2d.spec.symbols import SymbolTable, table_from
@@ -24,6 +24,8 @@ VARYING = ("time", "position", "velocity", "orientation", "angular_velocity")
 """What a law may use and what changes during a run; `mass` may stand in it too."""
 _NO_NUMBER = ("d", "integral", "sum")  # of the language, but they need more than an instant
 _KINKED = ("abs", "min", "max", "atan2")  # of the language, but not smooth
+_EVEN, _PEAKED = ("x", "y", "sin", "cos"), 4
+"""What is called by laws that go on evenly; the power from which on what is called has peaks."""
 _NOTHING = dict.fromkeys((*VARYING, "mass"), math.nan) | dict.fromkeys(
     ("position", "velocity"), (math.nan, math.nan)
 )
@@ -58,6 +60,11 @@ class StateLaw:
         return self.varies and not called.isdisjoint(_KINKED)
 
     @cached_property
+    def brief(self) -> bool:
+        """Whether the law may do something for a moment: no polynomial in it, sine or cosine is."""
+        return self.varies and any(_brief(part) for part in walk(self.node))
+
+    @cached_property
     def shape(self) -> tuple[str, tuple[float, ...]]:
         """The law as source, and the numbers in it: laws of one shape share compiled code."""
         return shape_of(self.node, _known())
@@ -73,18 +80,22 @@ class StateLaw:
                 f"{self.what}: '{self.text}' depends on '{min(missing)}', which is not given (R4). "
                 "Give the state in which it is asked for."
             )
-        shape, numbers = self.shape
-        try:
-            with np.errstate(all="ignore"):
-                value = law_function(shape)(numbers, **{**_NOTHING, **state})
-        except (ArithmeticError, ValueError):
-            value = math.nan
+        value = self.values(state)
         if isinstance(value, complex) or not np.all(np.isfinite(value)):
             raise InputError(
                 f"{self.what}: '{self.text}' has no finite value at {self._place(state, value)} "
                 "(R4). Give a law that has one wherever the run goes."
             )
         return value if isinstance(value, np.ndarray) else float(value)
+
+    def values(self, state: Mapping[str, Value]) -> Value:
+        """Return the value in SI units for all of `names`; not finite where there is none."""
+        shape, numbers = self.shape
+        try:
+            with np.errstate(all="ignore"):
+                return law_function(shape)(numbers, **{**_NOTHING, **state})
+        except (ArithmeticError, ValueError):
+            return math.nan
 
     def _place(self, state: Mapping[str, Value], value: Value) -> str:
         bad = int(np.argmin(np.isfinite(value))) if isinstance(value, np.ndarray) else 0
@@ -165,6 +176,18 @@ def _read(text: str, symbol: str) -> Node:
                 Code.NOT_ALLOWED, f"'{part.function}' has no value at an instant", part.offset
             )
     return node
+
+
+def _brief(part: Node) -> bool:
+    match part:
+        case Call():
+            return part.function not in _EVEN
+        case Power():
+            peaked = part.exponent > _PEAKED and any(isinstance(n, Call) for n in walk(part.base))
+            return part.exponent < 0 or part.exponent.denominator > 1 or peaked
+        case Binary():
+            return part.operator == "/" and any(names(part.right))
+    return False
 
 
 @cache

@@ -19,8 +19,9 @@ from tamias2d.motion import (
     Reference,
     Stepped,
 )
+from tamias2d.motion.law_resolution import LOOKS, UNRESOLVED
 from tamias2d.run import Run
-from tamias2d.scene.acting import kinked
+from tamias2d.scene.acting import brief_laws, kinked
 from tamias2d.scene.rules import shown
 from tamias2d.solve import solve_halved
 from tamias2d.state import Array, History
@@ -35,6 +36,7 @@ from tamias2d.suggestions import suggests
 _EPSILON = 2.0**-52
 _GAP = 2.0**-41  # of the larger size: four times what an impact in a step leaves between bodies
 _ROUNDINGS = 2.0  # of the largest terms of a closed form, in each of its values
+_FORCES, _EVALUATIONS = 2.0, 22  # roundings of a force that holds; forces that a step asks for
 _SPREADS = 3.0  # times as far as runs perturbed by one rounding the exact answer may be
 _TRUSTED, _GRIDS, _DISTRUSTED = 1.5, 1.5, 3.0  # times what companions say (after Roache's index)
 _ONE = 2.5  # times what a single companion says: where a run meets something sharp, both may err
@@ -56,6 +58,7 @@ _LEFT_OPEN = (
     "that rigid bodies do so where several contacts act at once, as those of a side that lands "
     "flat: steps solve them one after the other"
 )
+_BRIEF = "what a law does for less than {shortest:.3g} s: it is asked a thousand times over the run"
 _UNSEEN = "that no body passes through another: of so many it is not looked for"
 _BALANCE = "balance of energy, with what impacts take, relative to the largest kinetic energy"
 _KEPT = "the balance of energy"
@@ -211,6 +214,7 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
         claims=(f"how far it is from {_LIMIT if stepped else _SOLUTION}, {until}",),
         does_not_claim=(
             *not_claimed(None),
+            *_brief(run),
             *((_LEFT_OPEN,) if stepped else ()),
             *((_UNSEEN,) if stepped and crowded(run) else ()),
         ),
@@ -218,6 +222,13 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
         predictability_horizon=None,
         hashes=hashes(run.scene),
     )
+
+
+def _brief(run: Run) -> tuple[str, ...]:
+    """Return what is not claimed of laws that may do something for a moment."""
+    if isinstance(run.method, ClosedForm) or not brief_laws(run.scene):
+        return ()
+    return (_BRIEF.format(shortest=run.duration / LOOKS),)
 
 
 def _of_penetration(run: Run, fault: Penetration) -> Certificate:
@@ -268,7 +279,7 @@ def _exact(run: Run, grown: Array | None) -> _Bound:
     An impact is located within the rounding of its gap, which moves its instant by that over the
     normal velocity, and all that follows. Runs perturbed by one rounding show that.
     """
-    value = _ROUNDINGS * rounding(run)
+    value = _ROUNDINGS * rounding(run) * _held(run)
     if not len(run.impacts):
         return _Bound("exact", value, "closed form, bounded from the rounding of its terms")
     strayed = rounding_spread(run)
@@ -279,6 +290,15 @@ def _exact(run: Run, grown: Array | None) -> _Bound:
         f"by one rounding; a small change grows to {float(grown.max()):.3g} times its size"
     )
     return _Bound("exact", value + _SPREADS * strayed, how)
+
+
+def _held(run: Run) -> float:
+    """Return how much more rounds where contacts hold bodies, whose paths are integrated then.
+
+    Each step rounds, at random, and so does the force that holds them.
+    """
+    evaluations = run.cost.force_evaluations if run.cost else 0
+    return max(1.0, _FORCES * math.sqrt(evaluations / _EVALUATIONS))
 
 
 def rounding(run: Run) -> float:
@@ -304,6 +324,8 @@ def _step_doubling(run: Run, _: Array | None) -> _Bound:
     comes from a grid of half the step, and from the slower of both orders; from none where nothing
     converges yet.
     """
+    if note := next((note for note in run.notes if note.startswith(UNRESOLVED)), ""):
+        raise _NoBoundError(note)
     step = run.time_step or run.duration
     nominal = float(run.method.facts.order) if run.method.facts else 1.0
     coarse, fine = _coarser(run, step)
