@@ -22,6 +22,7 @@ from tamias2d.contact.modes import (
     closed_directions,
     cone_edges,
     effects,
+    force_directions,
     forces,
     modes,
 )
@@ -83,10 +84,12 @@ class FrictionalIsland(Island):
         if not self._pressing:
             return super().projected(states)
         (body,) = self.bodies
+        edges = force_directions(self._mode)
+        settled = without_normal_velocity(self._cores, self._closed, states, edges)[body]
         if self._moves_on(states):
-            return {body: without_normal_velocity(self._cores, self._closed, states)[body]}
-        x, y, spin = self._projected((*states[body].velocity, states[body].angular_velocity))
-        return {body: states[body]._replace(velocity=(x, y), angular_velocity=spin)}
+            return {body: settled}
+        x, y, spin = self._projected((*settled.velocity, settled.angular_velocity))
+        return {body: settled._replace(velocity=(x, y), angular_velocity=spin)}
 
     def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
         """Return the constraint of each body by its lasting contacts.
