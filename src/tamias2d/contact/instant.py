@@ -313,7 +313,8 @@ class Instant:
             self.separating[contact.a, contact.b] = opening_acceleration(contact, placed, by)
 
     def _constrain(self, island: Island) -> None:
-        self.states.update(island.projected(self.states))
+        states = island.crept(self.states, self._world.restitution)
+        self.states.update(island.projected(states))
         self.constraints.update(island.constraints(self.states, self.time))
         self.senses.update(island.senses)
         self.changed.update(island.bodies)
