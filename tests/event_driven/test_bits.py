@@ -103,3 +103,21 @@ def test_the_work_limit_ends_a_run_at_the_same_impact(solving: Solving) -> None:
     assert general[1].startswith("run at")
     assert compiled[1] == general[1]
     assert compiled[0].digest() == general[0].digest()
+
+
+@pytest.mark.parametrize("way", ["compiled", "plain"])
+@pytest.mark.parametrize("slope", [0.0, 0.3])
+def test_bounces_that_slide_end_with_the_same_bits(
+    solving: Solving, way: str, slope: float
+) -> None:
+    """A disc that slides, and one that sticks, come to rest."""
+    scene = t2.Scene(gravity=(9.81 * slope, -9.81))
+    scene.add_static(t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), restitution=0.5)
+    for x, friction in ((0.0, 0.1), (-9.0, 1.0)):
+        scene.add_body(
+            t2.Disc(radius=0.3), mass=1.0, position=(x, 0.8), velocity=(20.0 + x, 0.0),
+            restitution=0.5, friction=friction,
+        )  # fmt: skip
+    (wanted, _), (found, _) = (solving(scene, each, 2.0) for each in ("general", way))
+    assert sum(note.startswith("rest:") for note in wanted.notes) == 2
+    assert found.digest() == wanted.digest()

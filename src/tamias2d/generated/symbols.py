@@ -33,13 +33,22 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=28,
     ),
+    "flight_time": Symbol(
+        "flight_time",
+        "s",
+        "time between an impact and the next one of the same contact",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="t_f",
+        file="srs/symbols.md",
+        line=33,
+    ),
     "bounce_height": Symbol(
         "bounce_height",
         "m",
         "how far a contact opens in a bounce",
         tex="h_b",
         file="srs/symbols.md",
-        line=33,
+        line=38,
     ),
     "duration": Symbol(
         "duration",
@@ -48,7 +57,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="T",
         file="srs/symbols.md",
-        line=37,
+        line=42,
     ),
     "mass": Symbol(
         "mass",
@@ -59,7 +68,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="56.2 kg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=51,
+        line=56,
     ),
     "inverse_mass": Symbol(
         "inverse_mass",
@@ -68,7 +77,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="m^{-1}",
         file="srs/symbols.md",
-        line=58,
+        line=63,
     ),
     "inertia": Symbol(
         "inertia",
@@ -79,7 +88,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="74.5 kg*m^2",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=63,
+        line=68,
     ),
     "inverse_inertia": Symbol(
         "inverse_inertia",
@@ -88,7 +97,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="I^{-1}",
         file="srs/symbols.md",
-        line=70,
+        line=75,
     ),
     "restitution": Symbol(
         "restitution",
@@ -99,7 +108,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.8",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=75,
+        line=80,
     ),
     "pair_restitution": Symbol(
         "pair_restitution",
@@ -108,7 +117,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="C_R",
         file="srs/symbols.md",
-        line=84,
+        line=89,
     ),
     "friction": Symbol(
         "friction",
@@ -119,7 +128,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="0.5",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=89,
+        line=94,
     ),
     "pair_friction": Symbol(
         "pair_friction",
@@ -128,7 +137,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\mu",
         file="srs/symbols.md",
-        line=98,
+        line=103,
     ),
     "position": Symbol(
         "position",
@@ -139,7 +148,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0.412 m, 0.502 m]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=112,
+        line=117,
     ),
     "displacement": Symbol(
         "displacement",
@@ -148,7 +157,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=119,
+        line=124,
     ),
     "velocity": Symbol(
         "velocity",
@@ -159,7 +168,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[2.51 m/s, 0 m/s]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=124,
+        line=129,
     ),
     "acceleration": Symbol(
         "acceleration",
@@ -168,7 +177,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=131,
+        line=136,
     ),
     "orientation": Symbol(
         "orientation",
@@ -178,7 +187,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="90 deg",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=136,
+        line=141,
     ),
     "angular_displacement": Symbol(
         "angular_displacement",
@@ -186,7 +195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of orientation since the start",
         tex="\\theta",
         file="srs/symbols.md",
-        line=144,
+        line=149,
     ),
     "angular_velocity": Symbol(
         "angular_velocity",
@@ -196,7 +205,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="2.1 rad/s",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=148,
+        line=153,
     ),
     "angular_acceleration": Symbol(
         "angular_acceleration",
@@ -204,7 +213,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the angular velocity",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=154,
+        line=159,
     ),
     "point_velocity": Symbol(
         "point_velocity",
@@ -213,7 +222,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}^P",
         file="srs/symbols.md",
-        line=158,
+        line=163,
     ),
     "force": Symbol(
         "force",
@@ -224,7 +233,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[98.1 N, 0 N]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=172,
+        line=177,
     ),
     "torque": Symbol(
         "torque",
@@ -234,7 +243,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="200 N*m",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=179,
+        line=184,
     ),
     "gravity": Symbol(
         "gravity",
@@ -245,7 +254,7 @@ SYMBOLS: dict[str, Symbol] = {
         typical="[0 m/s^2, -9.81 m/s^2]",
         uncertainty="10 %",
         file="srs/symbols.md",
-        line=185,
+        line=190,
     ),
     "gravitational_constant": Symbol(
         "gravitational_constant",
@@ -255,7 +264,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="G",
         typical="6.6743e-11 m^3/(kg*s^2)",
         file="srs/symbols.md",
-        line=192,
+        line=197,
     ),
     "attraction": Symbol(
         "attraction",
@@ -264,7 +273,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=207,
+        line=212,
     ),
     "gravitational_energy": Symbol(
         "gravitational_energy",
@@ -272,7 +281,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of two bodies that attract each other, zero when far apart",
         tex="U^{\\mathrm{grav}}",
         file="srs/symbols.md",
-        line=212,
+        line=217,
     ),
     "linear_drag": Symbol(
         "linear_drag",
@@ -282,7 +291,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_1",
         typical="0.5 kg/s",
         file="srs/symbols.md",
-        line=216,
+        line=221,
     ),
     "quadratic_drag": Symbol(
         "quadratic_drag",
@@ -292,7 +301,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_2",
         typical="0.05 kg/m",
         file="srs/symbols.md",
-        line=222,
+        line=227,
     ),
     "linear_drag_force": Symbol(
         "linear_drag_force",
@@ -301,7 +310,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=228,
+        line=233,
     ),
     "quadratic_drag_force": Symbol(
         "quadratic_drag_force",
@@ -310,7 +319,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{quad}}",
         file="srs/symbols.md",
-        line=233,
+        line=238,
     ),
     "angular_drag": Symbol(
         "angular_drag",
@@ -320,7 +329,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="c_\\omega",
         typical="0.1 kg*m^2/s",
         file="srs/symbols.md",
-        line=238,
+        line=243,
     ),
     "angular_drag_torque": Symbol(
         "angular_drag_torque",
@@ -328,7 +337,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of angular drag on a body",
         tex="\\tau^{\\mathrm{lin}}",
         file="srs/symbols.md",
-        line=244,
+        line=249,
     ),
     "angular_drag_rate": Symbol(
         "angular_drag_rate",
@@ -337,7 +346,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma_\\omega",
         file="srs/symbols.md",
-        line=248,
+        line=253,
     ),
     "drag_rate": Symbol(
         "drag_rate",
@@ -346,7 +355,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\gamma",
         file="srs/symbols.md",
-        line=255,
+        line=260,
     ),
     "speed": Symbol(
         "speed",
@@ -355,7 +364,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="v",
         file="srs/symbols.md",
-        line=260,
+        line=265,
     ),
     "stiffness": Symbol(
         "stiffness",
@@ -365,7 +374,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\kappa",
         typical="100 N/m",
         file="srs/symbols.md",
-        line=265,
+        line=270,
     ),
     "rest_length": Symbol(
         "rest_length",
@@ -375,7 +384,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\ell_0",
         typical="0.5 m",
         file="srs/symbols.md",
-        line=271,
+        line=276,
     ),
     "damping": Symbol(
         "damping",
@@ -385,7 +394,7 @@ SYMBOLS: dict[str, Symbol] = {
         tex="\\eta",
         typical="2 kg/s",
         file="srs/symbols.md",
-        line=277,
+        line=282,
     ),
     "point": Symbol(
         "point",
@@ -394,7 +403,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}^P",
         file="srs/symbols.md",
-        line=283,
+        line=288,
     ),
     "span": Symbol(
         "span",
@@ -403,7 +412,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\ell}",
         file="srs/symbols.md",
-        line=288,
+        line=293,
     ),
     "distance": Symbol(
         "distance",
@@ -412,7 +421,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell",
         file="srs/symbols.md",
-        line=293,
+        line=298,
     ),
     "axis": Symbol(
         "axis",
@@ -421,7 +430,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=298,
+        line=303,
     ),
     "extension": Symbol(
         "extension",
@@ -429,7 +438,7 @@ SYMBOLS: dict[str, Symbol] = {
         "excess of a spring's length over its rest length",
         tex="\\delta",
         file="srs/symbols.md",
-        line=303,
+        line=308,
     ),
     "extension_rate": Symbol(
         "extension_rate",
@@ -437,7 +446,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a spring's extension",
         tex="\\dot{\\delta}",
         file="srs/symbols.md",
-        line=307,
+        line=312,
     ),
     "tension": Symbol(
         "tension",
@@ -445,7 +454,7 @@ SYMBOLS: dict[str, Symbol] = {
         "pull of a spring and its damper, negative where it pushes",
         tex="S",
         file="srs/symbols.md",
-        line=311,
+        line=316,
     ),
     "spring_force": Symbol(
         "spring_force",
@@ -454,7 +463,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=315,
+        line=320,
     ),
     "spring_energy": Symbol(
         "spring_energy",
@@ -463,7 +472,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="U^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=320,
+        line=325,
     ),
     "half_turn": Symbol(
         "half_turn",
@@ -471,7 +480,7 @@ SYMBOLS: dict[str, Symbol] = {
         "half of the angle by which a body turns in a step",
         tex="\\vartheta",
         file="srs/symbols.md",
-        line=325,
+        line=330,
     ),
     "half_turn_sine": Symbol(
         "half_turn_sine",
@@ -479,7 +488,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of half of the angle by which a body turns in a step",
         tex="\\sin\\vartheta",
         file="srs/symbols.md",
-        line=329,
+        line=334,
     ),
     "damping_step": Symbol(
         "damping_step",
@@ -488,7 +497,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="z",
         file="srs/symbols.md",
-        line=333,
+        line=338,
     ),
     "resistance_along": Symbol(
         "resistance_along",
@@ -497,7 +506,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\parallel}",
         file="srs/symbols.md",
-        line=340,
+        line=345,
     ),
     "resistance_across": Symbol(
         "resistance_across",
@@ -506,7 +515,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{\\perp}",
         file="srs/symbols.md",
-        line=345,
+        line=350,
     ),
     "velocity_along": Symbol(
         "velocity_along",
@@ -514,7 +523,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which the ends of a spring part",
         tex="u_{\\parallel}",
         file="srs/symbols.md",
-        line=350,
+        line=355,
     ),
     "end_velocity": Symbol(
         "end_velocity",
@@ -523,7 +532,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{u}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=354,
+        line=359,
     ),
     "spring_impulse": Symbol(
         "spring_impulse",
@@ -532,7 +541,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{spr}}",
         file="srs/symbols.md",
-        line=359,
+        line=364,
     ),
     "resisting_impulse": Symbol(
         "resisting_impulse",
@@ -541,7 +550,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}^{\\mathrm{res}}",
         file="srs/symbols.md",
-        line=364,
+        line=369,
     ),
     "critical_step": Symbol(
         "critical_step",
@@ -550,7 +559,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="h_{\\mathrm{crit}}",
         file="srs/symbols.md",
-        line=369,
+        line=374,
     ),
     "angular_frequency": Symbol(
         "angular_frequency",
@@ -559,7 +568,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\Omega",
         file="srs/symbols.md",
-        line=374,
+        line=379,
     ),
     "equilibrium": Symbol(
         "equilibrium",
@@ -568,7 +577,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{p}}",
         file="srs/symbols.md",
-        line=379,
+        line=384,
     ),
     "field_force": Symbol(
         "field_force",
@@ -577,7 +586,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{F}^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=384,
+        line=389,
     ),
     "field_torque": Symbol(
         "field_torque",
@@ -585,7 +594,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of the fields of a scene about the body's centre of mass",
         tex="\\tau^{\\mathrm{field}}",
         file="srs/symbols.md",
-        line=389,
+        line=394,
     ),
     "anchor": Symbol(
         "anchor",
@@ -594,7 +603,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{b}",
         file="srs/symbols.md",
-        line=401,
+        line=406,
     ),
     "post": Symbol(
         "post",
@@ -603,7 +612,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=408,
+        line=413,
     ),
     "guide": Symbol(
         "guide",
@@ -612,7 +621,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=415,
+        line=420,
     ),
     "joint_length": Symbol(
         "joint_length",
@@ -621,7 +630,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="L",
         file="srs/symbols.md",
-        line=420,
+        line=425,
     ),
     "joint_angle": Symbol(
         "joint_angle",
@@ -629,7 +638,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle that a joint keeps between two bodies",
         tex="\\theta",
         file="srs/symbols.md",
-        line=425,
+        line=430,
     ),
     "gear_ratio": Symbol(
         "gear_ratio",
@@ -637,7 +646,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how often one side of a joint moves for once that the other does",
         tex="\\rho",
         file="srs/symbols.md",
-        line=429,
+        line=434,
     ),
     "joint_travel": Symbol(
         "joint_travel",
@@ -645,7 +654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is along the line on which a joint lets it slide",
         tex="z",
         file="srs/symbols.md",
-        line=433,
+        line=438,
     ),
     "stretch": Symbol(
         "stretch",
@@ -653,7 +662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is beyond the place at which its spring is at rest",
         tex="\\zeta",
         file="srs/symbols.md",
-        line=437,
+        line=442,
     ),
     "stretch_rate": Symbol(
         "stretch_rate",
@@ -661,7 +670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's stretch",
         tex="\\dot{\\zeta}",
         file="srs/symbols.md",
-        line=441,
+        line=446,
     ),
     "twist": Symbol(
         "twist",
@@ -669,7 +678,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a joint is turned beyond the angle at which its spring is at rest",
         tex="\\psi",
         file="srs/symbols.md",
-        line=445,
+        line=450,
     ),
     "twist_rate": Symbol(
         "twist_rate",
@@ -677,7 +686,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a joint's twist",
         tex="\\dot{\\psi}",
         file="srs/symbols.md",
-        line=449,
+        line=454,
     ),
     "rotary_stiffness": Symbol(
         "rotary_stiffness",
@@ -686,7 +695,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\kappa_\\theta",
         file="srs/symbols.md",
-        line=453,
+        line=458,
     ),
     "rotary_damping": Symbol(
         "rotary_damping",
@@ -695,7 +704,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\eta_\\theta",
         file="srs/symbols.md",
-        line=458,
+        line=463,
     ),
     "joint_spring_force": Symbol(
         "joint_spring_force",
@@ -703,7 +712,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a joint's spring and damper, by which its stretch grows",
         tex="F^\\zeta",
         file="srs/symbols.md",
-        line=463,
+        line=468,
     ),
     "joint_spring_torque": Symbol(
         "joint_spring_torque",
@@ -711,7 +720,7 @@ SYMBOLS: dict[str, Symbol] = {
         "torque of a joint's spring and damper, by which its twist grows",
         tex="\\tau^\\psi",
         file="srs/symbols.md",
-        line=467,
+        line=472,
     ),
     "joint_spring_energy": Symbol(
         "joint_spring_energy",
@@ -719,7 +728,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is stretched",
         tex="E^\\zeta",
         file="srs/symbols.md",
-        line=471,
+        line=476,
     ),
     "rotary_spring_energy": Symbol(
         "rotary_spring_energy",
@@ -727,7 +736,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy in a joint's spring that is twisted",
         tex="E^\\psi",
         file="srs/symbols.md",
-        line=475,
+        line=480,
     ),
     "motor_speed": Symbol(
         "motor_speed",
@@ -735,7 +744,7 @@ SYMBOLS: dict[str, Symbol] = {
         "speed that a motor gives to a joint",
         tex="w",
         file="srs/symbols.md",
-        line=479,
+        line=484,
     ),
     "motor_spin": Symbol(
         "motor_spin",
@@ -743,7 +752,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that a motor gives to a joint",
         tex="w_\\theta",
         file="srs/symbols.md",
-        line=483,
+        line=488,
     ),
     "joint_force_most": Symbol(
         "joint_force_most",
@@ -752,7 +761,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="F^{\\max}",
         file="srs/symbols.md",
-        line=487,
+        line=492,
     ),
     "joint_torque_most": Symbol(
         "joint_torque_most",
@@ -761,7 +770,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tau^{\\max}",
         file="srs/symbols.md",
-        line=492,
+        line=497,
     ),
     "tooth_pitch": Symbol(
         "tooth_pitch",
@@ -770,7 +779,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\theta_p",
         file="srs/symbols.md",
-        line=497,
+        line=502,
     ),
     "normal": Symbol(
         "normal",
@@ -779,7 +788,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{n}",
         file="srs/symbols.md",
-        line=511,
+        line=516,
     ),
     "tangent": Symbol(
         "tangent",
@@ -788,7 +797,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{t}",
         file="srs/symbols.md",
-        line=516,
+        line=521,
     ),
     "direction": Symbol(
         "direction",
@@ -796,7 +805,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle from the x axis to the normal",
         tex="\\psi",
         file="srs/symbols.md",
-        line=521,
+        line=526,
     ),
     "arm": Symbol(
         "arm",
@@ -805,7 +814,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{r}",
         file="srs/symbols.md",
-        line=525,
+        line=530,
     ),
     "separation": Symbol(
         "separation",
@@ -813,7 +822,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance between two bodies, negative where they overlap",
         tex="s",
         file="srs/symbols.md",
-        line=530,
+        line=535,
     ),
     "normal_velocity": Symbol(
         "normal_velocity",
@@ -821,7 +830,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the contact opens, along the normal; negative when the bodies approach",
         tex="v_n",
         file="srs/symbols.md",
-        line=534,
+        line=539,
     ),
     "tangential_velocity": Symbol(
         "tangential_velocity",
@@ -829,7 +838,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the tangent; zero where the contact does not slide",
         tex="v_t",
         file="srs/symbols.md",
-        line=540,
+        line=545,
     ),
     "normal_acceleration": Symbol(
         "normal_acceleration",
@@ -837,7 +846,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the normal velocity of a contact that rests",
         tex="a_n",
         file="srs/symbols.md",
-        line=546,
+        line=551,
     ),
     "tangential_acceleration": Symbol(
         "tangential_acceleration",
@@ -845,7 +854,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of the tangential velocity of a contact that lasts",
         tex="a_t",
         file="srs/symbols.md",
-        line=550,
+        line=555,
     ),
     "inverse_effective_mass": Symbol(
         "inverse_effective_mass",
@@ -854,7 +863,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k",
         file="srs/symbols.md",
-        line=554,
+        line=559,
     ),
     "coupling": Symbol(
         "coupling",
@@ -862,7 +871,7 @@ SYMBOLS: dict[str, Symbol] = {
         "share of one body in the normal velocity at one contact for one unit of impulse at another",
         tex="k_{12}",
         file="srs/symbols.md",
-        line=559,
+        line=564,
     ),
     "impulse": Symbol(
         "impulse",
@@ -871,7 +880,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j",
         file="srs/symbols.md",
-        line=565,
+        line=570,
     ),
     "tangential_impulse": Symbol(
         "tangential_impulse",
@@ -879,7 +888,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a contact on body B along its tangent",
         tex="j_t",
         file="srs/symbols.md",
-        line=570,
+        line=575,
     ),
     "cross_coupling": Symbol(
         "cross_coupling",
@@ -887,7 +896,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the tangential velocity of a contact for one unit of impulse along its normal, and of its normal velocity for one along its tangent",
         tex="c",
         file="srs/symbols.md",
-        line=574,
+        line=579,
     ),
     "inverse_tangential_mass": Symbol(
         "inverse_tangential_mass",
@@ -896,7 +905,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_t",
         file="srs/symbols.md",
-        line=580,
+        line=585,
     ),
     "inverse_sliding_mass": Symbol(
         "inverse_sliding_mass",
@@ -905,7 +914,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\tilde{k}_t",
         file="srs/symbols.md",
-        line=585,
+        line=590,
     ),
     "inverse_pressed_mass": Symbol(
         "inverse_pressed_mass",
@@ -913,7 +922,33 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal acceleration for one unit of normal force, with the friction that it brings about",
         tex="k_p",
         file="srs/symbols.md",
-        line=592,
+        line=597,
+    ),
+    "settling_impulse": Symbol(
+        "settling_impulse",
+        "N*s",
+        "impulse along the normal by which the bounces that are left give more than a contact that rests for the same time",
+        range=Range("<= 0", high=0.0, high_open=False),
+        tex="j_r",
+        file="srs/symbols.md",
+        line=603,
+    ),
+    "bounced_impulse": Symbol(
+        "bounced_impulse",
+        "N*s",
+        "impulse along the normal that all bounces that are left give together",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="j_b",
+        file="srs/symbols.md",
+        line=610,
+    ),
+    "creep": Symbol(
+        "creep",
+        "m",
+        "way along the tangent in the bounces that are left, at each of which a contact sticks",
+        tex="s_b",
+        file="srs/symbols.md",
+        line=615,
     ),
     "sticking_impulse": Symbol(
         "sticking_impulse",
@@ -921,7 +956,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangential impulse that ends the sliding of a contact",
         tex="j_s",
         file="srs/symbols.md",
-        line=598,
+        line=621,
     ),
     "normal_change": Symbol(
         "normal_change",
@@ -929,7 +964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the normal impulse that comes with the sticking impulse",
         tex="\\Delta j_n",
         file="srs/symbols.md",
-        line=602,
+        line=625,
     ),
     "normal_impulse": Symbol(
         "normal_impulse",
@@ -938,7 +973,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="j_n",
         file="srs/symbols.md",
-        line=606,
+        line=629,
     ),
     "share": Symbol(
         "share",
@@ -947,7 +982,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\kappa",
         file="srs/symbols.md",
-        line=611,
+        line=634,
     ),
     "sense": Symbol(
         "sense",
@@ -956,7 +991,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="\\varsigma",
         file="srs/symbols.md",
-        line=618,
+        line=641,
     ),
     "impulse_vector": Symbol(
         "impulse_vector",
@@ -965,7 +1000,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{J}",
         file="srs/symbols.md",
-        line=625,
+        line=648,
     ),
     "contact_force": Symbol(
         "contact_force",
@@ -974,7 +1009,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="N",
         file="srs/symbols.md",
-        line=630,
+        line=653,
     ),
     "friction_force": Symbol(
         "friction_force",
@@ -982,7 +1017,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of friction on body B along the tangent",
         tex="N_t",
         file="srs/symbols.md",
-        line=635,
+        line=658,
     ),
     "overlap": Symbol(
         "overlap",
@@ -990,7 +1025,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether two axis-parallel boxes have a common point, true or false",
         tex="o",
         file="srs/symbols.md",
-        line=639,
+        line=662,
     ),
     "line": Symbol(
         "line",
@@ -999,7 +1034,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{d}",
         file="srs/symbols.md",
-        line=651,
+        line=674,
     ),
     "turning_arm": Symbol(
         "turning_arm",
@@ -1007,7 +1042,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm across the line, by which an impulse along it turns a body",
         tex="a",
         file="srs/symbols.md",
-        line=656,
+        line=679,
     ),
     "bend": Symbol(
         "bend",
@@ -1015,7 +1050,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of an arm along the line, as far as it turns with its body",
         tex="b",
         file="srs/symbols.md",
-        line=661,
+        line=684,
     ),
     "row_velocity": Symbol(
         "row_velocity",
@@ -1023,7 +1058,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of B's point of contact seen from A's, along the line",
         tex="u",
         file="srs/symbols.md",
-        line=666,
+        line=689,
     ),
     "row_mass": Symbol(
         "row_mass",
@@ -1032,7 +1067,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="m_r",
         file="srs/symbols.md",
-        line=670,
+        line=693,
     ),
     "applied_impulse": Symbol(
         "applied_impulse",
@@ -1040,7 +1075,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row gives in one iteration, to B along the line",
         tex="\\Delta P",
         file="srs/symbols.md",
-        line=675,
+        line=698,
     ),
     "accumulated_impulse": Symbol(
         "accumulated_impulse",
@@ -1049,7 +1084,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P",
         file="srs/symbols.md",
-        line=679,
+        line=702,
     ),
     "soft_normal_impulse": Symbol(
         "soft_normal_impulse",
@@ -1058,7 +1093,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{soft}}",
         file="srs/symbols.md",
-        line=684,
+        line=707,
     ),
     "restitution_impulse": Symbol(
         "restitution_impulse",
@@ -1067,7 +1102,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="P_{\\mathrm{bounce}}",
         file="srs/symbols.md",
-        line=689,
+        line=712,
     ),
     "tangent_impulse": Symbol(
         "tangent_impulse",
@@ -1075,7 +1110,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a contact has given in a substep along its tangent",
         tex="Q",
         file="srs/symbols.md",
-        line=694,
+        line=717,
     ),
     "limited_tangent_impulse": Symbol(
         "limited_tangent_impulse",
@@ -1083,7 +1118,7 @@ SYMBOLS: dict[str, Symbol] = {
         "tangent impulse after an iteration, held within what friction can give",
         tex="Q_{\\mu}",
         file="srs/symbols.md",
-        line=698,
+        line=721,
     ),
     "damping_ratio": Symbol(
         "damping_ratio",
@@ -1092,7 +1127,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\zeta",
         file="srs/symbols.md",
-        line=702,
+        line=725,
     ),
     "bias_rate": Symbol(
         "bias_rate",
@@ -1101,7 +1136,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\beta",
         file="srs/symbols.md",
-        line=707,
+        line=730,
     ),
     "bias_velocity": Symbol(
         "bias_velocity",
@@ -1109,7 +1144,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity with which a row is asked to close, negative to open it",
         tex="u_\\beta",
         file="srs/symbols.md",
-        line=712,
+        line=735,
     ),
     "mass_share": Symbol(
         "mass_share",
@@ -1118,7 +1153,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_m",
         file="srs/symbols.md",
-        line=716,
+        line=739,
     ),
     "impulse_share": Symbol(
         "impulse_share",
@@ -1127,7 +1162,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_P",
         file="srs/symbols.md",
-        line=721,
+        line=744,
     ),
     "overlap_share": Symbol(
         "overlap_share",
@@ -1136,7 +1171,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_o",
         file="srs/symbols.md",
-        line=726,
+        line=749,
     ),
     "removal_share": Symbol(
         "removal_share",
@@ -1145,7 +1180,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=733,
+        line=756,
     ),
     "extent": Symbol(
         "extent",
@@ -1154,7 +1189,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="e",
         file="srs/symbols.md",
-        line=740,
+        line=763,
     ),
     "firmest": Symbol(
         "firmest",
@@ -1163,7 +1198,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="f",
         file="srs/symbols.md",
-        line=747,
+        line=770,
     ),
     "preload": Symbol(
         "preload",
@@ -1172,7 +1207,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0",
         file="srs/symbols.md",
-        line=752,
+        line=775,
     ),
     "preload_later": Symbol(
         "preload_later",
@@ -1181,7 +1216,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_0'",
         file="srs/symbols.md",
-        line=757,
+        line=780,
     ),
     "preload_share": Symbol(
         "preload_share",
@@ -1190,7 +1225,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_\\delta",
         file="srs/symbols.md",
-        line=762,
+        line=785,
     ),
     "overlap_allowed": Symbol(
         "overlap_allowed",
@@ -1199,7 +1234,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_a",
         file="srs/symbols.md",
-        line=767,
+        line=790,
     ),
     "half_width": Symbol(
         "half_width",
@@ -1208,7 +1243,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w",
         file="srs/symbols.md",
-        line=772,
+        line=795,
     ),
     "corner_fall": Symbol(
         "corner_fall",
@@ -1217,7 +1252,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="s_f",
         file="srs/symbols.md",
-        line=777,
+        line=800,
     ),
     "extent_thin": Symbol(
         "extent_thin",
@@ -1226,7 +1261,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="e_w",
         file="srs/symbols.md",
-        line=783,
+        line=806,
     ),
     "width_multiple": Symbol(
         "width_multiple",
@@ -1235,7 +1270,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="n_w",
         file="srs/symbols.md",
-        line=788,
+        line=811,
     ),
     "thinnest_share": Symbol(
         "thinnest_share",
@@ -1244,7 +1279,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_w",
         file="srs/symbols.md",
-        line=793,
+        line=816,
     ),
     "preload_largest": Symbol(
         "preload_largest",
@@ -1253,7 +1288,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\delta_{\\max}",
         file="srs/symbols.md",
-        line=798,
+        line=821,
     ),
     "coordinate_velocity": Symbol(
         "coordinate_velocity",
@@ -1261,7 +1296,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="v_k",
         file="srs/symbols.md",
-        line=803,
+        line=826,
     ),
     "coordinate_velocity_gain": Symbol(
         "coordinate_velocity_gain",
@@ -1269,7 +1304,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what an acceleration adds to a velocity along one axis in a step",
         tex="\\Delta v_k",
         file="srs/symbols.md",
-        line=807,
+        line=830,
     ),
     "coordinate_velocity_later": Symbol(
         "coordinate_velocity_later",
@@ -1277,7 +1312,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis after a step",
         tex="v_k'",
         file="srs/symbols.md",
-        line=811,
+        line=834,
     ),
     "coordinate_acceleration": Symbol(
         "coordinate_acceleration",
@@ -1285,7 +1320,7 @@ SYMBOLS: dict[str, Symbol] = {
         "acceleration along one axis, of gravity and applied forces",
         tex="a_k",
         file="srs/symbols.md",
-        line=815,
+        line=838,
     ),
     "coordinate_displacement": Symbol(
         "coordinate_displacement",
@@ -1293,7 +1328,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body goes along one axis in a step",
         tex="w_k",
         file="srs/symbols.md",
-        line=819,
+        line=842,
     ),
     "propagator_decay": Symbol(
         "propagator_decay",
@@ -1302,7 +1337,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\epsilon",
         file="srs/symbols.md",
-        line=823,
+        line=846,
     ),
     "propagator_gain": Symbol(
         "propagator_gain",
@@ -1311,7 +1346,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_1",
         file="srs/symbols.md",
-        line=828,
+        line=851,
     ),
     "propagator_lift": Symbol(
         "propagator_lift",
@@ -1320,7 +1355,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\tau_2",
         file="srs/symbols.md",
-        line=833,
+        line=856,
     ),
     "shift": Symbol(
         "shift",
@@ -1329,7 +1364,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=838,
+        line=861,
     ),
     "turn": Symbol(
         "turn",
@@ -1337,7 +1372,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body has turned since the step began",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=843,
+        line=866,
     ),
     "firmness": Symbol(
         "firmness",
@@ -1346,7 +1381,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\rho",
         file="srs/symbols.md",
-        line=847,
+        line=870,
     ),
     "normal_impulse_share": Symbol(
         "normal_impulse_share",
@@ -1355,7 +1390,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\lambda",
         file="srs/symbols.md",
-        line=854,
+        line=877,
     ),
     "firm_mass_x": Symbol(
         "firm_mass_x",
@@ -1364,7 +1399,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=859,
+        line=882,
     ),
     "firm_mass_y": Symbol(
         "firm_mass_y",
@@ -1373,7 +1408,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=866,
+        line=889,
     ),
     "firm_moment": Symbol(
         "firm_moment",
@@ -1382,7 +1417,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=873,
+        line=896,
     ),
     "firm_lever": Symbol(
         "firm_lever",
@@ -1391,7 +1426,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_L",
         file="srs/symbols.md",
-        line=879,
+        line=902,
     ),
     "firm_inertia": Symbol(
         "firm_inertia",
@@ -1399,7 +1434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a firm row takes, for one unit of angular velocity of a body",
         tex="M_{L\\omega}",
         file="srs/symbols.md",
-        line=886,
+        line=909,
     ),
     "fraction": Symbol(
         "fraction",
@@ -1408,7 +1443,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\phi",
         file="srs/symbols.md",
-        line=899,
+        line=922,
     ),
     "coordinate_bend": Symbol(
         "coordinate_bend",
@@ -1416,7 +1451,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far a body is beside the chord of its path, along one axis",
         tex="b_k",
         file="srs/symbols.md",
-        line=904,
+        line=927,
     ),
     "coordinate_rest_gain": Symbol(
         "coordinate_rest_gain",
@@ -1424,7 +1459,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what the chord of the rest of a step goes farther than that of the whole step, along one axis, if it were followed through a whole step",
         tex="w_k'",
         file="srs/symbols.md",
-        line=908,
+        line=931,
     ),
     "motion_bound": Symbol(
         "motion_bound",
@@ -1433,7 +1468,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="w_{\\max}",
         file="srs/symbols.md",
-        line=914,
+        line=937,
     ),
     "closing_bound": Symbol(
         "closing_bound",
@@ -1441,7 +1476,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far any points of two bodies come together in a step, at most",
         tex="c_{\\max}",
         file="srs/symbols.md",
-        line=919,
+        line=942,
     ),
     "distance_bound": Symbol(
         "distance_bound",
@@ -1450,7 +1485,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\ell_{\\max}",
         file="srs/symbols.md",
-        line=923,
+        line=946,
     ),
     "miss_distance": Symbol(
         "miss_distance",
@@ -1458,7 +1493,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance at which one of two centres passes the other",
         tex="b_0",
         file="srs/symbols.md",
-        line=928,
+        line=951,
     ),
     "half_interval": Symbol(
         "half_interval",
@@ -1467,7 +1502,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta\\phi",
         file="srs/symbols.md",
-        line=932,
+        line=955,
     ),
     "advance": Symbol(
         "advance",
@@ -1476,7 +1511,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta t",
         file="srs/symbols.md",
-        line=937,
+        line=960,
     ),
     "separation_rate": Symbol(
         "separation_rate",
@@ -1484,7 +1519,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of change of a gap",
         tex="\\dot{s}",
         file="srs/symbols.md",
-        line=942,
+        line=965,
     ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
@@ -1492,7 +1527,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=946,
+        line=969,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1500,7 +1535,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=950,
+        line=973,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1508,7 +1543,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=955,
+        line=978,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1516,7 +1551,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=961,
+        line=984,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1525,7 +1560,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=965,
+        line=988,
     ),
     "slip": Symbol(
         "slip",
@@ -1533,7 +1568,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=972,
+        line=995,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1541,7 +1576,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=978,
+        line=1001,
     ),
     "circling": Symbol(
         "circling",
@@ -1550,7 +1585,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=982,
+        line=1005,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1558,7 +1593,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=989,
+        line=1012,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1567,7 +1602,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=993,
+        line=1016,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1576,7 +1611,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=998,
+        line=1021,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1585,7 +1620,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1003,
+        line=1026,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1593,7 +1628,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1008,
+        line=1031,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1602,7 +1637,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1012,
+        line=1035,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1610,7 +1645,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1017,
+        line=1040,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1618,7 +1653,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1021,
+        line=1044,
     ),
     "arc": Symbol(
         "arc",
@@ -1627,7 +1662,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1027,
+        line=1050,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1636,7 +1671,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1032,
+        line=1055,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1644,7 +1679,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1042,
+        line=1065,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1652,7 +1687,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1046,
+        line=1069,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1661,7 +1696,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1050,
+        line=1073,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1670,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1055,
+        line=1078,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1679,7 +1714,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1060,
+        line=1083,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1688,7 +1723,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1065,
+        line=1088,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1697,7 +1732,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1070,
+        line=1093,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1705,7 +1740,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1075,
+        line=1098,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1714,7 +1749,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1084,
+        line=1107,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1722,7 +1757,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1089,
+        line=1112,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1731,7 +1766,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1093,
+        line=1116,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1739,7 +1774,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1098,
+        line=1121,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1747,7 +1782,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1102,
+        line=1125,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1756,7 +1791,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1106,
+        line=1129,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1765,7 +1800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1111,
+        line=1134,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1774,7 +1809,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1116,
+        line=1139,
     ),
     "work": Symbol(
         "work",
@@ -1782,7 +1817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1121,
+        line=1144,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1791,7 +1826,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1125,
+        line=1148,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1799,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1130,
+        line=1153,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1808,7 +1843,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1134,
+        line=1157,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1816,7 +1851,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1139,
+        line=1162,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1825,7 +1860,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1144,
+        line=1167,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1834,7 +1869,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1149,
+        line=1172,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1843,7 +1878,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1154,
+        line=1177,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1852,7 +1887,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1161,
+        line=1184,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1861,7 +1896,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1166,
+        line=1189,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1869,7 +1904,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1171,
+        line=1194,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1877,7 +1912,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1176,
+        line=1199,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1885,7 +1920,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1182,
+        line=1205,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1894,7 +1929,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1186,
+        line=1209,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -1903,7 +1938,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1193,
+        line=1216,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1912,7 +1947,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1198,
+        line=1221,
     ),
     "energy": Symbol(
         "energy",
@@ -1920,7 +1955,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1203,
+        line=1226,
     ),
     "radius": Symbol(
         "radius",
@@ -1929,7 +1964,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1212,
+        line=1235,
     ),
     "length": Symbol(
         "length",
@@ -1938,7 +1973,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1217,
+        line=1240,
     ),
     "width": Symbol(
         "width",
@@ -1947,7 +1982,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1224,
+        line=1247,
     ),
     "height": Symbol(
         "height",
@@ -1956,7 +1991,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1229,
+        line=1252,
     ),
     "vertex": Symbol(
         "vertex",
@@ -1965,7 +2000,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1234,
+        line=1257,
     ),
     "center": Symbol(
         "center",
@@ -1974,7 +2009,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1239,
+        line=1262,
     ),
     "offset": Symbol(
         "offset",
@@ -1982,7 +2017,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1244,
+        line=1267,
     ),
     "area": Symbol(
         "area",
@@ -1991,7 +2026,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1248,
+        line=1271,
     ),
     "way": Symbol(
         "way",
@@ -2000,7 +2035,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1253,
+        line=1276,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2008,7 +2043,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1258,
+        line=1281,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2017,7 +2052,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1262,
+        line=1285,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2026,7 +2061,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1267,
+        line=1290,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2034,7 +2069,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1272,
+        line=1295,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2042,7 +2077,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1276,
+        line=1299,
     ),
     "lean": Symbol(
         "lean",
@@ -2050,7 +2085,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1280,
+        line=1303,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2058,7 +2093,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1284,
+        line=1307,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2066,7 +2101,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1288,
+        line=1311,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2075,7 +2110,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1294,
+        line=1317,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2083,7 +2118,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1307,
+        line=1330,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2091,7 +2126,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1311,
+        line=1334,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2100,7 +2135,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1315,
+        line=1338,
     ),
     "slope": Symbol(
         "slope",
@@ -2109,7 +2144,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1320,
+        line=1343,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2117,7 +2152,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1325,
+        line=1348,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2125,7 +2160,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1329,
+        line=1352,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2133,7 +2168,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1333,
+        line=1356,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2142,7 +2177,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1337,
+        line=1360,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2150,7 +2185,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1342,
+        line=1365,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2158,7 +2193,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1346,
+        line=1369,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2166,7 +2201,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1350,
+        line=1373,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2174,7 +2209,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1354,
+        line=1377,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2182,7 +2217,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1358,
+        line=1381,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2191,7 +2226,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1362,
+        line=1385,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2200,7 +2235,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1367,
+        line=1390,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2209,7 +2244,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1372,
+        line=1395,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2218,7 +2253,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1377,
+        line=1400,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2226,7 +2261,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1382,
+        line=1405,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2235,7 +2270,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1386,
+        line=1409,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2243,7 +2278,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1391,
+        line=1414,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2252,7 +2287,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1395,
+        line=1418,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2260,7 +2295,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1400,
+        line=1423,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2268,7 +2303,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1404,
+        line=1427,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2277,7 +2312,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1408,
+        line=1431,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2286,7 +2321,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1413,
+        line=1436,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2295,7 +2330,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1418,
+        line=1441,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2303,7 +2338,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1423,
+        line=1446,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2311,7 +2346,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1427,
+        line=1450,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2319,7 +2354,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1431,
+        line=1454,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2328,7 +2363,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1435,
+        line=1458,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2337,7 +2372,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1440,
+        line=1463,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2346,7 +2381,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1445,
+        line=1468,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2355,7 +2390,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1450,
+        line=1473,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2364,7 +2399,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1455,
+        line=1478,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2373,7 +2408,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1460,
+        line=1483,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2382,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1465,
+        line=1488,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2391,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1470,
+        line=1493,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2399,7 +2434,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1475,
+        line=1498,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2408,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1479,
+        line=1502,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2416,7 +2451,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1484,
+        line=1507,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2425,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1488,
+        line=1511,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2434,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1493,
+        line=1516,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2443,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1498,
+        line=1521,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2452,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1503,
+        line=1526,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2461,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1508,
+        line=1531,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2469,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1513,
+        line=1536,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2478,7 +2513,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1517,
+        line=1540,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2487,7 +2522,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1522,
+        line=1545,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2496,7 +2531,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1527,
+        line=1550,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2505,7 +2540,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1532,
+        line=1555,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2513,7 +2548,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1537,
+        line=1560,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2521,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1541,
+        line=1564,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2530,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1545,
+        line=1568,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2539,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1550,
+        line=1573,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2548,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1555,
+        line=1578,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2557,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1560,
+        line=1583,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2566,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1565,
+        line=1588,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2575,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1570,
+        line=1593,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2584,7 +2619,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1575,
+        line=1598,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2593,7 +2628,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1580,
+        line=1603,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2602,7 +2637,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1585,
+        line=1608,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2610,7 +2645,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1590,
+        line=1613,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2619,7 +2654,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1594,
+        line=1617,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2627,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1599,
+        line=1622,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2635,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1603,
+        line=1626,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2644,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1607,
+        line=1630,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2653,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1612,
+        line=1635,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2662,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1617,
+        line=1640,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2670,7 +2705,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1622,
+        line=1645,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2679,7 +2714,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1626,
+        line=1649,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2687,7 +2722,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1631,
+        line=1654,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2696,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1635,
+        line=1658,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2705,7 +2740,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1640,
+        line=1663,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2713,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1645,
+        line=1668,
     ),
     "change": Symbol(
         "change",
@@ -2722,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1649,
+        line=1672,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2731,7 +2766,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1654,
+        line=1677,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2740,7 +2775,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1659,
+        line=1682,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2748,7 +2783,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1664,
+        line=1687,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2757,7 +2792,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1668,
+        line=1691,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2765,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1673,
+        line=1696,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2773,7 +2808,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1677,
+        line=1700,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2781,7 +2816,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1681,
+        line=1704,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2790,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1685,
+        line=1708,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2798,7 +2833,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1690,
+        line=1713,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2807,6 +2842,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1694,
+        line=1717,
     ),
 }
