@@ -32,11 +32,15 @@ class CoupledLossWatch:
         self._contacts = contacts
         self._paths = paths
         self._free = free
+        self._slack: list[float] = []
 
     def first_loss(self) -> float | None:
         """Return the first time in s at which the contacts change, or None."""
         path = self._paths[self._constraint.bodies[0]]
         before = path.start
+        self._slack = self._constraint.against(
+            [self._paths[i].at(before) for i in self._constraint.bodies]
+        )
         for time in np.linspace(path.start, path.end, _SAMPLES + 1)[1:].tolist():
             if not self._lasts(time):
                 return self._bisect(before, time)
@@ -57,7 +61,7 @@ class CoupledLossWatch:
             return False
         bodies = self._constraint.bodies
         loads = np.array([self._free(i, time) for i in bodies])
-        return self._constraint.lasts(loads, [states[i] for i in bodies])
+        return self._constraint.lasts(loads, [states[i] for i in bodies], self._slack)
 
     def _same_features(self, states: Mapping[int, State], time: float) -> bool:
         """Return whether each pair touches with the corners and sides that it did.
