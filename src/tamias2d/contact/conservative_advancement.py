@@ -88,17 +88,18 @@ class Pair:
             time=time,
         )
 
-    def separation_time(self, start: float, step: float) -> float:
+    def separation_time(self, start: float, step: float, acceleration: float) -> float:
         """Return a time in s soon after `start` at which a parting pair is apart and opens.
 
-        `step` is the first guess of how long that takes; it is doubled until float64 can tell.
+        `step` is the first guess of how long that takes; it is doubled until float64 can tell. The
+        `acceleration`, m/s^2, takes back what contacts that settle leave of an approach.
 
         Raises:
             UndecidedContactError: they come to overlap instead, by more than they did before.
         """
         end = min(path.end for path in self._paths)
         now, _ = self._nearest(start)
-        left = min(now.value, 0.0) + min(now.rate, 0.0) * step  # by what lasted or settled here
+        left = min(now.value, 0.0) - min(now.rate, 0.0) ** 2 / acceleration
         while (time := start + step) < end:
             nearest, tolerance = self._nearest(time)
             if nearest.value > tolerance and nearest.rate > 0:

@@ -54,9 +54,7 @@ class CoupledConstraint:
         """Return the accelerations (n, 3) of all bodies under which closed contacts stay closed."""
         return self._solved(accelerations, states).accelerations
 
-    def lasts(
-        self, accelerations: Array, states: Sequence[State], slack: Sequence[float]
-    ) -> bool:
+    def lasts(self, accelerations: Array, states: Sequence[State], slack: Sequence[float]) -> bool:
         """Return whether Coulomb's law allows the mode in these states, under these loads.
 
         `slack`, m/s, is how fast each part may slide against its sense (`against`).
