@@ -23,11 +23,13 @@ def test_a_body_that_falls_close_beside_another_is_looked_at_a_few_times(
     """Also where the other turns by next to nothing: gravity is along its side."""
     monkeypatch.setattr(conservative_advancement, "_MAX_STEPS", 50)
     scene = t2.Scene(gravity=(0.0, 0.0))
-    for x in (0.0, 1.0 + gap):
-        scene.add_body(t2.Box(width=1.0, height=1.0), mass=1.0, position=(x, 0.5))
+    beside, tip = 0.5 + gap + math.sqrt(0.5), math.pi / 4
+    for x, turn in ((0.0, 0.0), (beside, tip)):
+        box = t2.Box(width=1.0, height=1.0)
+        scene.add_body(box, mass=1.0, position=(x, 0.5), orientation=turn)
     a, b = cores_of(scene)
     stands = State((0.0, 0.5), 0.0, (0.0, 0.0), 0.0)
-    falls = State((1.0 + gap, 0.5), 0.0, (0.0, -0.1), 0.0)
+    falls = State((beside, 0.5), tip, (0.0, -0.1), 0.0)
     paths = (
         Uniform(start=0.0, end=0.02, state=stands, acceleration=(0.0, 0.0, turning)),
         Uniform(start=0.0, end=0.02, state=falls, acceleration=(0.0, -9.81, 0.0)),
