@@ -61,6 +61,58 @@ def test_bounces_on_a_limit_end_when_the_geometric_series_does() -> None:
     assert run.position[-1, 0, 1] == pytest.approx(0, abs=1e-14)
 
 
+def bounced(drop: float, restitution: float, times: np.ndarray) -> np.ndarray:
+    """Heights of what falls from rest and bounces on the height 0, by its parabolas."""
+    heights = np.zeros(len(times))
+    start, speed = -math.sqrt(2 * drop / G), math.sqrt(2 * drop * G)  # as if thrown up before
+    while speed > 1e-9:
+        end = start + 2 * speed / G
+        on = (times >= start) & (times < end)
+        heights[on] = (speed - G / 2 * (times[on] - start)) * (times[on] - start)
+        start, speed = end, restitution * speed
+    return heights
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.1, 0.3, 0.6, 0.9])
+@pytest.mark.parametrize("drop", [1.0, 1e-6])
+def test_a_slide_of_no_length_at_its_limit_comes_to_rest_there(
+    drop: float, restitution: float
+) -> None:
+    """All places of the mechanism are the origin then; the bounces become ever shorter steps."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, inertia=1, position=(0, drop), name="slider")
+    kind = t2.Prismatic(axis=(0, 1), limits=t2.Limits(lower=0.0, restitution=restitution))
+    scene.add_joint(kind, (0, 0), "slider")
+    fall = math.sqrt(2 * drop / G)
+    times = fall * np.linspace(0, 6, 61)
+    run = t2.simulate(
+        scene, duration=float(times[-1]), tolerance=1e-6, times=times, work_limit=2000
+    )
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    away = np.abs(run.position[:, 0, 1] - bounced(drop, restitution, times))
+    rounded = 1e-12  # of the drop: bounces that are as low count as rest
+    assert away.max() <= (run.certificate.bound + rounded) * drop
+    if restitution < 0.7:  # else it still bounces
+        assert run.joint_events.words[-1] == "rests on its lower limit"
+
+
+def test_bounces_that_are_far_shorter_than_the_steps_are_found() -> None:
+    """Thrown up at the limit itself, over and over, for 1/300 of the run in all."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, inertia=1, position=(0, 0), velocity=(0, 0.01), name="slider")
+    kind = t2.Prismatic(axis=(0, 1), limits=t2.Limits(lower=0.0, restitution=0.4))
+    scene.add_joint(kind, (0, 0), "slider")
+    method = t2.Dop853(rtol=1e-6)
+    run = t2.simulate(scene, duration=1.0, method=method, times=[1.0], work_limit=2000)
+    strikes = [e.value for e in run.joint_events if WORDS[e.what].startswith("strikes")]
+    assert strikes[:8] == pytest.approx([0.01 * 1.4 * 0.4**k for k in range(8)], rel=1e-9)
+    below = 2 * math.sqrt(2e-12 * 5e-6 / G) / 0.6  # s, of bounces below 1e-12 of the first
+    when, what = told(run)[-1]
+    assert what == "rests on its lower limit"
+    assert when == pytest.approx(2 * 0.01 / G / (1 - 0.4), abs=below)
+
+
 def test_a_ball_goes_over_the_top_of_its_rope_and_falls_inwards() -> None:
     """Thrown up from the lowest point at v^2 = 3.5 g l it leaves the circle at sin(angle) = 1/2.
 

@@ -282,6 +282,8 @@ class IntegratedMotion:
             step = self._one_step(field, start, end, position, velocity)
             event = limited and self._joint_event(limited, field, step)
             step = event or step
+            for own, one in limited:
+                one.grow(step.at((step.start + step.end) / 2)[0][own])
             self.tally.steps += 1
             if not isinstance(self._integrator, FixedSteps):
                 self.work.step(step.end)

@@ -13,6 +13,7 @@ from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
 
 _LOOKS = 16  # in each step; between two of them a push may not sink below zero and rise again
+_MOST = 1000  # trials of a zero; in a bounce far shorter than the step it takes more than 100
 _FORCE = 1e-10  # of the largest; a smaller one is as good as none
 Free = Callable[[float, Array, Array], Array]
 """Accelerations (n, 3) by the loads alone."""
@@ -118,6 +119,8 @@ class JointSearch:
             if watch.rate and values[k] >= below and not fresh:
                 last = self._lowest(watch, watch.rate, looks[k - 1], looks[k])
             if self.value(watch, last) < below if last != looks[k].time else values[k] < below:
+                if watch.rate and watch.rate(looks[k - 1]) > 0 > watch.rate(looks[k]):
+                    first = self._turn(watch.rate, first, last)  # it grew at first
                 return self._root(watch, first, last, below)
             fresh = fresh and values[k] <= slight
         return None
@@ -126,26 +129,21 @@ class JointSearch:
         self, watch: _Watch, rate: Callable[[_Look], float], first: _Look, last: _Look
     ) -> float:
         """Return where a gap is smallest between two looks, if it could close between them."""
-        from scipy.optimize import brentq
-
         falls, rises, span = rate(first), rate(last), last.time - first.time
         if not falls < 0 < rises:
             return last.time
         if watch.value(first) + falls * span > 0 and watch.value(last) - rises * span > 0:
             return last.time
-        found: float = brentq(lambda t: rate(_Look(self, t)), first.time, last.time)
-        return found
+        return self._turn(rate, first.time, last.time)
+
+    def _turn(self, rate: Callable[[_Look], float], first: float, last: float) -> float:
+        """Return where a gap is smallest or largest between two times, s."""
+        return _zero(lambda t: rate(_Look(self, t)), first, last)
 
     def _root(self, watch: _Watch, first: float, last: float, below: float) -> float:
-        from scipy.optimize import brentq
-
         if self.value(watch, first) <= below:
             return first
-        eps = float(np.finfo(float).eps)
-        found: float = brentq(
-            lambda t: self.value(watch, t) - below, first, last, xtol=1e-300, rtol=4 * eps
-        )
-        return found
+        return _zero(lambda t: self.value(watch, t) - below, first, last)
 
     def _all(self) -> Iterator[_Watch]:
         mode, mechanism = self.mode, self.mechanism
@@ -212,3 +210,13 @@ class JointSearch:
             lambda t: Cause(t, slips={of: sense}),
             1e-12,
         )
+
+
+def _zero(function: Callable[[float], float], first: float, last: float) -> float:
+    """Return where a function of the time changes its sign between two times, s, to rounding."""
+    from scipy.optimize import brentq
+
+    found: float = brentq(
+        function, first, last, xtol=1e-300, rtol=4 * float(np.finfo(float).eps), maxiter=_MOST
+    )
+    return found
