@@ -113,6 +113,47 @@ def test_bounces_that_are_far_shorter_than_the_steps_are_found() -> None:
     assert when == pytest.approx(2 * 0.01 / G / (1 - 0.4), abs=below)
 
 
+@pytest.mark.parametrize("method", [t2.Dop853(rtol=1e-4), t2.Reference()])
+def test_a_shortest_distance_is_met_although_steps_pass_through_its_centre(
+    method: t2.Dop853 | t2.Reference,
+) -> None:
+    """Upright, thrown up at 3 m/s between 0.5 m and 1.5 m: parabolas from end to end."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, position=(0, 1.2), velocity=(0, 3), name="bob")
+    limits = t2.Limits(lower=0.5, upper=1.5, restitution=0.1)
+    scene.add_joint(t2.Distance(limits=limits), "bob", (0, 0))
+    run = t2.simulate(scene, duration=10.0, method=method, times=[10.0], work_limit=2000)
+    up = math.sqrt(9 - 2 * G * 0.3)
+    down = math.sqrt((0.1 * up) ** 2 + 2 * G)
+    first = (3 - up) / G
+    second = first + (down - 0.1 * up) / G
+    assert run.joint_events.time[:2] == pytest.approx([first, second], rel=1e-12)
+    assert min(event.value for event in run.joint_events) >= 0
+    assert 0.5 - 1e-12 <= run.position[-1, 0, 1] <= 1.5
+
+
+@pytest.mark.parametrize("speed", [6.0, 6.1, 6.2, 6.3])
+def test_a_rope_is_taut_again_beyond_its_post(speed: float) -> None:
+    """Thrown up from 0.5 m below it to 1 m above: at the post the distance has no rate."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, position=(0, -0.5), velocity=(0, speed), name="bob")
+    scene.add_joint(t2.Distance(limits=t2.Limits(upper=1.0, restitution=0.9)), "bob", (0, 0))
+    run = t2.simulate(scene, duration=4.0, method=t2.Dop853(rtol=1e-4), times=[4.0])
+    taut = (speed - math.sqrt(speed**2 - 2 * G * 1.5)) / G
+    assert run.joint_events.time[0] == pytest.approx(taut, rel=1e-13)
+
+
+def test_a_step_too_coarse_to_locate_its_event_again_still_ends() -> None:
+    """Taken anew up to the event it is elsewhere, and a line to the event leads out of it."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, position=(0, 1.2), velocity=(0, 3), name="bob")
+    limits = t2.Limits(lower=0.5, upper=1.5, restitution=0.1)
+    scene.add_joint(t2.Distance(limits=limits), "bob", (0, 0))
+    for method in (t2.ExplicitEuler(), t2.SemiImplicitEuler()):
+        run = t2.simulate(scene, duration=10.0, method=method, time_step=1.25, times=[10.0])
+        assert np.isfinite(run.position).all()
+
+
 def test_a_ball_goes_over_the_top_of_its_rope_and_falls_inwards() -> None:
     """Thrown up from the lowest point at v^2 = 3.5 g l it leaves the circle at sin(angle) = 1/2.
 

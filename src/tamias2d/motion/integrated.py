@@ -344,7 +344,8 @@ class IntegratedMotion:
             if shorter.end < time:  # it is further off than a step may be here
                 return self._joint_event(limited, field, shorter) or shorter
             later = JointSearch(mechanism, own, free, shorter).zero(watch)
-            if abs(later - time) <= 4 * np.spacing(time) or later <= step.start:
+            beyond = not step.start < later <= step.end  # a step is too coarse to say more
+            if abs(later - time) <= 4 * np.spacing(time) or beyond:
                 break
             time = later
         mechanism.expect(watch.cause(shorter.end))
