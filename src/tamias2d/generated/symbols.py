@@ -2111,13 +2111,40 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1320,
     ),
+    "slope_before": Symbol(
+        "slope_before",
+        "1",
+        "a slope as it was a substep before",
+        shape="vector",
+        tex="\\boldsymbol{g}_0",
+        file="srs/symbols.md",
+        line=1325,
+    ),
+    "slope_turned": Symbol(
+        "slope_turned",
+        "1",
+        "squared slope times the sine of the angle by which it turned",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\Delta g^2",
+        file="srs/symbols.md",
+        line=1330,
+    ),
+    "slope_squared": Symbol(
+        "slope_squared",
+        "1",
+        "square of a slope",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="g^2",
+        file="srs/symbols.md",
+        line=1335,
+    ),
     "turning_slope": Symbol(
         "turning_slope",
         "m",
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1325,
+        line=1340,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2125,7 +2152,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1329,
+        line=1344,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2133,7 +2160,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1333,
+        line=1348,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2142,7 +2169,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1337,
+        line=1352,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2150,7 +2177,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1342,
+        line=1357,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2158,7 +2185,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1346,
+        line=1361,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2166,7 +2193,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1350,
+        line=1365,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2174,7 +2201,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1354,
+        line=1369,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2182,7 +2209,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1358,
+        line=1373,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2191,7 +2218,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1362,
+        line=1377,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2200,7 +2227,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1367,
+        line=1382,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2209,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1372,
+        line=1387,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2218,7 +2245,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1377,
+        line=1392,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2226,7 +2253,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1382,
+        line=1397,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2235,7 +2262,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1386,
+        line=1401,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2243,7 +2270,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1391,
+        line=1406,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2252,7 +2279,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1395,
+        line=1410,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2260,7 +2287,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1400,
+        line=1415,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2268,7 +2295,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1404,
+        line=1419,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2277,7 +2304,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1408,
+        line=1423,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2286,7 +2313,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1413,
+        line=1428,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2295,7 +2322,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1418,
+        line=1433,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2303,7 +2330,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1423,
+        line=1438,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2311,7 +2338,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1427,
+        line=1442,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2319,7 +2346,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1431,
+        line=1446,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2328,7 +2355,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1435,
+        line=1450,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2337,7 +2364,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1440,
+        line=1455,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2346,7 +2373,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1445,
+        line=1460,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2355,7 +2382,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1450,
+        line=1465,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2364,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1455,
+        line=1470,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2373,7 +2400,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1460,
+        line=1475,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2382,7 +2409,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1465,
+        line=1480,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2391,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1470,
+        line=1485,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2399,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1475,
+        line=1490,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2408,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1479,
+        line=1494,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2416,7 +2443,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1484,
+        line=1499,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2425,7 +2452,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1488,
+        line=1503,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2434,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1493,
+        line=1508,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2443,7 +2470,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1498,
+        line=1513,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2452,7 +2479,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1503,
+        line=1518,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2461,7 +2488,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1508,
+        line=1523,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2469,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1513,
+        line=1528,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2478,7 +2505,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1517,
+        line=1532,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2487,7 +2514,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1522,
+        line=1537,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2496,7 +2523,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1527,
+        line=1542,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2505,7 +2532,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1532,
+        line=1547,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2513,7 +2540,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1537,
+        line=1552,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2521,7 +2548,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1541,
+        line=1556,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2530,7 +2557,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1545,
+        line=1560,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2539,7 +2566,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1550,
+        line=1565,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2548,7 +2575,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1555,
+        line=1570,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2557,7 +2584,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1560,
+        line=1575,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2566,7 +2593,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1565,
+        line=1580,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2575,7 +2602,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1570,
+        line=1585,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2584,7 +2611,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1575,
+        line=1590,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2593,7 +2620,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1580,
+        line=1595,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2602,7 +2629,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1585,
+        line=1600,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2610,7 +2637,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1590,
+        line=1605,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2619,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1594,
+        line=1609,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2627,7 +2654,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1599,
+        line=1614,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2635,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1603,
+        line=1618,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2644,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1607,
+        line=1622,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2653,7 +2680,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1612,
+        line=1627,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2662,7 +2689,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1617,
+        line=1632,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2670,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1622,
+        line=1637,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2679,7 +2706,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1626,
+        line=1641,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2687,7 +2714,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1631,
+        line=1646,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2696,7 +2723,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1635,
+        line=1650,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2705,7 +2732,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1640,
+        line=1655,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2713,7 +2740,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1645,
+        line=1660,
     ),
     "change": Symbol(
         "change",
@@ -2722,7 +2749,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1649,
+        line=1664,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2731,7 +2758,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1654,
+        line=1669,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2740,7 +2767,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1659,
+        line=1674,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2748,7 +2775,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1664,
+        line=1679,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2757,7 +2784,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1668,
+        line=1683,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2765,7 +2792,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1673,
+        line=1688,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2773,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1677,
+        line=1692,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2781,7 +2808,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1681,
+        line=1696,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2790,7 +2817,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1685,
+        line=1700,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2798,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1690,
+        line=1705,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2807,6 +2834,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1694,
+        line=1709,
     ),
 }
