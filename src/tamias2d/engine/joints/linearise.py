@@ -78,7 +78,7 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 FIRM = 1e8  # firmness of a row, for each unit of its own mass
-TURNED_FAR = 0.48  # sine of half a radian, by which a row may turn in a substep
+ROW_TURNED = 0.48  # sine of half a radian, by which a row may turn in a substep
 ENDS_OF_JOINT = 3
 TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
@@ -119,7 +119,7 @@ def rows_where_placed(j: int, joints: Joints) -> None:
 @inlined
 def has_turned(before: tuple[float, float], now: tuple[float, float]) -> bool:
     """Return whether a slope turned so far that a step loses energy by it."""
-    return slope_turned(before, now) > TURNED_FAR * slope_squared(now)
+    return slope_turned(before, now) > ROW_TURNED * slope_squared(now)
 
 
 def note_apart(ends: Integers, numbers: Array) -> None:
