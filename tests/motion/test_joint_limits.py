@@ -97,20 +97,27 @@ def test_a_slide_of_no_length_at_its_limit_comes_to_rest_there(
         assert run.joint_events.words[-1] == "rests on its lower limit"
 
 
-def test_bounces_that_are_far_shorter_than_the_steps_are_found() -> None:
-    """Thrown up at the limit itself, over and over, for 1/300 of the run in all."""
+@pytest.mark.parametrize("restitution", [0.1, 0.3, 0.6])
+@pytest.mark.parametrize("method", [t2.Dop853(rtol=1e-4), t2.DormandPrince5(rtol=1e-5)])
+def test_bounces_that_are_far_shorter_than_the_steps_are_found(
+    method: t2.Dop853 | t2.DormandPrince5, restitution: float
+) -> None:
+    """From 1 um within 10 s: a step of free fall is 500 m long, and its rounding a bounce."""
     scene = Scene(gravity=(0, -G))
-    scene.add_body(None, mass=1, inertia=1, position=(0, 0), velocity=(0, 0.01), name="slider")
-    kind = t2.Prismatic(axis=(0, 1), limits=t2.Limits(lower=0.0, restitution=0.4))
+    scene.add_body(None, mass=1, inertia=1, position=(0, 1e-6), name="slider")
+    kind = t2.Prismatic(axis=(0, 1), limits=t2.Limits(lower=0.0, restitution=restitution))
     scene.add_joint(kind, (0, 0), "slider")
-    method = t2.Dop853(rtol=1e-6)
-    run = t2.simulate(scene, duration=1.0, method=method, times=[1.0], work_limit=2000)
+    run = t2.simulate(scene, duration=10.0, method=method, times=[10.0], work_limit=2000)
+    speed = math.sqrt(2e-6 * G)
     strikes = [e.value for e in run.joint_events if WORDS[e.what].startswith("strikes")]
-    assert strikes[:8] == pytest.approx([0.01 * 1.4 * 0.4**k for k in range(8)], rel=1e-9)
-    below = 2 * math.sqrt(2e-12 * 5e-6 / G) / 0.6  # s, of bounces below 1e-12 of the first
+    expected = [speed * (1 + restitution) * restitution**k for k in range(4)]
+    assert strikes[:4] == pytest.approx(expected, rel=1e-9)
+    rounded = 500 * 2.0**-52  # m, of such a step: bounces as low as this are lost in it
+    below = 2 * math.sqrt(2 * rounded / G) / (1 - restitution)
     when, what = told(run)[-1]
     assert what == "rests on its lower limit"
-    assert when == pytest.approx(2 * 0.01 / G / (1 - 0.4), abs=below)
+    ends = speed / G * (1 + 2 * restitution / (1 - restitution))
+    assert when == pytest.approx(ends, abs=below)
 
 
 @pytest.mark.parametrize("method", [t2.Dop853(rtol=1e-4), t2.Reference()])
