@@ -184,3 +184,25 @@ def test_a_box_that_slides_on_a_box_is_within_rounding(seed: int) -> None:
     places = run.position[:, box, 0].tolist()
     error = max(abs(Fraction(x) - y) for x, y in zip(places, exact_places, strict=True))
     assert float(error) / np.ptp(places) <= run.certificate.bound < 5e-13
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize("stiffness", [5.0, 30.0, 100.0])
+def test_few_steps_that_a_tighter_tolerance_repeats_are_not_believed(
+    tolerance: float, stiffness: float
+) -> None:
+    """A cosine on a spring down to a limit, which cuts the steps of both runs, and rest on it."""
+    scene = t2.Scene(gravity=(0.0, -G))
+    scene.add_body(None, mass=1.0, inertia=1.0, position=(0.0, 0.5))
+    spring = t2.JointSpring(stiffness=stiffness, rest=-0.1)
+    limits = t2.Limits(lower=0.0, restitution=0.0)
+    scene.add_joint(t2.Prismatic(axis=(0.0, 1.0), limits=limits, spring=spring), (0.0, 0.0), 0)
+    times = np.linspace(0.0, 1.0, 61)
+    run = t2.simulate(scene, duration=1.0, tolerance=tolerance, times=times)
+    w, middle = math.sqrt(stiffness), -0.1 - G / stiffness
+    down = math.acos(-middle / (0.5 - middle)) / w
+    true = np.where(times < down, middle + (0.5 - middle) * np.cos(w * times), 0.0)
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    error = float(np.abs(run.position[:, 0, 1] - true).max()) / 0.5
+    assert error <= run.certificate.bound <= tolerance

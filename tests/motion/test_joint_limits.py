@@ -61,6 +61,106 @@ def test_bounces_on_a_limit_end_when_the_geometric_series_does() -> None:
     assert run.position[-1, 0, 1] == pytest.approx(0, abs=1e-14)
 
 
+def bounced(drop: float, restitution: float, times: np.ndarray) -> np.ndarray:
+    """Heights of what falls from rest and bounces on the height 0, by its parabolas."""
+    heights = np.zeros(len(times))
+    start, speed = -math.sqrt(2 * drop / G), math.sqrt(2 * drop * G)  # as if thrown up before
+    while speed > 1e-9:
+        end = start + 2 * speed / G
+        on = (times >= start) & (times < end)
+        heights[on] = (speed - G / 2 * (times[on] - start)) * (times[on] - start)
+        start, speed = end, restitution * speed
+    return heights
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.1, 0.3, 0.6, 0.9])
+@pytest.mark.parametrize("drop", [1.0, 1e-6])
+def test_a_slide_of_no_length_at_its_limit_comes_to_rest_there(
+    drop: float, restitution: float
+) -> None:
+    """All places of the mechanism are the origin then; the bounces become ever shorter steps."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, inertia=1, position=(0, drop), name="slider")
+    kind = t2.Prismatic(axis=(0, 1), limits=t2.Limits(lower=0.0, restitution=restitution))
+    scene.add_joint(kind, (0, 0), "slider")
+    fall = math.sqrt(2 * drop / G)
+    times = fall * np.linspace(0, 6, 61)
+    run = t2.simulate(
+        scene, duration=float(times[-1]), tolerance=1e-6, times=times, work_limit=2000
+    )
+    assert run.certificate is not None
+    assert run.certificate.bound is not None
+    away = np.abs(run.position[:, 0, 1] - bounced(drop, restitution, times))
+    rounded = 1e-12  # of the drop: bounces that are as low count as rest
+    assert away.max() <= (run.certificate.bound + rounded) * drop
+    if restitution < 0.7:  # else it still bounces
+        assert run.joint_events.words[-1] == "rests on its lower limit"
+
+
+@pytest.mark.parametrize("restitution", [0.1, 0.3, 0.6])
+@pytest.mark.parametrize("method", [t2.Dop853(rtol=1e-4), t2.DormandPrince5(rtol=1e-5)])
+def test_bounces_that_are_far_shorter_than_the_steps_are_found(
+    method: t2.Dop853 | t2.DormandPrince5, restitution: float
+) -> None:
+    """From 1 um within 10 s: a step of free fall is 500 m long, and its rounding a bounce."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, inertia=1, position=(0, 1e-6), name="slider")
+    kind = t2.Prismatic(axis=(0, 1), limits=t2.Limits(lower=0.0, restitution=restitution))
+    scene.add_joint(kind, (0, 0), "slider")
+    run = t2.simulate(scene, duration=10.0, method=method, times=[10.0], work_limit=2000)
+    speed = math.sqrt(2e-6 * G)
+    strikes = [e.value for e in run.joint_events if WORDS[e.what].startswith("strikes")]
+    expected = [speed * (1 + restitution) * restitution**k for k in range(4)]
+    assert strikes[:4] == pytest.approx(expected, rel=1e-9)
+    rounded = 500 * 2.0**-52  # m, of such a step: bounces as low as this are lost in it
+    below = 2 * math.sqrt(2 * rounded / G) / (1 - restitution)
+    when, what = told(run)[-1]
+    assert what == "rests on its lower limit"
+    ends = speed / G * (1 + 2 * restitution / (1 - restitution))
+    assert when == pytest.approx(ends, abs=below)
+
+
+@pytest.mark.parametrize("method", [t2.Dop853(rtol=1e-4), t2.Reference()])
+def test_a_shortest_distance_is_met_although_steps_pass_through_its_centre(
+    method: t2.Dop853 | t2.Reference,
+) -> None:
+    """Upright, thrown up at 3 m/s between 0.5 m and 1.5 m: parabolas from end to end."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, position=(0, 1.2), velocity=(0, 3), name="bob")
+    limits = t2.Limits(lower=0.5, upper=1.5, restitution=0.1)
+    scene.add_joint(t2.Distance(limits=limits), "bob", (0, 0))
+    run = t2.simulate(scene, duration=10.0, method=method, times=[10.0], work_limit=2000)
+    up = math.sqrt(9 - 2 * G * 0.3)
+    down = math.sqrt((0.1 * up) ** 2 + 2 * G)
+    first = (3 - up) / G
+    second = first + (down - 0.1 * up) / G
+    assert run.joint_events.time[:2] == pytest.approx([first, second], rel=1e-12)
+    assert min(event.value for event in run.joint_events) >= 0
+    assert 0.5 - 1e-12 <= run.position[-1, 0, 1] <= 1.5
+
+
+@pytest.mark.parametrize("speed", [6.0, 6.1, 6.2, 6.3])
+def test_a_rope_is_taut_again_beyond_its_post(speed: float) -> None:
+    """Thrown up from 0.5 m below it to 1 m above: at the post the distance has no rate."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, position=(0, -0.5), velocity=(0, speed), name="bob")
+    scene.add_joint(t2.Distance(limits=t2.Limits(upper=1.0, restitution=0.9)), "bob", (0, 0))
+    run = t2.simulate(scene, duration=4.0, method=t2.Dop853(rtol=1e-4), times=[4.0])
+    taut = (speed - math.sqrt(speed**2 - 2 * G * 1.5)) / G
+    assert run.joint_events.time[0] == pytest.approx(taut, rel=1e-13)
+
+
+def test_a_step_too_coarse_to_locate_its_event_again_still_ends() -> None:
+    """Taken anew up to the event it is elsewhere, and a line to the event leads out of it."""
+    scene = Scene(gravity=(0, -G))
+    scene.add_body(None, mass=1, position=(0, 1.2), velocity=(0, 3), name="bob")
+    limits = t2.Limits(lower=0.5, upper=1.5, restitution=0.1)
+    scene.add_joint(t2.Distance(limits=limits), "bob", (0, 0))
+    for method in (t2.ExplicitEuler(), t2.SemiImplicitEuler()):
+        run = t2.simulate(scene, duration=10.0, method=method, time_step=1.25, times=[10.0])
+        assert np.isfinite(run.position).all()
+
+
 def test_a_ball_goes_over_the_top_of_its_rope_and_falls_inwards() -> None:
     """Thrown up from the lowest point at v^2 = 3.5 g l it leaves the circle at sin(angle) = 1/2.
 

@@ -38,6 +38,7 @@ from tamias2d.engine.tables import (
     INVERSE_MASS,
     JOINTS,
     JOINTS_APART,
+    JOINTS_TURNED,
     LEAST_LEVEL,
     LIMITS,
     LIST_HOLDS,
@@ -192,9 +193,10 @@ class Engine(Store):
         return -1
 
     @property
-    def joints_apart(self) -> bool:
-        """Whether a joint was more than slightly apart since it was asked which one."""
-        return bool(self.world.joints.counts[JOINTS_APART])
+    def joints_fail(self) -> bool:
+        """Whether a joint was more than slightly apart, or turned too far, since it was asked."""
+        counts = self.world.joints.counts
+        return bool(counts[JOINTS_APART] or counts[JOINTS_TURNED])
 
     @property
     def limits(self) -> int:

@@ -775,6 +775,7 @@ MECHANISMS_AWAKE = _joint_counts()  # in this step
 MECHANISMS_TOUCHED = _joint_counts()  # of these, by contacts, or governed
 TREE_BLOCKS = _joint_counts()
 JOINTS_APART = _joint_counts()  # 1 if a joint was more than slightly apart, until it is asked
+JOINTS_TURNED = _joint_counts()  # 1 if a joint turned too far in a substep, until it is asked
 
 _mechanisms = Columns()
 M_JOINT = _mechanisms()  # where its joints begin; its members are its nodes, one place on
@@ -825,6 +826,7 @@ J_PULL = _joint_numbers(3)  # N s, impulse of each row over this part
 J_GIVEN = _joint_numbers(3)  # N s, impulse of each row over this substep
 J_APART = _joint_numbers(3)  # m or rad, by how much each row was apart at most, until it is asked
 J_SLIGHT = _joint_numbers(3)  # m or rad, by how much each row may be apart without being looked at
+J_TURNED = _joint_numbers()  # 1 if its first row turned too far in a substep, until it is asked
 J_IMPULSE = _joint_numbers(3)  # N s, of each row by the last solution
 J_RESIDUAL = _joint_numbers(3)  # m/s, what is left of its error
 J_SEARCH = _joint_numbers(3)  # N s, direction of conjugate gradients

@@ -64,6 +64,36 @@ def row_error(row_value: Scalar, row_aim: Scalar, time_step: Scalar) -> Scalar:
     return (row_value - row_aim) / time_step
 
 
+def slope_turned(slope_before: Vector, slope: Vector) -> Scalar:
+    """Squared slope times the sine of the angle by which it turned (1).
+
+    slope_turned = abs(cross(slope_before, slope))
+
+    Args:
+        slope_before: A slope as it was a substep before, 1
+        slope: How a row's value changes with the place of a body, 1
+
+    Source: DD56, srs/models/joint_step.md:18.
+    """
+    slope_before_x, slope_before_y = slope_before
+    slope_x, slope_y = slope
+    return abs(slope_before_x * slope_y - slope_before_y * slope_x)
+
+
+def slope_squared(slope: Vector) -> Scalar:
+    """Square of a slope (1).
+
+    slope_squared = dot(slope, slope)
+
+    Args:
+        slope: How a row's value changes with the place of a body, 1
+
+    Source: DD56, srs/models/joint_step.md:19.
+    """
+    slope_x, slope_y = slope
+    return slope_x * slope_x + slope_y * slope_y
+
+
 def firmness(firm_ratio: Scalar, row_yield: Scalar) -> Scalar:
     """Mass with which a firm contact resists the velocity that its row is not to have (kg).
 
@@ -74,7 +104,7 @@ def firmness(firm_ratio: Scalar, row_yield: Scalar) -> Scalar:
         row_yield: Change of a row's rate for one unit of its impulse, or a body's part in it,
             1/kg
 
-    Source: DD57, srs/models/joint_step.md:44.
+    Source: DD57, srs/models/joint_step.md:48.
     """
     return firm_ratio / row_yield
 
@@ -89,7 +119,7 @@ def row_impulse(row_rate: Scalar, firmness: Scalar) -> Scalar:
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:45.
+    Source: DD57, srs/models/joint_step.md:49.
     """
     return (-firmness) * row_rate
 
@@ -107,7 +137,7 @@ def velocity_later(
         slope: How a row's value changes with the place of a body, 1
         inverse_mass: One over the mass, zero for a static body, 1/kg
 
-    Source: DD57, srs/models/joint_step.md:46.
+    Source: DD57, srs/models/joint_step.md:50.
     """
     velocity_x, velocity_y = velocity
     slope_x, slope_y = slope
@@ -130,7 +160,7 @@ def angular_velocity_later(
         turning_slope: How a row's value changes with the orientation of a body, m
         inverse_inertia: One over the inertia, zero for a body that cannot turn, 1/(kg*m^2)
 
-    Source: DD57, srs/models/joint_step.md:47.
+    Source: DD57, srs/models/joint_step.md:51.
     """
     return angular_velocity + inverse_inertia * row_impulse * turning_slope
 
@@ -145,7 +175,7 @@ def momentum_later(momentum: Vector, row_impulse: Scalar, slope: Vector) -> Vect
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         slope: How a row's value changes with the place of a body, 1
 
-    Source: DD57, srs/models/joint_step.md:49.
+    Source: DD57, srs/models/joint_step.md:53.
     """
     momentum_x, momentum_y = momentum
     slope_x, slope_y = slope
@@ -164,7 +194,7 @@ def angular_momentum_later(
         row_impulse: Impulse of a row of a joint, for slopes of length one, N*s
         turning_slope: How a row's value changes with the orientation of a body, m
 
-    Source: DD57, srs/models/joint_step.md:50.
+    Source: DD57, srs/models/joint_step.md:54.
     """
     return angular_momentum + row_impulse * turning_slope
 
@@ -180,7 +210,7 @@ def coupled_mass(slope_a: Vector, slope_along: Scalar, firmness: Scalar) -> Vect
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:51.
+    Source: DD57, srs/models/joint_step.md:55.
     """
     slope_a_x, slope_a_y = slope_a
     return (firmness * slope_along * slope_a_x, firmness * slope_along * slope_a_y)
@@ -197,7 +227,7 @@ def coupled_moment(turning_slope_a: Scalar, slope_b: Vector, firmness: Scalar) -
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:52.
+    Source: DD57, srs/models/joint_step.md:56.
     """
     slope_b_x, slope_b_y = slope_b
     return (firmness * turning_slope_a * slope_b_x, firmness * turning_slope_a * slope_b_y)
@@ -214,7 +244,7 @@ def coupled_lever(slope_a: Vector, turning_slope_b: Scalar, firmness: Scalar) ->
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:53.
+    Source: DD57, srs/models/joint_step.md:57.
     """
     slope_a_x, slope_a_y = slope_a
     return (firmness * turning_slope_b * slope_a_x, firmness * turning_slope_b * slope_a_y)
@@ -231,7 +261,7 @@ def coupled_inertia(turning_slope_a: Scalar, turning_slope_b: Scalar, firmness: 
         firmness: Mass with which a firm contact resists the velocity that its row is not to
             have, kg
 
-    Source: DD57, srs/models/joint_step.md:54.
+    Source: DD57, srs/models/joint_step.md:58.
     """
     return firmness * turning_slope_b * turning_slope_a
 
@@ -245,7 +275,7 @@ def row_aim(row_value: Scalar, removed_share: Scalar) -> Scalar:
         row_value: Number of a joint's equation that is zero where it holds, m
         removed_share: Part of a row's value that a substep removes, 1
 
-    Source: IM15, srs/models/joint_step.md:111.
+    Source: IM15, srs/models/joint_step.md:115.
     """
     return (1 - removed_share) * row_value
 
@@ -259,7 +289,7 @@ def drive_error(row_rate: Scalar, drive_rate: Scalar) -> Scalar:
         row_rate: Rate of a row's value, or a body's part in it, m/s
         drive_rate: Rate at which a motor keeps a row, m/s
 
-    Source: IM15, srs/models/joint_step.md:112.
+    Source: IM15, srs/models/joint_step.md:116.
     """
     return row_rate - drive_rate
 
@@ -273,7 +303,7 @@ def row_impulse_most(row_force_most: Scalar, time_step: Scalar) -> Scalar:
         row_force_most: The most that a motor exerts, for slopes of length one, N
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:113.
+    Source: IM15, srs/models/joint_step.md:117.
     """
     return time_step * row_force_most
 
@@ -288,7 +318,7 @@ def spring_firmness(row_stiffness: Scalar, row_damping: Scalar, time_step: Scala
         row_damping: Force of a damper for a row's rate, kg/s
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:114.
+    Source: IM15, srs/models/joint_step.md:118.
     """
     return time_step * (row_damping + time_step * row_stiffness)
 
@@ -317,7 +347,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:115.
+    Source: IM15, srs/models/joint_step.md:119.
     """
     return (time_step * (row_stiffness * row_value + row_damping * row_rate) + row_given) / firmness
 
@@ -331,7 +361,7 @@ def leaning(row_force: Scalar, row_bend: Scalar) -> Scalar:
         row_force: Force of a row of a joint, for slopes of length one, N
         row_bend: Second derivative of a row's value by the orientation of a body, m
 
-    Source: IM15, srs/models/joint_step.md:118.
+    Source: IM15, srs/models/joint_step.md:122.
     """
     return (-row_force) * row_bend
 
@@ -346,7 +376,7 @@ def inertia_held(inertia: Scalar, leaning: Scalar, time_step: Scalar) -> Scalar:
         leaning: By how much less a joint's pull turns a body that has turned by a radian, N*m
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM15, srs/models/joint_step.md:119.
+    Source: IM15, srs/models/joint_step.md:123.
     """
     return largest(inertia, time_step * time_step * leaning)
 
@@ -359,7 +389,7 @@ def half_decay(kick_decay: Scalar) -> Scalar:
     Args:
         kick_decay: Factor of the velocity by drag in a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:120.
+    Source: IM15, srs/models/joint_step.md:124.
     """
     return sqrt(kick_decay)
 
@@ -373,7 +403,7 @@ def half_gain(kick_gain: Scalar, half_decay: Scalar) -> Scalar:
         kick_gain: Velocity that forces give in a substep, m/s
         half_decay: Factor of the velocity by drag in half a substep, 1
 
-    Source: IM15, srs/models/joint_step.md:121.
+    Source: IM15, srs/models/joint_step.md:125.
     """
     return kick_gain / (1 + half_decay)
 
@@ -388,7 +418,7 @@ def kick_velocity_later(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:122.
+    Source: IM15, srs/models/joint_step.md:126.
     """
     return half_decay * kick_velocity + half_gain
 
@@ -403,7 +433,7 @@ def kick_velocity_start(kick_velocity: Scalar, half_decay: Scalar, half_gain: Sc
         half_decay: Factor of the velocity by drag in half a substep, 1
         half_gain: Velocity that forces give in half a substep, m/s
 
-    Source: IM15, srs/models/joint_step.md:123.
+    Source: IM15, srs/models/joint_step.md:127.
     """
     return (kick_velocity - half_gain) / half_decay
 
@@ -417,6 +447,6 @@ def kinetic_energy_most(kinetic_energy_start: Scalar, work: Scalar) -> Scalar:
         kinetic_energy_start: Energy of motion, turning included; at the start, J
         work: Energy that gravity, forces and torques have given a body in a step, J
 
-    Source: IM15, srs/models/joint_step.md:124.
+    Source: IM15, srs/models/joint_step.md:128.
     """
     return largest(kinetic_energy_start + work, 0.0)

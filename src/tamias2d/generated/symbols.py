@@ -2146,13 +2146,40 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1343,
     ),
+    "slope_before": Symbol(
+        "slope_before",
+        "1",
+        "a slope as it was a substep before",
+        shape="vector",
+        tex="\\boldsymbol{g}_0",
+        file="srs/symbols.md",
+        line=1348,
+    ),
+    "slope_turned": Symbol(
+        "slope_turned",
+        "1",
+        "squared slope times the sine of the angle by which it turned",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\Delta g^2",
+        file="srs/symbols.md",
+        line=1353,
+    ),
+    "slope_squared": Symbol(
+        "slope_squared",
+        "1",
+        "square of a slope",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="g^2",
+        file="srs/symbols.md",
+        line=1358,
+    ),
     "turning_slope": Symbol(
         "turning_slope",
         "m",
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1348,
+        line=1363,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2160,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1352,
+        line=1367,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2168,7 +2195,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1356,
+        line=1371,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2177,7 +2204,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1360,
+        line=1375,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2185,7 +2212,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1365,
+        line=1380,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2193,7 +2220,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1369,
+        line=1384,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2201,7 +2228,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1373,
+        line=1388,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2209,7 +2236,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1377,
+        line=1392,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2217,7 +2244,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1381,
+        line=1396,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2226,7 +2253,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1385,
+        line=1400,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2235,7 +2262,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1390,
+        line=1405,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2244,7 +2271,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1395,
+        line=1410,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2253,7 +2280,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1400,
+        line=1415,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2261,7 +2288,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1405,
+        line=1420,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2270,7 +2297,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1409,
+        line=1424,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2278,7 +2305,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1414,
+        line=1429,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2287,7 +2314,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1418,
+        line=1433,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2295,7 +2322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1423,
+        line=1438,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2303,7 +2330,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1427,
+        line=1442,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2312,7 +2339,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1431,
+        line=1446,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2321,7 +2348,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1436,
+        line=1451,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2330,7 +2357,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1441,
+        line=1456,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2338,7 +2365,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1446,
+        line=1461,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2346,7 +2373,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1450,
+        line=1465,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2354,7 +2381,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1454,
+        line=1469,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2363,7 +2390,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1458,
+        line=1473,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2372,7 +2399,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1463,
+        line=1478,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2381,7 +2408,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1468,
+        line=1483,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2390,7 +2417,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1473,
+        line=1488,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2399,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1478,
+        line=1493,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2408,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1483,
+        line=1498,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2417,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1488,
+        line=1503,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2426,7 +2453,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1493,
+        line=1508,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2434,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1498,
+        line=1513,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2443,7 +2470,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1502,
+        line=1517,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2451,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1507,
+        line=1522,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2460,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1511,
+        line=1526,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2469,7 +2496,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1516,
+        line=1531,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2478,7 +2505,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1521,
+        line=1536,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2487,7 +2514,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1526,
+        line=1541,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2496,7 +2523,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1531,
+        line=1546,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2504,7 +2531,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1536,
+        line=1551,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2513,7 +2540,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1540,
+        line=1555,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2522,7 +2549,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1545,
+        line=1560,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2531,7 +2558,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1550,
+        line=1565,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2540,7 +2567,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1555,
+        line=1570,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2548,7 +2575,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1560,
+        line=1575,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2556,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1564,
+        line=1579,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2565,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1568,
+        line=1583,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2574,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1573,
+        line=1588,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2583,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1578,
+        line=1593,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2592,7 +2619,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1583,
+        line=1598,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2601,7 +2628,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1588,
+        line=1603,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2610,7 +2637,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1593,
+        line=1608,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2619,7 +2646,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1598,
+        line=1613,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2628,7 +2655,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1603,
+        line=1618,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2637,7 +2664,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1608,
+        line=1623,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2645,7 +2672,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1613,
+        line=1628,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2654,7 +2681,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1617,
+        line=1632,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2662,7 +2689,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1622,
+        line=1637,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2670,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1626,
+        line=1641,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2679,7 +2706,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1630,
+        line=1645,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2688,7 +2715,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1635,
+        line=1650,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2697,7 +2724,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1640,
+        line=1655,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2705,7 +2732,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1645,
+        line=1660,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2714,7 +2741,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1649,
+        line=1664,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2722,7 +2749,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1654,
+        line=1669,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2731,7 +2758,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1658,
+        line=1673,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2740,7 +2767,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1663,
+        line=1678,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2748,7 +2775,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1668,
+        line=1683,
     ),
     "change": Symbol(
         "change",
@@ -2757,7 +2784,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1672,
+        line=1687,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2766,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1677,
+        line=1692,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2775,7 +2802,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1682,
+        line=1697,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2783,7 +2810,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1687,
+        line=1702,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2792,7 +2819,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1691,
+        line=1706,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2800,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1696,
+        line=1711,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2808,7 +2835,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1700,
+        line=1715,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2816,7 +2843,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1704,
+        line=1719,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2825,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1708,
+        line=1723,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2833,7 +2860,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1713,
+        line=1728,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2842,6 +2869,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1717,
+        line=1732,
     ),
 }

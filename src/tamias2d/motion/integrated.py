@@ -294,6 +294,8 @@ class IntegratedMotion:
             step = self._one_step(field, start, end, position, velocity)
             event = limited and self._joint_event(limited, field, step)
             step = event or step
+            for own, one in limited:
+                one.grow(step.at((step.start + step.end) / 2)[0][own])
             self.tally.steps += 1
             if not isinstance(self._integrator, FixedSteps):
                 self.work.step(step.end)
@@ -355,7 +357,8 @@ class IntegratedMotion:
             if shorter.end < time:  # it is further off than a step may be here
                 return self._joint_event(limited, field, shorter) or shorter
             later = JointSearch(mechanism, own, free, shorter).zero(watch)
-            if abs(later - time) <= 4 * np.spacing(time) or later <= step.start:
+            beyond = not step.start < later <= step.end  # a step is too coarse to say more
+            if abs(later - time) <= 4 * np.spacing(time) or beyond:
                 break
             time = later
         mechanism.expect(watch.cause(shorter.end))

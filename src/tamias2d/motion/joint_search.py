@@ -13,6 +13,8 @@ from tamias2d.motion.polynomial import DenseStep
 from tamias2d.state import Array
 
 _LOOKS = 16  # in each step; between two of them a push may not sink below zero and rise again
+_NEAREST = 2.0**-20  # of a step: looks at a distance that turns around are no closer
+_MOST = 1000  # trials of a zero; in a bounce far shorter than the step it takes more than 100
 _FORCE = 1e-10  # of the largest; a smaller one is as good as none
 Free = Callable[[float, Array, Array], Array]
 """Accelerations (n, 3) by the loads alone."""
@@ -42,6 +44,11 @@ class _Look:
     def values(self) -> Array:
         """Where the freedoms are, rad or m."""
         return self._search.mechanism.measures.values(self.time, self._state[0])
+
+    @cached_property
+    def slopes(self) -> Array:
+        """How they change with the coordinates (m, n, 3)."""
+        return self._search.mechanism.measures.slopes(self.time, self._state[0])
 
     @cached_property
     def rates(self) -> Array:
@@ -81,8 +88,7 @@ class JointSearch:
         """Return when something happens first, s, and what."""
         if not self._watches:
             return None
-        times = np.linspace(self.step.start, self.step.end, _LOOKS + 1).tolist()
-        looks = [_Look(self, time) for time in times]
+        looks = self._looks()
         found: list[tuple[float, int]] = []
         for k, watch in enumerate(self._watches):
             time = self._crossing(watch, looks)
@@ -92,6 +98,33 @@ class JointSearch:
             return None
         time, k = min(found)
         return time, self._watches[k]
+
+    def _looks(self) -> list[_Look]:
+        """Return looks, so close that none of the shortest distances is passed through unseen."""
+        times = np.linspace(self.step.start, self.step.end, _LOOKS + 1).tolist()
+        looks = [_Look(self, time) for time in times]
+        rows = [
+            self.mechanism.row[of]
+            for of, side in self.mechanism.sides(self.mode)
+            if side < 0 and self.mechanism.freedoms[of].measure == "distance"
+        ]
+        if not rows:
+            return looks
+        closer = [looks[0]]
+        for look in looks[1:]:
+            closer += [*self._between(closer[-1], look, rows), look]
+        return closer
+
+    def _between(self, first: _Look, last: _Look, rows: list[int]) -> Iterator[_Look]:
+        """Yield looks from one to another, until no distance turns by a right angle in between."""
+        turned = (first.slopes[rows] * last.slopes[rows]).sum(axis=(1, 2))
+        near = last.time - first.time <= _NEAREST * (self.step.end - self.step.start)
+        if near or (turned > 0).all():
+            return
+        middle = _Look(self, (first.time + last.time) / 2)
+        yield from self._between(first, middle, rows)
+        yield middle
+        yield from self._between(middle, last, rows)
 
     def zero(self, watch: _Watch) -> float:
         """Return where what is watched is zero near the end of the step, s: found along a line."""
@@ -118,6 +151,8 @@ class JointSearch:
             if watch.rate and values[k] >= below and not fresh:
                 last = self._lowest(watch, watch.rate, looks[k - 1], looks[k])
             if self.value(watch, last) < below if last != looks[k].time else values[k] < below:
+                if watch.rate and watch.rate(looks[k - 1]) > 0 > watch.rate(looks[k]):
+                    first = self._turn(watch.rate, first, last)  # it grew at first
                 return self._root(watch, first, last, below)
             fresh = fresh and values[k] <= slight
         return None
@@ -126,26 +161,29 @@ class JointSearch:
         self, watch: _Watch, rate: Callable[[_Look], float], first: _Look, last: _Look
     ) -> float:
         """Return where a gap is smallest between two looks, if it could close between them."""
-        from scipy.optimize import brentq
-
         falls, rises, span = rate(first), rate(last), last.time - first.time
         if not falls < 0 < rises:
             return last.time
         if watch.value(first) + falls * span > 0 and watch.value(last) - rises * span > 0:
             return last.time
-        found: float = brentq(lambda t: rate(_Look(self, t)), first.time, last.time)
-        return found
+        return self._turn(rate, first.time, last.time)
+
+    def _turn(self, rate: Callable[[_Look], float], first: float, last: float) -> float:
+        """Return where a gap is smallest or largest between two times, s.
+
+        A distance of zero, which is smallest, has no rate.
+        """
+
+        def known(time: float) -> float:
+            found = rate(_Look(self, time))
+            return found if np.isfinite(found) else 0.0
+
+        return _zero(known, first, last)
 
     def _root(self, watch: _Watch, first: float, last: float, below: float) -> float:
-        from scipy.optimize import brentq
-
         if self.value(watch, first) <= below:
             return first
-        eps = float(np.finfo(float).eps)
-        found: float = brentq(
-            lambda t: self.value(watch, t) - below, first, last, xtol=1e-300, rtol=4 * eps
-        )
-        return found
+        return _zero(lambda t: self.value(watch, t) - below, first, last)
 
     def _all(self) -> Iterator[_Watch]:
         mode, mechanism = self.mode, self.mechanism
@@ -212,3 +250,13 @@ class JointSearch:
             lambda t: Cause(t, slips={of: sense}),
             1e-12,
         )
+
+
+def _zero(function: Callable[[float], float], first: float, last: float) -> float:
+    """Return where a function of the time changes its sign between two times, s, to rounding."""
+    from scipy.optimize import brentq
+
+    found: float = brentq(
+        function, first, last, xtol=1e-300, rtol=4 * float(np.finfo(float).eps), maxiter=_MOST
+    )
+    return found

@@ -66,6 +66,7 @@ class LimitedMechanism:
         """The row of each freedom among the measures."""
         self.fastest = np.zeros(len(self.freedoms))
         """The largest speeds that have made up the rate of each, m/s or rad/s."""
+        self._largest = 0.0
         self.noise = np.zeros(len(self.freedoms))
         """How large a rate counted as none where it last began."""
         self.inverse = np.array(
@@ -167,9 +168,13 @@ class LimitedMechanism:
             if np.isfinite(self.end(of, side, mode))
         ]
 
+    def grow(self, position: Array) -> None:
+        """Note how large it is between two events: at one, all its places may be the same."""
+        self._largest = max(self._largest, self._whole.extent(position))
+
     def length(self, position: Array) -> float:
-        """Return a length that is not small, m."""
-        return self._whole.length(position)
+        """Return a length that is not small, m: of the mechanism, now or where it was largest."""
+        return max(self._largest, self._whole.extent(position)) or 1.0
 
     def slight(self, of: Of, position: Array) -> float:
         """Return how near a limit counts as touched, rad or m."""

@@ -214,12 +214,15 @@ class Mechanism:
         except np.linalg.LinAlgError:
             raise self._unsolved(time, slopes) from None
 
-    def length(self, position: Array) -> float:
-        """Return a length that is not small, m: of the mechanism, or else where it is."""
+    def extent(self, position: Array) -> float:
+        """Return how large the mechanism is, m; it is a point if all its places are the origin."""
         places = np.vstack((position[:, :2], self._fixed))
         spread = float(np.ptp(places, axis=0).max())
-        far = float(np.abs(places).max())
-        return max(spread, self._reach_length, ROUNDING * far) or far or 1.0
+        return max(spread, self._reach_length, ROUNDING * float(np.abs(places).max()))
+
+    def length(self, position: Array) -> float:
+        """Return a length that is not small, m."""
+        return self.extent(position) or 1.0
 
     def _size(self, position: Array) -> float:
         """Return a length that is not small, weighed as the coordinates are."""

@@ -22,8 +22,10 @@ from tamias2d.engine.tables import (
     J_APART,
     J_SLIGHT,
     J_STEP_TOTAL,
+    J_TURNED,
     J_WARM,
     JOINTS_APART,
+    JOINTS_TURNED,
     KEPT,
     KINEMATIC,
     LOWER_LIMIT,
@@ -196,6 +198,16 @@ class JointSet:
         is_length = lengths[worst] / self._sizes[worst] > angles[worst]
         far = lengths[worst] if is_length else angles[worst]
         return list(self._joints.values())[self._owner[worst]], float(far)
+
+    def turned(self, engine: Engine) -> Joint | None:
+        """Return a joint that turned too far in a substep of the last steps; or None."""
+        counts, numbers = engine.world.joints.counts, engine.world.joints.numbers
+        if not counts[JOINTS_TURNED]:
+            return None
+        counts[JOINTS_TURNED] = 0
+        worst = int(self._owner[np.argmax(numbers[self._places, J_TURNED])])
+        numbers[:, J_TURNED] = 0.0
+        return list(self._joints.values())[worst]
 
     def forget_report(self) -> None:
         """Note that a step is taken."""

@@ -51,7 +51,7 @@ def too_long_for_contacts(
 def too_long_for_joints(
     joints: JointSet, engine: Engine, time: float, time_step: float
 ) -> Iterator[Told]:
-    """Yield a joint that was far apart before a time, s (R13)."""
+    """Yield a joint that was far apart before a time, s (R13), and one that turned far (IM15)."""
     if (found := joints.apart(engine)) is not None:
         joint, much = found
         text = (
@@ -60,6 +60,13 @@ def too_long_for_joints(
             "its size (R13). Give a shorter step or more substeps."
         )
         yield f"joint {joint.name}", text
+    if (whirled := joints.turned(engine)) is not None:
+        text = (
+            f"joint '{whirled.name}' ({whirled.kind}), before {time:.6g} s: what it holds turned "
+            f"by more than half a radian in a substep of a step of {time_step:.6g} s, which costs "
+            "energy (IM15). Give a shorter step or more substeps."
+        )
+        yield f"turn of {whirled.name}", text
 
 
 def too_stiff_for_steps(joints: JointSet, engine: Engine, time_step: float) -> Iterator[Told]:

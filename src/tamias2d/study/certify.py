@@ -48,7 +48,7 @@ _TIGHTEST = 1e-14
 _COARSE = 10 * MOVED  # is the tolerance of a method whose steps err more than what is perturbed
 _HALVED = 3.0  # times what the order says of halved steps
 _NEAR, _DISBELIEF = 3e-8, 0.5  # of the scale: as that is exceeded, the order is believed less
-_FEW = 24  # halved steps show no order
+_FEW = 24  # halved steps show no order, and tighter ones are likely the same
 
 
 _SOLUTION = "the exact solution of the scene's equations"
@@ -431,8 +431,9 @@ def _embedded(run: Run, tighter: list[Run]) -> _Bound:
     """Bound the error from the same method at a tighter tolerance, or from an independent one.
 
     A tighter tolerance must have made the steps so much shorter that what is left of the error, by
-    the order of the method, is a small part of it: over few steps it may change nothing. The runs
-    that are made are added to those that are `tighter`.
+    the order of the method, is a small part of it: over few steps it may change nothing. Where even
+    it takes few, some are likely the same, with the same error, and it is believed no more than it
+    was asked for. The runs that are made are added to those that are `tighter`.
     """
     rtol: float = run.method.rtol  # type: ignore[attr-defined]
     if isinstance(run.method, Reference) or rtol / _TIGHTER < _TIGHTEST:
@@ -448,7 +449,15 @@ def _embedded(run: Run, tighter: list[Run]) -> _Bound:
     if left > _LEFT:
         return _against(run, Reference(1e-13))
     value = _ONE * _difference(run, companion) / (1 - left) + rounding(run)
+    if _is_short(companion):
+        value = max(value, rtol * scale(run))
     return _Bound("embedded", value, f"{run.method} against {companion.method}")
+
+
+def _is_short(run: Run) -> bool:
+    """Return whether a run takes few steps from one event to the next: these cut its steps."""
+    steps = run.cost.steps if run.cost else 0
+    return steps < _FEW * (1 + len(run.impacts) + len(run.joint_events))
 
 
 def _at(run: Run, rtol: float) -> Run:

@@ -31,6 +31,7 @@ from tamias2d.engine.tables import (
     J_ROW,
     J_ROWS,
     J_STATE,
+    J_TURNED,
     JOINED_SLOT,
     KEPT,
     LAW_DAMPING,
@@ -68,6 +69,8 @@ from tamias2d.generated.joint_step import (
     inertia_held,
     leaning,
     row_yield,
+    slope_squared,
+    slope_turned,
     spring_firmness,
 )
 from tamias2d.generated.soft_contact import shift_later, turn_later
@@ -75,6 +78,7 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 FIRM = 1e8  # firmness of a row, for each unit of its own mass
+ROW_TURNED = 0.48  # sine of half a radian, by which a row may turn in a substep
 ENDS_OF_JOINT = 3
 TURNED_TOGETHER = 8  # angles: as many as fit into the widest registers
 
@@ -99,11 +103,23 @@ def write_rows(j: int, joints: Joints) -> None:
 
 
 def rows_where_placed(j: int, joints: Joints) -> None:
-    """Write the rows of a joint where its members are placed."""
+    """Write the rows of a joint where its members are placed, and note if the first turned far."""
     ends, numbers = joints.joints[j], joints.numbers[j]
     a, b, c = ends[J_MEMBER], ends[J_MEMBER + 1], ends[J_MEMBER + 2]
     place_a, place_b, place_c = joints.places[a], joints.places[b], joints.places[c]
+    of_a, of_b = J_ROW + 1, J_ROW + 4
+    before_a = (numbers[of_a], numbers[of_a + 1])
+    before_b = (numbers[of_b], numbers[of_b + 1])
     joint_rows(ends[J_KIND], joints.given[j], place_a, place_b, place_c, numbers)
+    now_a, now_b = (numbers[of_a], numbers[of_a + 1]), (numbers[of_b], numbers[of_b + 1])
+    if has_turned(before_a, now_a) or has_turned(before_b, now_b):
+        numbers[J_TURNED] = 1.0
+
+
+@inlined
+def has_turned(before: tuple[float, float], now: tuple[float, float]) -> bool:
+    """Return whether a slope turned so far that a step loses energy by it."""
+    return slope_turned(before, now) > ROW_TURNED * slope_squared(now)
 
 
 def note_apart(ends: Integers, numbers: Array) -> None:

@@ -53,11 +53,13 @@ from tamias2d.engine.tables import (
     J_SLIGHT,
     J_STEP_TOTAL,
     J_TOTAL,
+    J_TURNED,
     J_WARM,
     JOINED_BODY,
     JOINED_SLOT,
     JOINTS,
     JOINTS_APART,
+    JOINTS_TURNED,
     M_CHOOSING,
     M_GOVERNED,
     M_HALF,
@@ -228,6 +230,8 @@ def keep_joint_impulses(world: World) -> None:
                     numbers[J_FORCE + k] = numbers[J_PULL + k] / time
                     if numbers[J_APART + k] > numbers[J_SLIGHT + k]:
                         joints.counts[JOINTS_APART] = 1
+                if numbers[J_TURNED] > 0.0:
+                    joints.counts[JOINTS_TURNED] = 1
 
 
 def solve_joints(again: bool, substep: float, world: World) -> None:
