@@ -7,9 +7,11 @@ import numpy as np
 
 from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.manifold import (
     Contact,
     refreshed,
+    speed_scale,
     sticking_acceleration,
     tangential_velocity,
 )
@@ -65,12 +67,23 @@ class CoupledConstraint:
         found = self._solved(accelerations, states)
         return _within_cones(found) or self._has_forces(found)
 
-    def against(self, states: Sequence[State]) -> list[float]:
-        """Return twice the speed, m/s, with which each part slides against its sense, by rounding.
+    def against(self, states: Sequence[State], accelerations: Array, length: float) -> list[float]:
+        """Return how fast each part may slide against its sense for some time, s, by rounding, m/s.
 
-        What is at the edge of sticking begins so, and would end at once.
+        What is at the edge of sticking may begin so, and would end at once.
         """
-        return [max(-2.0 * (slip or 0.0), 0.0) for slip in self._slips(states)]
+        placed = self._placed(states)
+        gained = float(np.abs(accelerations).max(initial=0.0)) * length
+        found = [0.0] * len(self._mode)
+        for k, slip in enumerate(self._slips(states)):
+            if slip is None:
+                continue
+            contact = self._mode[k].pressed[0]
+            speeds = speed_scale(contact, placed[contact.a].state, placed[contact.b].state)
+            noise = 64 * EPSILON * (speeds + gained)
+            if slip <= noise:
+                found[k] = max(-2.0 * slip, noise)
+        return found
 
     def _slips(self, states: Sequence[State]) -> list[float | None]:
         """Return how fast each part that slides does so in its sense, m/s."""
