@@ -88,29 +88,36 @@ class Pair:
             time=time,
         )
 
-    def separation_time(self, start: float, step: float) -> float:
+    def separation_time(self, start: float, step: float, acceleration: float) -> float:
         """Return a time in s soon after `start` at which a parting pair is apart and opens.
 
-        `step` is the first guess of how long that takes; it is doubled until float64 can tell.
+        `step` is the first guess of how long that takes; it is doubled until float64 can tell. The
+        `acceleration`, m/s^2, takes back what contacts that settle leave of an approach.
 
         Raises:
-            UndecidedContactError: they come to overlap instead.
+            UndecidedContactError: they come to overlap instead, by more than they did before.
         """
         end = min(path.end for path in self._paths)
+        now, _ = self._nearest(start)
+        left = min(now.value, 0.0) - min(now.rate, 0.0) ** 2 / acceleration
         while (time := start + step) < end:
-            a, b = self.placed(time)
-            tolerance = resolution(a, b, time)
-            if self._lasting:
-                _, near = self._other_corners(a, b)
-            else:
-                near = gaps(a, b, max(self._axes(a, b, tolerance) or axes(a, b), key=_gap_of))
-            nearest = min(near, key=lambda gap: gap.value)
+            nearest, tolerance = self._nearest(time)
             if nearest.value > tolerance and nearest.rate > 0:
                 return time
-            if nearest.value < -4 * tolerance:
+            if nearest.value < left - 4 * tolerance:
                 raise self._undecided(start)
             step *= 2
         return end
+
+    def _nearest(self, time: float) -> tuple[Gap, float]:
+        """Return the least gap of corners that no contact holds, and what is none of it, m."""
+        a, b = self.placed(time)
+        tolerance = resolution(a, b, time)
+        if self._lasting:
+            _, near = self._other_corners(a, b)
+        else:
+            near = gaps(a, b, max(self._axes(a, b, tolerance) or axes(a, b), key=_gap_of))
+        return min(near, key=lambda gap: gap.value), tolerance
 
     def _safe_step(self, time: float, end: float) -> float | None:
         """Return how long no contact can come about, s, or None if one is there."""
@@ -275,7 +282,7 @@ class _LeastGapAcceleration:
         if relative:
             self._centres = 0.0
         elif turning:
-            self._centres = _of_turning_centres(p, q, on_p, on_q, window)
+            self._centres = _of_turning_centres(axis.direction, p, q, on_p, on_q, window)
         else:
             self._centres = _of_centres(axis.direction, on_p, on_q)
         self._p = circling(on_p.angular_speed, on_p.angular_acceleration)
@@ -297,7 +304,9 @@ def _of_centres(direction: Vector, on_p: Bounds, on_q: Bounds) -> float:
     )
 
 
-def _of_turning_centres(p: Placed, q: Placed, on_p: Bounds, on_q: Bounds, window: float) -> float:
+def _of_turning_centres(
+    direction: Vector, p: Placed, q: Placed, on_p: Bounds, on_q: Bounds, window: float
+) -> float:
     """Return the bound for an axis that turns with P, m/s^2."""
     (px, py), (qx, qy) = p.state.position, q.state.position
     (pu, pv), (qu, qv) = p.state.velocity, q.state.velocity
@@ -307,7 +316,15 @@ def _of_turning_centres(p: Placed, q: Placed, on_p: Bounds, on_q: Bounds, window
     distance = math.hypot(qx - px, qy - py) + speed * window
     spins = circling(on_p.angular_speed, on_p.angular_acceleration)
     return float(
-        centre_acceleration_turning(spins, distance, on_p.angular_speed, speed, acceleration)
+        centre_acceleration_turning(
+            spins,
+            distance,
+            on_p.angular_speed,
+            speed,
+            _of_centres(direction, on_p, on_q),
+            on_p.angular_speed * window,
+            acceleration,
+        )
     )
 
 

@@ -6,9 +6,9 @@ import numpy as np
 
 from tamias2d.contact.core import Core, Placed, place
 from tamias2d.contact.friction_constraint import FrictionConstraint
-from tamias2d.contact.frictional_rest import LASTING_NOISE, island_of
+from tamias2d.contact.frictional_rest import island_of
 from tamias2d.contact.gap import EPSILON, axes, resolution
-from tamias2d.contact.manifold import Contact, manifold, refreshed, speed_scale
+from tamias2d.contact.manifold import LASTING_NOISE, Contact, manifold, refreshed, speed_scale
 from tamias2d.contact.pair_friction import PairFriction
 from tamias2d.contact.refusal import Refusal
 from tamias2d.path import Piece

@@ -7,9 +7,11 @@ import numpy as np
 
 from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Core, Placed, place
+from tamias2d.contact.gap import EPSILON
 from tamias2d.contact.manifold import (
     Contact,
     refreshed,
+    speed_scale,
     sticking_acceleration,
     tangential_velocity,
 )
@@ -54,23 +56,45 @@ class CoupledConstraint:
         """Return the accelerations (n, 3) of all bodies under which closed contacts stay closed."""
         return self._solved(accelerations, states).accelerations
 
-    def lasts(self, accelerations: Array, states: Sequence[State]) -> bool:
-        """Return whether Coulomb's law allows the mode in these states, under these loads."""
-        at = dict(zip(self.bodies, states, strict=True)) | {
-            i: body.state for i, body in self._still.items()
-        }
+    def lasts(self, accelerations: Array, states: Sequence[State], slack: Sequence[float]) -> bool:
+        """Return whether Coulomb's law allows the mode in these states, under these loads.
+
+        `slack`, m/s, is how fast each part may slide against its sense (`against`).
+        """
+        slips = self._slips(states)
+        if any(slip is not None and slip <= -most for slip, most in zip(slips, slack, strict=True)):
+            return False
         found = self._solved(accelerations, states)
-        for part in found.mode:
-            if part.pressed and part.sense:
-                contact = part.pressed[0]
-                if part.sense * tangential_velocity(contact, at[contact.a], at[contact.b]) <= 0:
-                    return False
         return _within_cones(found) or self._has_forces(found)
 
+    def against(self, states: Sequence[State], accelerations: Array, length: float) -> list[float]:
+        """Return how fast each part may slide against its sense for some time, s, by rounding, m/s.
+
+        What is at the edge of sticking may begin so, and would end at once.
+        """
+        placed = self._placed(states)
+        gained = float(np.abs(accelerations).max(initial=0.0)) * length
+        found = [0.0] * len(self._mode)
+        for k, slip in enumerate(self._slips(states)):
+            if slip is None:
+                continue
+            contact = self._mode[k].pressed[0]
+            speeds = speed_scale(contact, placed[contact.a].state, placed[contact.b].state)
+            noise = 64 * EPSILON * (speeds + gained)
+            if slip <= noise:
+                found[k] = max(-2.0 * slip, noise)
+        return found
+
+    def _slips(self, states: Sequence[State]) -> list[float | None]:
+        """Return how fast each part that slides does so in its sense, m/s."""
+        placed = self._placed(states)
+        return [
+            part.sense * _slip(part.pressed[0], placed) if part.pressed and part.sense else None
+            for part in self._mode
+        ]
+
     def _solved(self, accelerations: Array, states: Sequence[State]) -> "_Solved":
-        placed = dict(self._still)
-        for i, state in zip(self.bodies, states, strict=True):
-            placed[i] = place(self._cores[i], state)
+        placed = self._placed(states)
         mode = tuple(
             part._replace(
                 pressed=tuple(refreshed(c, placed[c.a], placed[c.b]) for c in part.pressed)
@@ -88,6 +112,10 @@ class CoupledConstraint:
         found = least_forces(jacobian, pushes, self._inverse, loads)
         result = accelerations + (found @ pushes).reshape(-1, 3)
         return _Solved(mode, jacobian, loads, found.tolist(), result)
+
+    def _placed(self, states: Sequence[State]) -> dict[int, Placed]:
+        moving = {i: place(self._cores[i], s) for i, s in zip(self.bodies, states, strict=True)}
+        return self._still | moving
 
     def _has_forces(self, found: "_Solved") -> bool:
         """Return whether other forces within the cones do the same."""
@@ -115,6 +143,12 @@ def contact_acceleration(
     return sticking_acceleration(
         contact, placed[a], placed[b], by.get(a, _STILL), by.get(b, _STILL)
     )
+
+
+def _slip(contact: Contact, placed: Mapping[int, Placed]) -> float:
+    """Return the tangential velocity of a contact where its bodies are now, m/s."""
+    a, b = placed[contact.a], placed[contact.b]
+    return tangential_velocity(refreshed(contact, a, b), a.state, b.state)
 
 
 def rows_of(directions: Sequence[Contact], bodies: Sequence[int]) -> Array:

@@ -10,7 +10,7 @@ from tamias2d.contact.gap import resolution
 from tamias2d.contact.manifold import Contact, manifold
 from tamias2d.contact.refusal import Refusal
 from tamias2d.path import Piece
-from tamias2d.state import Acceleration, State
+from tamias2d.state import Acceleration, Array, State
 
 _SAMPLES = 8  # of a step, between which nothing changes and changes back unseen
 
@@ -32,11 +32,14 @@ class CoupledLossWatch:
         self._contacts = contacts
         self._paths = paths
         self._free = free
+        self._slack: list[float] = []
 
     def first_loss(self) -> float | None:
         """Return the first time in s at which the contacts change, or None."""
         path = self._paths[self._constraint.bodies[0]]
         before = path.start
+        states = [self._paths[i].at(before) for i in self._constraint.bodies]
+        self._slack = self._constraint.against(states, self._loads(before), path.end - before)
         for time in np.linspace(path.start, path.end, _SAMPLES + 1)[1:].tolist():
             if not self._lasts(time):
                 return self._bisect(before, time)
@@ -55,9 +58,11 @@ class CoupledLossWatch:
         states = {i: path.at(time) for i, path in self._paths.items()}
         if not self._same_features(states, time):
             return False
-        bodies = self._constraint.bodies
-        loads = np.array([self._free(i, time) for i in bodies])
-        return self._constraint.lasts(loads, [states[i] for i in bodies])
+        own = [states[i] for i in self._constraint.bodies]
+        return self._constraint.lasts(self._loads(time), own, self._slack)
+
+    def _loads(self, time: float) -> Array:
+        return np.array([self._free(i, time) for i in self._constraint.bodies])
 
     def _same_features(self, states: Mapping[int, State], time: float) -> bool:
         """Return whether each pair touches with the corners and sides that it did.

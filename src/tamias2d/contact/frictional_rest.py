@@ -42,8 +42,6 @@ from tamias2d.contact.refusal import FrictionError, named
 from tamias2d.generated import friction
 from tamias2d.state import Acceleration, Constraint, State
 
-LASTING_NOISE = 1e-9
-"""Of the speeds: the excluded velocity that a lasting contact may have gathered by rounding."""
 _SAME = 1e-8
 """Of the loads: by how much two equal answers may differ."""
 _STILL: Acceleration = (0.0, 0.0, 0.0)

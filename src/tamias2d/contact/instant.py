@@ -9,13 +9,14 @@ from collections.abc import Sequence
 
 from tamias2d.contact.constrained_acceleration import opening_acceleration
 from tamias2d.contact.core import Core, Placed, place
-from tamias2d.contact.frictional_rest import LASTING_NOISE, island_of
+from tamias2d.contact.frictional_rest import island_of
 from tamias2d.contact.gap import EPSILON, axes, either_side, resolution, slight_opening
 from tamias2d.contact.impacts import Impacts, quieten, refuse_jointed, with_mechanisms
 from tamias2d.contact.inelastic_impact import JammedError, jam_impulses
 from tamias2d.contact.instant_inputs import InstantInputs
 from tamias2d.contact.lasting_contact import Island
 from tamias2d.contact.manifold import (
+    LASTING_NOISE,
     Contact,
     corner_on_corner_error,
     manifold,

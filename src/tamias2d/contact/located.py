@@ -498,7 +498,7 @@ class Located:
             step = min(
                 math.sqrt(8 * instant.touching_pairs[pair].tolerance / acceleration), longest
             )
-            self._resume[pair] = pair_search.separation_time(instant.time, step)
+            self._resume[pair] = pair_search.separation_time(instant.time, step, acceleration)
 
 
 def _rows(time: float, impulses: Sequence[ContactImpulse]) -> Array:

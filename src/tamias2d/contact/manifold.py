@@ -14,6 +14,9 @@ from tamias2d.contact.terrain import normals
 from tamias2d.generated import definitions, friction, impact, rest
 from tamias2d.state import Acceleration, State, Vector
 
+LASTING_NOISE = 1e-9
+"""Of the speeds: the excluded velocity that a lasting contact may have gathered by rounding."""
+
 
 class Contact(NamedTuple):
     """One touching point of bodies A and B."""
@@ -52,7 +55,8 @@ def manifold(
     found = from_side(a, b, found, lasting[0].normal if lasting else separating_direction)
     axis = max(found, key=lambda each: each.gap)
     if directions := _equal_directions(found, axis, tolerance):
-        contact = _corner_on_corner(a, b, axis, directions, time)
+        noise = LASTING_NOISE if lasting else 64 * EPSILON
+        contact = _corner_on_corner(a, b, axis, directions, time, noise)
         return [] if contact is None else [contact]
     if axis.side is None:
         return [_contact(a, b, axis, min(gaps(a, b, axis), key=lambda gap: gap.value))]
@@ -309,11 +313,12 @@ def _equal_directions(found: list[Axis], best: Axis, tolerance: float) -> list[V
 
 
 def _corner_on_corner(
-    a: Placed, b: Placed, axis: Axis, directions: list[Vector], time: float
+    a: Placed, b: Placed, axis: Axis, directions: list[Vector], time: float, noise: float
 ) -> Contact | None:
     """Return the contact of two corners: its normal is their approach, or nearest to it (GD11).
 
-    There is none if they part in one of the directions.
+    There is none if they part in one of the directions. `noise` is the share of the speeds that
+    rounding leaves of an approach.
 
     Raises:
         UndecidedContactError: they neither approach nor part.
@@ -332,7 +337,7 @@ def _corner_on_corner(
             axis=Axis(False, None, normal, axis.gap),
             gap=contact.gap._replace(corner=contact.arm_b, corner_p=contact.arm_a),
         )
-        unseen = 64 * EPSILON * speed_scale(contact, a.state, b.state)
+        unseen = noise * speed_scale(contact, a.state, b.state)
         if normal_velocity(contact, a.state, b.state) < -unseen:
             return contact
         u, v = at_b[0] - at_a[0], at_b[1] - at_a[1]

@@ -112,12 +112,13 @@ def _with_friction(
     """
     count = len(pushes)
     pressed = pushes > 0
-    inverse = _inverse(matrix[:count, :count][np.ix_(pressed, pressed)])
+    size = np.sqrt(np.diag(matrix))
+    inverse = _inverse(matrix[:count, :count][np.ix_(pressed, pressed)], size[:count][pressed])
     across = np.zeros((count, len(rough)))  # what a unit along the tangents takes off the normals
     across[pressed] = inverse @ matrix[:count, count:][pressed]
     compression = -inverse @ rates[:count][pressed]
     slip = rates[count:] + matrix[count:, :count][:, pressed] @ compression
-    effect = _inverse(matrix[count:, count:] - matrix[count:, :count] @ across)
+    effect = _inverse(matrix[count:, count:] - matrix[count:, :count] @ across, size[count:])
     place = {id(contact): k for k, contact in enumerate(normals)}
     rows, most = [*across[pressed]], [*pushes[pressed]]
     for k, meeting in enumerate(rough):
@@ -129,20 +130,23 @@ def _with_friction(
     limits, most_of = np.array(rows), np.array(most)
     coupled = limits @ effect @ limits.T
     slack = most_of + limits @ effect @ slip
-    size = np.sqrt(np.diag(coupled))
-    size[size <= _NEGLIGIBLE * size.max(initial=0.0)] = np.inf  # a bound that is not reached
-    found = lemke(coupled / np.outer(size, size), slack / size)
+    far = np.sqrt(np.diag(coupled))
+    far[far <= _NEGLIGIBLE * far.max(initial=0.0)] = np.inf  # a bound that is not reached
+    found = lemke(coupled / np.outer(far, far), slack / far)
     if found is None:  # it does not happen to what is convex but by rounding: no friction
         return pushes, np.zeros(len(rough))
-    multipliers = found / size
+    multipliers = found / far
     drags = -effect @ (slip + limits.T @ multipliers)
     return pushes - across @ drags, drags
 
 
-def _inverse(matrix: Array) -> Array:
-    """Return the pseudoinverse of couplings, in which light and heavy bodies count alike."""
-    size = np.sqrt(np.diag(matrix))
-    size[size == 0] = 1.0
+def _inverse(matrix: Array, size: Array) -> Array:
+    """Return the pseudoinverse of couplings, in which light and heavy bodies count alike.
+
+    `size` is the root of what each couples with itself, where nothing holds it.
+    """
     scale = np.outer(size, size)
-    found: Array = np.linalg.pinv(matrix / scale, rcond=_PARALLEL, hermitian=True) / scale
+    shares = matrix / scale
+    shares[np.abs(shares) <= _PARALLEL] = 0.0  # what is held has none but by rounding
+    found: Array = np.linalg.pinv(shares, rcond=_PARALLEL, hermitian=True) / scale
     return found

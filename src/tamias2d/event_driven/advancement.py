@@ -231,19 +231,18 @@ def smallest_root(
     by_p, by_q = abs(one[TURNING]), abs(other[TURNING])
     of_p = continuous_collision.circling(spin_p, by_p)
     of_q = continuous_collision.circling(spin_q, by_q)
+    u = (world.hulls.axes[axis, AXIS_X], world.hulls.axes[axis, AXIS_Y])
+    centres = continuous_collision.centre_acceleration_least(
+        (one[AX], one[AY]), (other[AX], other[AY]), u, 0.0
+    )
     if turning:
         most = speed + acceleration * window
         distance = world.hulls.search[DISTANCE] + most * window
         centres = continuous_collision.centre_acceleration_turning(
-            of_p, distance, spin_p, most, acceleration
+            of_p, distance, spin_p, most, centres, spin_p * window, acceleration
         )
         spin = abs(other[SPIN] - one[SPIN]) + (by_p + by_q) * window
         of_q = continuous_collision.circling(spin, by_p + by_q)
-    else:
-        u = (world.hulls.axes[axis, AXIS_X], world.hulls.axes[axis, AXIS_Y])
-        centres = continuous_collision.centre_acceleration_least(
-            (one[AX], one[AY]), (other[AX], other[AY]), u, 0.0
-        )
     found = inf
     for k in range(count):
         row = world.hulls.gaps[k]

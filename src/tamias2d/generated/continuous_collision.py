@@ -338,7 +338,7 @@ def circling(angular_speed: Scalar, angular_acceleration: Scalar) -> Scalar:
         angular_speed: Size of the angular velocity, at most, rad/s
         angular_acceleration: Rate of change of the angular velocity, rad/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:235.
+    Source: DD47, srs/models/continuous_collision.md:236.
     """
     return angular_speed * angular_speed + angular_acceleration
 
@@ -357,7 +357,7 @@ def centre_acceleration_least(
         normal: Unit normal of a contact, from body A to body B, 1
         deviation: How far the relative acceleration is from the given one, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:236.
+    Source: DD47, srs/models/continuous_collision.md:237.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     acceleration_b_x, acceleration_b_y = acceleration_b
@@ -374,13 +374,15 @@ def centre_acceleration_turning(
     distance: Scalar,
     angular_speed: Scalar,
     speed: Scalar,
+    centre_acceleration_least: Scalar,
+    turn: Scalar,
     acceleration_size: Scalar,
 ) -> Scalar:
     """Second derivative of the distance of two centres along a normal; with what turning adds
     (m/s^2).
 
-    centre_acceleration_turning = -(circling*distance + 2*angular_speed*speed +
-    acceleration_size)
+    centre_acceleration_turning = centre_acceleration_least - turn*acceleration_size -
+    circling*distance - 2*angular_speed*speed
 
     Args:
         circling: Acceleration of a point of a body that turns, at most, for one unit of its
@@ -388,11 +390,19 @@ def centre_acceleration_turning(
         distance: Distance between two places, m
         angular_speed: Size of the angular velocity, at most, rad/s
         speed: Size of the velocity, m/s
+        centre_acceleration_least: Second derivative of the distance of two centres along a
+            normal; the least that there can be, m/s^2
+        turn: How far a body has turned since the step began, rad
         acceleration_size: Size of the relative acceleration of two bodies, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:238.
+    Source: DD47, srs/models/continuous_collision.md:239.
     """
-    return -(circling * distance + 2 * angular_speed * speed + acceleration_size)
+    return (
+        centre_acceleration_least
+        - turn * acceleration_size
+        - circling * distance
+        - 2 * angular_speed * speed
+    )
 
 
 def gap_acceleration_least(
@@ -419,7 +429,7 @@ def gap_acceleration_least(
         circling_b: Acceleration of a point of a body that turns, at most, for one unit of its
             distance from the centre; of body B, 1/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:240.
+    Source: DD47, srs/models/continuous_collision.md:242.
     """
     return centre_acceleration_least - extent_a * circling_a - extent_b * circling_b
 
@@ -434,7 +444,7 @@ def normal_turned(normal: Vector, turn: Scalar, fraction: Scalar) -> Vector:
         turn: How far a body has turned since the step began, rad
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:273.
+    Source: DD48, srs/models/continuous_collision.md:281.
     """
     normal_x, normal_y = normal
     return (normal_x + fraction * turn * normal_y, normal_y - fraction * turn * normal_x)
@@ -451,7 +461,7 @@ def gap_change(shift: Vector, normal: Vector, turn: Scalar, span: Vector) -> Sca
         turn: How far a body has turned since the step began, rad
         span: Vector from one place to another, m
 
-    Source: DD48, srs/models/continuous_collision.md:274.
+    Source: DD48, srs/models/continuous_collision.md:282.
     """
     shift_x, shift_y = shift
     normal_x, normal_y = normal
@@ -469,7 +479,7 @@ def arc_bend(turn: Scalar, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD48, srs/models/continuous_collision.md:275.
+    Source: DD48, srs/models/continuous_collision.md:283.
     """
     return turn * turn * extent
 
@@ -497,7 +507,7 @@ def separation_least(
         arc_bend: Second derivative of a gap from corners that circle, with time in steps, m
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:276.
+    Source: DD48, srs/models/continuous_collision.md:284.
     """
     return (
         base_gap + corner_gap_a + corner_gap_b + fraction * (gap_change - fraction * arc_bend / 2)
@@ -516,7 +526,7 @@ def shift_shared(mass_a: Scalar, shift_a: Vector, mass_b: Scalar, shift_b: Vecto
         mass_b: Mass of a body; of body B, kg
         shift_b: How far the centre of mass has moved since the step began; of body B, m
 
-    Source: DD62, srs/models/continuous_collision.md:434.
+    Source: DD62, srs/models/continuous_collision.md:442.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -536,7 +546,7 @@ def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
         fraction: Part of a step that has passed, 1
         arc: Angle by which a wall turns before a body that it carries meets it again, rad
 
-    Source: DD49, srs/models/continuous_collision.md:449.
+    Source: DD49, srs/models/continuous_collision.md:457.
     """
     return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
 
@@ -553,7 +563,7 @@ def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scala
         inward_share: Part of its distance by which a carried body comes nearer to its carrier,
             1
 
-    Source: DD49, srs/models/continuous_collision.md:450.
+    Source: DD49, srs/models/continuous_collision.md:458.
     """
     shift_x, shift_y = shift
     span_x, span_y = span

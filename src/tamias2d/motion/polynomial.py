@@ -15,6 +15,8 @@ from tamias2d.motion.loads import state_of
 from tamias2d.path import Bounds, Piece
 from tamias2d.state import Acceleration, Array, State
 
+_NARROW = 0.125  # of a step is a window in which it changes less than it does over all
+
 
 @dataclass(frozen=True)
 class DenseStep:
@@ -175,9 +177,24 @@ class Polynomial:
             x, y, turn = x * s + weight * cx, y * s + weight * cy, turn * s + weight * ct
         return x / half**2, y / half**2, turn / half**2
 
-    def bounds(self, first: float, last: float) -> Bounds:  # noqa: ARG002
-        """Return what holds over the whole step: x is within 1."""
-        return self._bounds
+    def bounds(self, first: float, last: float) -> Bounds:
+        """Return what holds from `first` to `last`, s: of a long window, over the whole step."""
+        half = (self.end - self.start) / 2
+        width = (last - first) / 2 / half if half else 1.0
+        if width > _NARROW:
+            return self._bounds
+        centre = _place(self, first)[1] + width
+        terms = [_shifted(axis, centre) for axis in zip(*self._coefficients, strict=True)]
+        speeds = [_reach(axis, 1, 1, width) / half for axis in terms]
+        spread = [_reach(axis, 2, 3, width) / half**2 for axis in terms]
+        x, y, angular = (2 * axis[2] / half**2 if len(axis) > 2 else 0.0 for axis in terms)
+        return Bounds(
+            (x, y),
+            math.hypot(spread[0], spread[1]),
+            math.hypot(speeds[0], speeds[1]),
+            speeds[2],
+            abs(angular) + spread[2],
+        )
 
     @cached_property
     def _bounds(self) -> Bounds:
@@ -241,6 +258,22 @@ def sampled(piece: Piece, times: Array) -> Array:
     states = [piece.at(time) for time in times.tolist()]
     rows = [(*p, turn, *v, spin) for p, turn, v, spin in states]
     return np.array(rows).reshape(-1, 6)
+
+
+def _shifted(coefficients: Sequence[float], by: float) -> list[float]:
+    """Return the coefficients of a polynomial around another place."""
+    terms = list(coefficients)
+    for first in range(len(terms) - 1):
+        for k in range(len(terms) - 2, first - 1, -1):
+            terms[k] += by * terms[k + 1]
+    return terms
+
+
+def _reach(terms: Sequence[float], order: int, first: int, width: float) -> float:
+    """Return how large a derivative gets within a width at most, by its terms from one on."""
+    return sum(
+        math.perm(k, order) * abs(terms[k]) * width ** (k - order) for k in range(first, len(terms))
+    )
 
 
 def _place(step: "DenseStep | Polynomial", time: float) -> tuple[float, float]:

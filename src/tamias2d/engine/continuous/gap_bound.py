@@ -104,7 +104,8 @@ def half_plane_curvature(
     centre = motion_bound((path.dx, path.dy), 0.0, 0.0)
     far = distance_bound(sqrt(x * x + y * y), b.lever, rest, centre)
     speed = motion_bound((path.dx, path.dy), b.turn, b.lever)
-    return -centre_acceleration_turning(circling(turn, 0.0), far, abs(turn), speed, 0.0)
+    turned = circling(turn, 0.0)
+    return -centre_acceleration_turning(turned, far, abs(turn), speed, 0.0, 0.0, 0.0)
 
 
 def fraction_below_root(bound: GapBound, rest: float, rows: Array) -> float:

@@ -1,0 +1,70 @@
+"""The time of impact where bodies pass close by each other, and bounds within a window."""
+
+import math
+
+import numpy as np
+import pytest
+
+import tamias2d as t2
+from tamias2d.contact import conservative_advancement
+from tamias2d.contact.conservative_advancement import Pair
+from tamias2d.contact.core import cores_of
+from tamias2d.motion.polynomial import Polynomial
+from tamias2d.motion.uniform import Uniform
+from tamias2d.state import State
+from tools.measurements.drops import drop
+
+
+@pytest.mark.parametrize("turning", [0.0, 1e-13])
+@pytest.mark.parametrize("gap", [1e-7, 1e-9, 1e-12])
+def test_a_body_that_falls_close_beside_another_is_looked_at_a_few_times(
+    turning: float, gap: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where the other turns by next to nothing: gravity is along its side."""
+    monkeypatch.setattr(conservative_advancement, "_MAX_STEPS", 50)
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    beside, tip = 0.5 + gap + math.sqrt(0.5), math.pi / 4
+    for x, turn in ((0.0, 0.0), (beside, tip)):
+        box = t2.Box(width=1.0, height=1.0)
+        scene.add_body(box, mass=1.0, position=(x, 0.5), orientation=turn)
+    a, b = cores_of(scene)
+    stands = State((0.0, 0.5), 0.0, (0.0, 0.0), 0.0)
+    falls = State((beside, 0.5), tip, (0.0, -0.1), 0.0)
+    paths = (
+        Uniform(start=0.0, end=0.02, state=stands, acceleration=(0.0, 0.0, turning)),
+        Uniform(start=0.0, end=0.02, state=falls, acceleration=(0.0, -9.81, 0.0)),
+    )
+    assert Pair(a, b, *paths).time_of_impact(0.0, 0.02) is None
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_bounds_within_a_window_hold_and_are_no_wider_than_those_of_the_step(seed: int) -> None:
+    """Against values at many times of the window."""
+    chance = np.random.default_rng(seed)
+    powers = chance.normal(size=(9, 3)) / (1 + np.arange(9))[:, None] ** 2
+    state = State((0.0, 0.0), 0.0, (0.0, 0.0), 0.0)
+    path = Polynomial(1.0, 3.0, state, state, powers.tolist())
+    first = float(chance.uniform(1.0, 2.9))
+    last = first + float(chance.uniform(0.0, 0.1))
+    near, far = path.bounds(first, last), path.bounds(1.0, 3.0)
+    times = np.linspace(first, last, 50)[1:-1].tolist()
+    rates = [path.at(time) for time in times]
+    bends = [path.acceleration(time) for time in times]
+    little = 1 + 1e-12
+    away = [math.hypot(x - near.acceleration[0], y - near.acceleration[1]) for x, y, _ in bends]
+    assert max(away) <= near.deviation * little + 1e-12
+    assert max(math.hypot(*state.velocity) for state in rates) <= near.speed * little
+    assert max(abs(state.angular_velocity) for state in rates) <= near.angular_speed * little
+    assert max(abs(turn) for *_, turn in bends) <= near.angular_acceleration * little
+    assert near.deviation <= far.deviation
+    assert near.speed <= far.speed
+    assert near.angular_acceleration <= far.angular_acceleration * little
+
+
+@pytest.mark.parametrize("seed", [50001, 50045])
+def test_ordinary_drops_are_located_to_the_end(seed: int) -> None:
+    """Of both it was once said that float64 cannot tell whether two of the bodies part."""
+    run = t2.simulate(drop(seed), duration=3.0, method=t2.ClosedForm())
+    assert run.times[-1] == 3.0
+    energy = run.energy
+    assert (np.diff(energy) <= 1e-9 * np.ptp(energy)).all()
