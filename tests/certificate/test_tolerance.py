@@ -217,3 +217,20 @@ def test_what_is_offered_can_be_asked_for() -> None:
     far = refusal(1e-2, 0.83)
     assert far.reachable is None
     assert "at most 0.1 can be asked for" in str(far)
+
+
+@pytest.mark.parametrize("tolerance", [1e-1, 1e-2, 1e-5])
+@pytest.mark.parametrize(("eccentricity", "periods"), [(0.998, 5.3), (0.999, 3.3)])
+def test_a_loose_tolerance_is_met_where_a_tight_one_is(
+    eccentricity: float, periods: float, tolerance: float
+) -> None:
+    """Long steps miss how two stars pass each other closely; they were all that was tried."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    fastest = math.sqrt(2 * (1 - eccentricity) / (1 + eccentricity))
+    scene.add_body(None, mass=1.0, position=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(1 + eccentricity, 0.0), velocity=(0.0, fastest))
+    scene.add_attraction(gravitational_constant=1.0)
+    duration = periods * math.tau / math.sqrt(2)
+    run = t2.simulate(scene, duration=duration, tolerance=tolerance)
+    assert run.certificate is not None
+    assert run.certificate.meets(tolerance)

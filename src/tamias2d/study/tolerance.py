@@ -33,6 +33,8 @@ _HALVES = 3e-6
 """Below it halved steps are cheaper than a run at a tighter tolerance."""
 _LOOSEST = 0.3
 _TRIES = 3
+_AIMS = 1.0, 1 / 30, 1e-3  # of the tolerance
+_TRUE = 1e-5  # within which runs do not lose each other but where the scene does that
 _TIGHTEST = 1e-14
 _MOST = 30.0  # times too large a bound is believed to be, or no bound at all
 
@@ -91,13 +93,34 @@ class _Asked(NamedTuple):
         )
 
 
+class _PastHorizonError(ToleranceError):
+    """No method bounds the error, for no run can be followed so long."""
+
+
 def _located(asked: _Asked) -> Run:
-    """Return a run whose impacts are located: an adaptive one, or else the cheapest."""
+    """Return a run whose impacts are located.
+
+    Where long steps have no bound, as near a close encounter, those for less may have one.
+    """
+    refused: ToleranceError | None = None
+    for share in _AIMS:
+        try:
+            return _aimed(asked._replace(tolerance=share * asked.tolerance))
+        except ToleranceError as fault:
+            refused = refused or fault
+            if isinstance(fault, _PastHorizonError) and share * asked.tolerance <= _TRUE:
+                break
+    assert refused is not None
+    raise refused
+
+
+def _aimed(asked: _Asked) -> Run:
+    """Return an adaptive run whose impacts are located, or else the cheapest."""
     tolerance = asked.tolerance
     if not solved(asked.scene) and (run := _unweighed(asked)) is not None:
         return run
     plan = located_plan(asked.scene, asked.duration, tolerance, asked.work_limit)
-    reached = math.inf
+    reached, lost = math.inf, False
     for estimate in plan.estimates:
         for attempt in range(_TRIES):
             if not math.isfinite(estimate.force_evaluations):
@@ -106,11 +129,16 @@ def _located(asked: _Asked) -> Run:
             if run.certificate is not None and run.certificate.meets(tolerance):
                 return _noted(run, tolerance, attempt)
             reached = min(reached, _reached(run.certificate))
+            lost = lost or _lost(run.certificate)
             finer = _finer(estimate, _reached(run.certificate) / tolerance)
             if finer is None:
                 break
             estimate = finer
-    raise refusal(tolerance, reached)
+    raise refusal(tolerance, reached, _PastHorizonError if lost else ToleranceError)
+
+
+def _lost(certificate: Certificate | None) -> bool:
+    return certificate is not None and certificate.predictability_horizon is not None
 
 
 def _unweighed(asked: _Asked) -> Run | None:
