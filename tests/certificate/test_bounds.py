@@ -206,3 +206,16 @@ def test_few_steps_that_a_tighter_tolerance_repeats_are_not_believed(
     assert run.certificate.bound is not None
     error = float(np.abs(run.position[:, 0, 1] - true).max()) / 0.5
     assert error <= run.certificate.bound <= tolerance
+
+
+def test_the_turning_of_a_body_without_a_shape_is_not_claimed() -> None:
+    """Its only point is its centre, which does not move here."""
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    torque = "-1[N*m]*sin(orientation)"
+    scene.add_body(
+        None, mass=1.0, inertia=1.0, position=(0.0, 0.0), angular_velocity=1.0, torque=torque
+    )
+    certificate = t2.simulate(scene, duration=1.0, tolerance=1e-6).certificate
+    assert certificate is not None
+    assert certificate.measure.endswith("relative to the 1 m taken where nothing moves")
+    assert any("without a shape has turned" in text for text in certificate.does_not_claim)

@@ -26,7 +26,7 @@ from tamias2d.scene.rules import shown
 from tamias2d.solve import solve_halved
 from tamias2d.state import Array, History
 from tamias2d.study.companion import RefusedError, companion, limit_beside
-from tamias2d.study.error import MEASURE, apart, distance, radii, scale
+from tamias2d.study.error import MEASURE, apart, distance, radii, scale, way
 from tamias2d.study.invariants import energy_drift, energy_rise, energy_rounding
 from tamias2d.study.penetration import Penetration, crowded, penetrations
 from tamias2d.study.perturbed import LOST, MOVED, growth, horizon, rounding_spread
@@ -59,6 +59,7 @@ _LEFT_OPEN = (
     "flat: steps solve them one after the other"
 )
 _BRIEF = "what a law does for less than {shortest:.3g} s: it is asked a thousand times over the run"
+_POINTS = "how far a body without a shape has turned: it has no point but its centre"
 _UNSEEN = "that no body passes through another: of so many it is not looked for"
 _BALANCE = "balance of energy, with what impacts take, relative to the largest kinetic energy"
 _KEPT = "the balance of energy"
@@ -201,6 +202,8 @@ def _way(method: Method) -> _Way:
 def _of_positions(run: Run, found: _Bound) -> Certificate:
     stepped = isinstance(run.method, Stepped)
     length, of = scale(run), "that the farthest one goes"
+    if not way(run.scene, run):
+        of = "taken where nothing moves"
     if stepped and length < (largest := float(radii(run.scene).max(initial=0.0))):
         length, of = largest, "around the largest one"  # what only sinks in goes nowhere
     if found.value > length:
@@ -215,6 +218,7 @@ def _of_positions(run: Run, found: _Bound) -> Certificate:
         does_not_claim=(
             *not_claimed(None),
             *_brief(run),
+            *_turning(run),
             *((_LEFT_OPEN,) if stepped else ()),
             *((_UNSEEN,) if stepped and crowded(run) else ()),
         ),
@@ -229,6 +233,12 @@ def _brief(run: Run) -> tuple[str, ...]:
     if isinstance(run.method, ClosedForm) or not brief_laws(run.scene):
         return ()
     return (_BRIEF.format(shortest=run.duration / LOOKS),)
+
+
+def _turning(run: Run) -> tuple[str, ...]:
+    """Return what is not claimed of bodies without a shape: they have no point but the centre."""
+    points = [k for k, b in enumerate(run.scene.bodies) if b.dynamic and b.shape is None]
+    return (_POINTS,) if np.ptp(run.orientation[:, points], axis=0).any() else ()
 
 
 def _of_penetration(run: Run, fault: Penetration) -> Certificate:
