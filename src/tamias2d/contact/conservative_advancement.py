@@ -99,7 +99,7 @@ class Pair:
         """
         end = min(path.end for path in self._paths)
         now, _ = self._nearest(start)
-        left = min(now.value, 0.0) - min(now.rate, 0.0) ** 2 / acceleration
+        left = min(now.value, 0.0) - min(now.rate, 0.0) ** 2 / acceleration  # twice how far it goes
         while (time := start + step) < end:
             nearest, tolerance = self._nearest(time)
             if nearest.value > tolerance and nearest.rate > 0:

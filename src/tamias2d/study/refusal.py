@@ -25,24 +25,22 @@ class ToleranceError(SimulationError):
         self.until = until
 
 
-def refusal(
-    tolerance: float, reachable: float, kind: type[ToleranceError] = ToleranceError
-) -> ToleranceError:
+def refusal(tolerance: float, reachable: float) -> ToleranceError:
     """Return the error that says what can be reached instead."""
     if not math.isfinite(reachable):
-        return kind(
+        return ToleranceError(
             f"tolerance {tolerance:g}: no method meets it, and none bounds its error (R5). End the "
             "run before, or run without a tolerance.",
             None,
         )
     if rounded_up(reachable) > LOOSEST:
-        return kind(
+        return ToleranceError(
             f"tolerance {tolerance:g}: no method meets it: the error can be bounded by "
             f"{rounded_up(reachable):.1e} only, and at most {LOOSEST:g} can be asked for (R5). End "
             "the run before, or bound overlap and energy instead, such as by a quality of 0.01.",
             None,
         )
-    return kind(
+    return ToleranceError(
         f"tolerance {tolerance:g}: no method meets it: the error can be bounded by "
         f"{rounded_up(reachable):.1e} (R5). Give that or more, or end the run before.",
         reachable,

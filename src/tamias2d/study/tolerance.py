@@ -93,8 +93,12 @@ class _Asked(NamedTuple):
         )
 
 
-class _PastHorizonError(ToleranceError):
-    """No method bounds the error, for no run can be followed so long."""
+class _PastHorizonError(Exception):
+    """A refusal because no run can be followed so long."""
+
+    def __init__(self, refused: ToleranceError) -> None:
+        super().__init__(str(refused))
+        self.refused = refused
 
 
 def _located(asked: _Asked) -> Run:
@@ -108,7 +112,9 @@ def _located(asked: _Asked) -> Run:
             return _aimed(asked._replace(tolerance=share * asked.tolerance))
         except ToleranceError as fault:
             refused = refused or fault
-            if isinstance(fault, _PastHorizonError) and share * asked.tolerance <= _TRUE:
+        except _PastHorizonError as lost:
+            refused = refused or lost.refused
+            if share * asked.tolerance <= _TRUE:
                 break
     assert refused is not None
     raise refused
@@ -134,7 +140,8 @@ def _aimed(asked: _Asked) -> Run:
             if finer is None:
                 break
             estimate = finer
-    raise refusal(tolerance, reached, _PastHorizonError if lost else ToleranceError)
+    refused = refusal(tolerance, reached)
+    raise _PastHorizonError(refused) if lost else refused
 
 
 def _lost(certificate: Certificate | None) -> bool:
