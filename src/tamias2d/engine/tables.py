@@ -433,14 +433,15 @@ LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous col
 
 
 RIGHT_LOW, RIGHT_HIGH, LEFT_LOW, LEFT_HIGH = range(4)  # columns of sides: see chain_sides
-ALL, HOLDING = range(2)  # columns of near: contacts that touch or will, those with an impulse
+# columns of near: contacts that touch or will, those with an impulse, those that meet what stands
+ALL, HOLDING, LANDING = range(3)
 
 
 class Touching(NamedTuple):
     """The contacts that touch, in canonical order; read by the solvers and by sleep."""
 
     counts: Annotated[Ranks, Sized(_touching.width), Saved(2**62)]
-    near: Annotated[IndexRows, Sized("slots", 2)]  # numbers of contacts of each body, see above
+    near: Annotated[IndexRows, Sized("slots", 3)]  # numbers of contacts of each body, see above
     sides: Annotated[IndexRows, Sized("shapes", 4)]  # pieces that a shape touches, plus 1
     approach: Annotated[Floats, Sized("slots")]  # m/s, at which each body approaches others
     contact: Annotated[Places, Sized("contacts")]  # on the contact list
@@ -1051,6 +1052,27 @@ G_LOW = _grounds()  # m, from where to where the ground is level, across the nor
 G_HIGH = _grounds()
 
 
+MOST_AT_ONCE = 16  # pairs that meet at one instant and are treated together
+
+_met = Columns()  # of such a pair
+MET_CONTACT = _met()
+MET_A = _met()  # bodies, as `core_of` needs them: A is no half-plane
+MET_B = _met()
+MET_TURNED = _met()  # 1 if A is the second one of the pair
+
+_met_point = Columns()  # of each of two points of it
+M_ARM_A = _met_point(2)  # m, from the centres of both bodies
+M_ARM_B = _met_point(2)
+M_NORMAL = _met_point(2)  # from A to B; (0, 0) if there is no such point
+M_APPROACH = _met_point()  # m/s, its normal velocity before, at most 0
+M_PUSH = _met_point()  # N s, along the normal, of the impact
+M_DRAG = _met_point()  # N s, along the tangent
+M_HELD = _met_point()  # N s, along the normal, that holds the paths in what is left of the step
+M_LASTING = _met_point()  # N s, the same for the velocities as it ends
+M_FRICTION = _met_point()
+M_RESTITUTION = _met_point()
+
+
 class Events(NamedTuple):
     """When bodies leave their bounds and pairs meet; read by continuous collision."""
 
@@ -1060,6 +1082,9 @@ class Events(NamedTuple):
     scratch: Annotated[FloatRows, Sized("clip", MANIFOLD)]  # a manifold, vertices of two shapes
     together: Annotated[Places, Sized("slots")]  # the next of the bodies that go on together
     ground: Annotated[FloatRows, Sized("slots", _grounds.width)]  # static side that holds a body
+    met: Annotated[IndexRows, Sized(MOST_AT_ONCE, _met.width)]
+    met_sides: Annotated[FloatRows, Sized(MOST_AT_ONCE, 2)]  # normals before pairs meet
+    met_points: Annotated[FloatRows, Sized(2 * MOST_AT_ONCE, _met_point.width)]
 
 
 # -- ballistic motion

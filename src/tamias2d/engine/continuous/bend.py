@@ -66,6 +66,14 @@ def bend_paths(
     return now
 
 
+def put_on_parabola(i: int, now: float, time_step: float, bodies: Bodies) -> None:
+    """Put a body on its parabola: from a fraction of the step on its path is the chord of it."""
+    place_beside(
+        i, (bodies.pose[i, 0], bodies.pose[i, 1], bodies.pose[i, 2]), now, time_step, bodies
+    )
+    take_rest(i, now, time_step, bodies)
+
+
 def place_beside(
     i: int, start: tuple[float, float, float], now: float, time_step: float, bodies: Bodies
 ) -> None:

@@ -11,7 +11,7 @@ Cost: for each impact, the contacts of both bodies. Source: Mirtich, Impulse-bas
 simulation (1996).
 """
 
-from tamias2d.engine.continuous.bend import bend_paths, is_first
+from tamias2d.engine.continuous.bend import bend_paths, is_first, put_on_parabola
 from tamias2d.engine.continuous.bounds import path_length, time_of_leaving
 from tamias2d.engine.continuous.clusters import hold, is_carried, join_or_carry, leave
 from tamias2d.engine.continuous.conservative_advancement import MISSED
@@ -34,7 +34,14 @@ from tamias2d.engine.continuous.events import (
     update_events_of,
 )
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED
-from tamias2d.engine.continuous.impact import contact_point, rebound, record_impact
+from tamias2d.engine.continuous.impact import (
+    contact_point,
+    place_on_path,
+    rebound,
+    record_impact,
+)
+from tamias2d.engine.continuous.meetings import gather_meetings, is_first_listed
+from tamias2d.engine.continuous.simultaneous_impacts import rebound_together
 from tamias2d.engine.narrow_phase.core import core_of, is_thin
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
@@ -52,6 +59,9 @@ from tamias2d.engine.tables import (
     HALF_PLANE,
     LEVEL,
     LOCATED,
+    MET_A,
+    MET_B,
+    MET_CONTACT,
     MOST_LEVEL,
     NX,
     NY,
@@ -123,7 +133,7 @@ def solve_continuous(
             wide = bodies.properties[event, BOUNDING_RADIUS]
             if may_retake(path_length(event, bodies.motion, bodies.properties), wide, control):
                 return TOO_LONG
-            i, j, joins = event, event, True
+            i, j, joins, met = event, event, True, 1
             hold(i, now, control, bodies, events.together)
         else:
             p, joins = event - body_count, impacts_left <= 0
@@ -132,9 +142,11 @@ def solve_continuous(
             i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
             impacts_left -= 1
             count_located(contacts.flags[p])
-            if not handle_meeting(p, now, joins, control, bodies, shapes, contacts, events):
+            met = handle_meeting(p, now, joins, control, bodies, shapes, contacts, events)
+            if met == 0:
                 update_event(event, event_count, events.times, events.queue)
                 continue
+            impacts_left -= met - 1
         share = 1.0 if impacts_left <= 0 else control.progress[DEPTH_SHARE]
         stays = bodies.kind[i] != DYNAMIC or joins
         for one, other in ((i, -1), (j, -1 if stays else i)):
@@ -143,6 +155,8 @@ def solve_continuous(
             )
         if joins:
             update_others(i, now, share, control, bodies, shapes, broad_phase, contacts, events)
+        if met > 1:
+            update_met(met, now, share, control, bodies, shapes, broad_phase, contacts, events)
     return MISSED
 
 
@@ -209,6 +223,28 @@ def update_others(
         k = events.together[k]
 
 
+def update_met(
+    met: int,
+    now: float,
+    share: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    events: Events,
+) -> None:
+    """Find anew what the bodies meet that rebounded together with the first pair."""
+    for k in range(1, met):
+        count_located(contacts.flags[events.met[k, MET_CONTACT]])
+    for k in range(1, met):
+        for i in (events.met[k, MET_A], events.met[k, MET_B]):
+            if is_first_listed(i, k, events.met):
+                update_body(
+                    i, -1, now, share, control, bodies, shapes, broad_phase, contacts, events
+                )
+
+
 def may_retake(length: float, deep: float, control: Control) -> bool:
     """Return whether shorter parts make a way, m, short."""
     shortest = length / (1 << (MOST_LEVEL - control.counts[LEVEL]))
@@ -264,26 +300,27 @@ def handle_meeting(
     shapes: Shapes,
     contacts: Contacts,
     events: Events,
-) -> bool:
-    """Resolve the impact of a pair, or join it; return whether its paths have changed.
+) -> int:
+    """Resolve the impact of a pair, or join it; return how many pairs have changed their paths.
 
-    Otherwise its event is the next one after now.
+    If none has, the event of this one is the next one after now.
     """
     if joins:
         i, j = contacts.pairs[p, SLOT_A], contacts.pairs[p, SLOT_B]
         if reaches_little(p, now, bodies, shapes, contacts):
-            later, changed = MISSED, False
+            later, met = MISSED, 0
         else:
-            later, changed = now, join_or_carry(i, j, now, control, bodies, events.together)
+            later = now
+            met = 1 if join_or_carry(i, j, now, control, bodies, events.together) else 0
     else:
         later = MISSED
-        changed = resolve_impact(p, now, control, bodies, shapes, contacts, events)
-        if not changed:
+        met = resolve_impact(p, now, control, bodies, shapes, contacts, events)
+        if met == 0:
             s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
             later = next_event(p, s, t, now, control, bodies, shapes, contacts, events)
-    if not changed:  # a pair that meets where it is does not approach
+    if met == 0:  # a pair that meets where it is does not approach
         events.times[len(bodies.kind) + p] = later if later > now else MISSED
-    return changed
+    return met
 
 
 def reaches_little(p: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts) -> bool:
@@ -319,8 +356,11 @@ def resolve_impact(
     shapes: Shapes,
     contacts: Contacts,
     events: Events,
-) -> bool:
-    """Let a pair that meets rebound; return whether it approached."""
+) -> int:
+    """Let a pair that meets rebound, together with all that meet then; return how many pairs do.
+
+    There are none where it does not approach.
+    """
     s, t = contacts.pairs[p, 0], contacts.pairs[p, 1]
     sense = 1.0
     if shapes.kind[t] == HALF_PLANE:
@@ -328,28 +368,61 @@ def resolve_impact(
         sense = -1.0
     i, j = shapes.slot[s], shapes.slot[t]
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
-    if contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies):
+    count = gather_meetings(p, now, bodies, shapes, contacts, events)
+    bends = contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies)
+    if bends:
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         if now > 1.0:
-            return False
+            return 0
         a, b = core_of(s, shapes), core_of(t, shapes)
         if is_thin(a, b) and held[0] == 0.0 and held[1] == 0.0:
             held = (events.scratch[0, NX], events.scratch[0, NY])  # rounding hides the gap
     gap = manifold_at(s, t, now, held, bodies, shapes, events)
     if gap >= UNBOUNDED:  # it is beside a piece
-        return False
+        return 0
     manifold = events.scratch[0]
     if meets_seam(s, t, now, bodies, shapes, events):
-        return False
+        return 0
+    if count > 1:
+        return answer_together(count, bends, now, control, bodies, shapes, contacts, events)
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
     impulse = rebound(i, j, now, friction, restitution, control, bodies, manifold)
     if impulse < 0.0:
-        return False
+        return 0
     if impulse > 0.0:
-        recorded, flags = contacts.manifolds[p], contacts.flags[p]
+        normal = (sense * manifold[NX], sense * manifold[NY])
+        place = place_on_path(i, now, contact_point(manifold), bodies)
         in_parts = control.counts[LEVEL] > 0
-        record_impact(impulse, i, now, sense, in_parts, bodies, manifold, recorded, flags)
-    bodies.flight[i, REDIRECTED] = bodies.flight[j, REDIRECTED] = 1.0
+        record_impact(impulse, place, normal, in_parts, contacts.manifolds[p], contacts.flags[p])
+    go_alone(i, bodies, events)
+    go_alone(j, bodies, events)
+    return 1
+
+
+def answer_together(
+    count: int,
+    bends: bool,
+    now: float,
+    control: Control,
+    bodies: Bodies,
+    shapes: Shapes,
+    contacts: Contacts,
+    events: Events,
+) -> int:
+    """Let all pairs that are listed rebound; return how many, none where they do not approach."""
+    for k in range(count if bends else 0):
+        for i in (events.met[k, MET_A], events.met[k, MET_B]):
+            if k > 0 and is_first_listed(i, k, events.met) and bodies.flight[i, REDIRECTED] == 0.0:
+                put_on_parabola(i, now, control.progress[PART_TIME], bodies)
+    if not rebound_together(count, now, control, bodies, shapes, contacts, events):
+        return 0
+    for k in range(count):
+        go_alone(events.met[k, MET_A], bodies, events)
+        go_alone(events.met[k, MET_B], bodies, events)
+    return count
+
+
+def go_alone(i: int, bodies: Bodies, events: Events) -> None:
+    """Note that an impact has redirected a body, which goes on with no other one."""
+    bodies.flight[i, REDIRECTED] = 1.0
     leave(i, events.together)
-    leave(j, events.together)
-    return True

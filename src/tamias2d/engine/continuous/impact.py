@@ -238,14 +238,18 @@ def hold_together(
     return impulse + held
 
 
+def place_on_path(i: int, now: float, at: Vector, bodies: Bodies) -> Vector:
+    """Return where a point of a body is at a fraction of the step, m from its centre before, m."""
+    pose, shift = bodies.pose[i], bodies.motion[i]
+    x, y = position_later((pose[X], pose[Y]), (shift[DX], shift[DY]), now)
+    return x + at[0], y + at[1]
+
+
 def record_impact(
     impulse: float,
-    i: int,
-    now: float,
-    sense: float,
+    place: Vector,
+    normal: Vector,
     in_parts: bool,
-    bodies: Bodies,
-    manifold: Array,
     recorded: Array,
     flags: Integers,
 ) -> None:
@@ -262,12 +266,8 @@ def record_impact(
     elif not in_parts:
         recorded[TOTAL_IMPULSE] += impulse
         return
-    recorded[PART_PUSH_X] += sense * impulse * manifold[NX]
-    recorded[PART_PUSH_Y] += sense * impulse * manifold[NY]
+    recorded[PART_PUSH_X] += impulse * normal[0]
+    recorded[PART_PUSH_Y] += impulse * normal[1]
     if not met:
-        at, shift = bodies.pose[i], bodies.motion[i]
-        at_x, at_y = position_later((at[X], at[Y]), (shift[DX], shift[DY]), now)
-        x, y = contact_point(manifold)
-        recorded[WORLD_POINT], recorded[WORLD_POINT + 1] = at_x + x, at_y + y
-        recorded[IMPACT_NORMAL] = sense * manifold[NX]
-        recorded[IMPACT_NORMAL + 1] = sense * manifold[NY]
+        recorded[WORLD_POINT], recorded[WORLD_POINT + 1] = place
+        recorded[IMPACT_NORMAL], recorded[IMPACT_NORMAL + 1] = normal

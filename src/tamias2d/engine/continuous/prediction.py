@@ -33,6 +33,7 @@ from tamias2d.engine.tables import (
     IMPACTS,
     ISLANDS_KNOWN,
     KNOWN_WAY,
+    LANDING,
     LOCATED,
     LOCATED_PAIRS,
     MEETING,
@@ -73,7 +74,7 @@ def foresee(world: World, contacts: Contacts) -> None:
         return
     changed = add_secondary_contacts(world, contacts)
     touching.counts[IMPACTS] = 1 if changed else 0
-    count_contacts(contacts, touching)
+    count_contacts(bodies, contacts, touching)
     stay = 0
     for k in range(touching.counts[TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
@@ -99,18 +100,24 @@ def foresee(world: World, contacts: Contacts) -> None:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
 
 
-def count_contacts(contacts: Contacts, touching: Touching) -> None:
-    """Count the contacts of each body that has some, and those of them that hold it."""
+def count_contacts(bodies: Bodies, contacts: Contacts, touching: Touching) -> None:
+    """Count the contacts of each body that has some, and those that hold it, or that it lands on.
+
+    It lands on what does not move freely.
+    """
     near = touching.near
     for k in range(touching.counts[TOUCHING]):
-        for n in range(2):
+        for n in range(3):
             near[touching.body_a[k], n] = near[touching.body_b[k], n] = 0
     for k in range(touching.counts[TOUCHING]):
-        manifold = contacts.manifolds[touching.contact[k]]
+        p, a, b = touching.contact[k], touching.body_a[k], touching.body_b[k]
+        manifold = contacts.manifolds[p]
         loaded = manifold[NORMAL_IMPULSE] + manifold[NORMAL_IMPULSE + POINT] > 0.0
-        for i in (touching.body_a[k], touching.body_b[k]):
+        lands = contacts.flags[p, LOCATED] > 0 and bodies.kind[a] != bodies.kind[b]
+        for i in (a, b):
             near[i, ALL] += 1
             near[i, HOLDING] += 1 if loaded else 0
+            near[i, LANDING] += 1 if lands else 0
 
 
 def is_located(
@@ -145,8 +152,10 @@ def holds(i: int, bodies: Bodies, touching: Touching) -> int:
 
 
 def is_alone(i: int, bodies: Bodies, touching: Touching) -> bool:
-    """Return whether a body has no contact but one, or does not move freely."""
-    return bool((bodies.kind[i] != DYNAMIC) | (touching.near[i, ALL] == 1))
+    """Return whether a body has no contact but one, or lands on all, or does not move freely."""
+    near = touching.near[i]
+    lone = (near[ALL] == 1) | (near[ALL] == near[LANDING])
+    return bool((bodies.kind[i] != DYNAMIC) | lone)
 
 
 def foresee_contact(
