@@ -1066,6 +1066,7 @@ M_ARM_B = _met_point(2)
 M_NORMAL = _met_point(2)  # from A to B; (0, 0) if there is no such point
 M_APPROACH = _met_point()  # m/s, its normal velocity before, at most 0
 M_PUSH = _met_point()  # N s, along the normal, of the impact
+M_BOUNCE = _met_point()  # N s, the part of it that restitution adds
 M_DRAG = _met_point()  # N s, along the tangent
 M_HELD = _met_point()  # N s, along the normal, that holds the paths in what is left of the step
 M_LASTING = _met_point()  # N s, the same for the velocities as it ends

@@ -40,8 +40,17 @@ from tamias2d.engine.continuous.impact import (
     rebound,
     record_impact,
 )
-from tamias2d.engine.continuous.meetings import gather_meetings, is_first_listed
-from tamias2d.engine.continuous.simultaneous_impacts import rebound_together
+from tamias2d.engine.continuous.impact_points import (
+    is_point,
+    list_points,
+    rebound_at_points,
+    total_push,
+)
+from tamias2d.engine.continuous.meetings import (
+    gather_meetings,
+    is_first_listed,
+    measure_meeting,
+)
 from tamias2d.engine.narrow_phase.core import core_of, is_thin
 from tamias2d.engine.narrow_phase.material import mixed_material
 from tamias2d.engine.narrow_phase.polygon import held_normal
@@ -59,9 +68,11 @@ from tamias2d.engine.tables import (
     HALF_PLANE,
     LEVEL,
     LOCATED,
+    M_NORMAL,
     MET_A,
     MET_B,
     MET_CONTACT,
+    MET_TURNED,
     MOST_LEVEL,
     NX,
     NY,
@@ -383,10 +394,11 @@ def resolve_impact(
     manifold = events.scratch[0]
     if meets_seam(s, t, now, bodies, shapes, events):
         return 0
+    list_points(0, now, bodies, shapes, contacts, events)
     if count > 1:
-        return answer_together(count, bends, now, control, bodies, shapes, contacts, events)
+        return rebound_together(count, bends, now, control, bodies, shapes, contacts, events)
     friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
-    impulse = rebound(i, j, now, friction, restitution, control, bodies, manifold)
+    impulse = rebound(i, j, now, friction, restitution, control, bodies, events)
     if impulse < 0.0:
         return 0
     if impulse > 0.0:
@@ -399,7 +411,7 @@ def resolve_impact(
     return 1
 
 
-def answer_together(
+def rebound_together(
     count: int,
     bends: bool,
     now: float,
@@ -410,16 +422,36 @@ def answer_together(
     events: Events,
 ) -> int:
     """Let all pairs that are listed rebound; return how many, none where they do not approach."""
-    for k in range(count if bends else 0):
+    time_step = control.progress[PART_TIME]
+    for k in range(1, count):
         for i in (events.met[k, MET_A], events.met[k, MET_B]):
-            if k > 0 and is_first_listed(i, k, events.met) and bodies.flight[i, REDIRECTED] == 0.0:
-                put_on_parabola(i, now, control.progress[PART_TIME], bodies)
-    if not rebound_together(count, now, control, bodies, shapes, contacts, events):
+            if bends and is_first_listed(i, k, events.met) and bodies.flight[i, REDIRECTED] == 0.0:
+                put_on_parabola(i, now, time_step, bodies)
+    for k in range(1, count):
+        measure_meeting(k, now, bodies, shapes, contacts, events)
+        list_points(k, now, bodies, shapes, contacts, events)
+    if not rebound_at_points(count, now, time_step, bodies, events):
         return 0
     for k in range(count):
+        tell_impact(k, now, control.counts[LEVEL] > 0, bodies, contacts, events)
         go_alone(events.met[k, MET_A], bodies, events)
         go_alone(events.met[k, MET_B], bodies, events)
     return count
+
+
+def tell_impact(
+    k: int, now: float, in_parts: bool, bodies: Bodies, contacts: Contacts, events: Events
+) -> None:
+    """Add the impact of a listed pair to what is told of its contact, if it was pushed."""
+    impulse, at = total_push(k, events)
+    if impulse <= 0.0:
+        return
+    q, one = events.met[k, MET_CONTACT], events.met_points[2 * k]
+    row = one if is_point(one) else events.met_points[2 * k + 1]
+    sense = -1.0 if events.met[k, MET_TURNED] == 1 else 1.0
+    normal = (sense * row[M_NORMAL], sense * row[M_NORMAL + 1])
+    place = place_on_path(events.met[k, MET_A], now, at, bodies)
+    record_impact(impulse, place, normal, in_parts, contacts.manifolds[q], contacts.flags[q])
 
 
 def go_alone(i: int, bodies: Bodies, events: Events) -> None:

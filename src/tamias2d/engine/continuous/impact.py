@@ -6,6 +6,7 @@ an impact lack what forces do in the rest of the step.
 
 from tamias2d.engine.continuous.conservative_advancement import NEAR
 from tamias2d.engine.continuous.gap_bound import UNBOUNDED
+from tamias2d.engine.continuous.impact_points import rebound_at_points, total_push
 from tamias2d.engine.continuous.impulse import (
     ImpulseLine,
     change_paths,
@@ -53,6 +54,7 @@ from tamias2d.engine.tables import (
     WORLD_POINT,
     Bodies,
     Control,
+    Events,
     Integers,
     X,
     Y,
@@ -98,7 +100,7 @@ def rebound(
     restitution: float,
     control: Control,
     bodies: Bodies,
-    manifold: Array,
+    events: Events,
 ) -> float:
     """Apply the impact of two bodies, so that it makes no energy; return as `apply_impact` does.
 
@@ -107,13 +109,13 @@ def rebound(
     """
     time_step, left = control.progress[PART_TIME], 1.0 - now
     if bodies.kind[i] == bodies.kind[j]:
-        return rebound_freely(i, j, now, time_step, friction, restitution, bodies, manifold)
+        return rebound_freely(i, j, now, time_step, friction, restitution, bodies, events)
     k, wall = (i, j) if bodies.kind[i] == DYNAMIC else (j, i)
     support = support_velocity(k, wall, now, bodies.pose, bodies.motion)
     spin = bodies.motion[wall, SPIN]
     before = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     before -= work_ahead(k, left, control, bodies)
-    impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+    impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, events)
     after = energy_seen(k, support, spin, bodies.motion, bodies.properties)
     after -= work_ahead(k, left, control, bodies)
     take_energy_back(k, after - before, support, spin, bodies.motion, bodies.properties)
@@ -128,13 +130,13 @@ def rebound_freely(
     friction: float,
     restitution: float,
     bodies: Bodies,
-    manifold: Array,
+    events: Events,
 ) -> float:
     """Apply the impact of two bodies that move freely, and let them keep their angular momentum."""
     if not keeps_turning(i, j, bodies):
-        return apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+        return apply_impact(i, j, now, time_step, friction, restitution, bodies, events)
     before = turning_of(i, j, place_at_end(i, (0.0, 0.0), bodies), bodies)
-    impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, manifold)
+    impulse = apply_impact(i, j, now, time_step, friction, restitution, bodies, events)
     return_turning(i, j, before, bodies)
     return impulse
 
@@ -147,14 +149,33 @@ def apply_impact(
     friction: float,
     restitution: float,
     bodies: Bodies,
-    manifold: Array,
+    events: Events,
 ) -> float:
-    """Apply the impact of two bodies, by a row along the normal and one along the tangent in turns.
+    """Apply the impact of two bodies, whose manifold is in the scratch.
 
-    Friction beside the centre may press them together again: what it leaves is stopped, too.
     Returns the normal impulse, N s; a negative number where nothing happens.
     """
-    line = normal_line(i, j, now, manifold, bodies)
+    if bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0:
+        line = normal_line(i, j, now, events.scratch[0], bodies)
+        return apply_rows_in_turns(line, now, time_step, friction, restitution, bodies)
+    if not rebound_at_points(1, now, time_step, bodies, events):
+        return -1.0
+    impulse, _ = total_push(0, events)
+    return impulse
+
+
+def apply_rows_in_turns(
+    line: ImpulseLine,
+    now: float,
+    time_step: float,
+    friction: float,
+    restitution: float,
+    bodies: Bodies,
+) -> float:
+    """Apply the impact of bodies with contacts: along the normal and along the tangent, in turns.
+
+    Friction beside the centre may press them together again: what it leaves is stopped, too.
+    """
     impulse = apply_rows(line, now, time_step, friction, restitution, bodies)
     more, turns = impulse, MOST_TURNS if friction > 0.0 else 0
     while turns > 0 and more > SETTLED_IMPULSE * impulse:
@@ -174,16 +195,14 @@ def apply_rows(
 ) -> float:
     """Apply one impulse along the normal and one along the tangent; return the first, likewise."""
     i, j = line.a, line.b
-    supported = bodies.flight[i, SUPPORTED] + bodies.flight[j, SUPPORTED] > 0.0
-    impulse = stop_and_rebound(line, now, time_step, supported, restitution, bodies)
+    impulse = stop_and_rebound(line, now, time_step, restitution, bodies)
     if impulse < 0.0:
         return impulse
     impulse = hold_together(impulse, line, now, time_step, bodies)
     if friction > 0.0:
         along = (-line.direction[1], line.direction[0])
         tangent = ImpulseLine(i, j, line.at_a, line.at_b, along)
-        left = 0.0 if supported else 1.0 - now
-        speed = speed_along(tangent, left, bodies.motion, bodies.flight)
+        speed = speed_along(tangent, 0.0, bodies.motion, bodies.flight)
         mass = mass_along(tangent, bodies.properties)
         friction_impulse = limited_tangent_impulse(0.0, speed, mass, friction, impulse)
         change_velocities_and_paths(tangent, now, time_step, friction_impulse, bodies)
@@ -191,32 +210,22 @@ def apply_rows(
 
 
 def stop_and_rebound(
-    line: ImpulseLine,
-    now: float,
-    time_step: float,
-    supported: bool,
-    restitution: float,
-    bodies: Bodies,
+    line: ImpulseLine, now: float, time_step: float, restitution: float, bodies: Bodies
 ) -> float:
     """Apply the normal impulse that stops two bodies and lets them rebound; return it, N s.
 
-    A negative number says that neither their velocities nor their paths approach. Where a body was
-    supported, its velocity and its path are stopped each for itself.
+    A negative number says that neither their velocities nor their paths approach: these are stopped
+    each for itself.
     """
     mass = mass_along(line, bodies.properties)
-    left = 0.0 if supported else 1.0 - now
-    before = speed_along(line, left, bodies.motion, bodies.flight)
+    before = speed_along(line, 0.0, bodies.motion, bodies.flight)
     rate = path_speed_along(line, time_step, bodies.motion)
     if before >= 0.0 and rate >= 0.0:
         return -1.0
-    if supported:
-        bounce = restitution_impulse(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
-        impulse = max(-mass * before, 0.0) + bounce
-        change_velocities(line, impulse, bodies.motion, bodies.properties)
-        change_paths(line, now, (max(-mass * rate, 0.0) + bounce) * time_step, bodies)
-        return impulse
-    impulse = restitution_impulse(0.0, before, before, restitution, mass) if before < 0.0 else 0.0
-    change_velocities_and_paths(line, now, time_step, impulse, bodies)
+    bounce = restitution_impulse(0.0, 0.0, min(max(before, rate), 0.0), restitution, mass)
+    impulse = max(-mass * before, 0.0) + bounce
+    change_velocities(line, impulse, bodies.motion, bodies.properties)
+    change_paths(line, now, (max(-mass * rate, 0.0) + bounce) * time_step, bodies)
     return impulse
 
 

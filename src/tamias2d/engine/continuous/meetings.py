@@ -37,9 +37,9 @@ def gather_meetings(
 
     Bodies whose contacts the solver has treated meet others one by one.
     """
+    add_meeting(p, 0, shapes, contacts, events)
     if is_supported(p, bodies, contacts):
         return 1
-    add_meeting(p, 0, shapes, contacts, events)
     count, k = 1, 0
     while k < count:
         for i in (events.met[k, MET_A], events.met[k, MET_B]):

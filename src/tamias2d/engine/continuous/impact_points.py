@@ -1,0 +1,310 @@
+"""What pairs that meet at one instant do to each other: all points that approach answer together.
+
+One point alone rebounds in closed form (IM3, IM9). Several are solved one by one, in turns, until
+no impulse changes: without restitution, then with it, and then with friction, which acts while the
+bodies are closest (DD67). What forces press together again stays together for the rest of the step.
+Source: Moreau (1988).
+"""
+
+from tamias2d.engine.continuous.conservative_advancement import NEAR
+from tamias2d.engine.continuous.gap_bound import UNBOUNDED
+from tamias2d.engine.continuous.impulse import (
+    ImpulseLine,
+    change_paths,
+    change_velocities,
+    mass_along,
+    path_speed_along,
+    speed_along,
+)
+from tamias2d.engine.continuous.trajectory import relative_place
+from tamias2d.engine.narrow_phase.material import mixed_material
+from tamias2d.engine.tables import (
+    GAP,
+    INVERSE_INERTIA,
+    INVERSE_MASS,
+    M_APPROACH,
+    M_ARM_A,
+    M_ARM_B,
+    M_BOUNCE,
+    M_DRAG,
+    M_FRICTION,
+    M_HELD,
+    M_LASTING,
+    M_NORMAL,
+    M_PUSH,
+    M_RESTITUTION,
+    MET_A,
+    MET_B,
+    MET_CONTACT,
+    NX,
+    NY,
+    POINT,
+    PX,
+    PY,
+    Bodies,
+    Contacts,
+    Events,
+    Shapes,
+)
+from tamias2d.generated import friction as frictional, impact as smooth
+from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution_impulse
+from tamias2d.state import Array, Vector
+
+MOST_VISITS = 256  # of each point
+UNCHANGED = 2.0**-48  # of the largest impulse
+
+
+def list_points(
+    k: int, now: float, bodies: Bodies, shapes: Shapes, contacts: Contacts, events: Events
+) -> None:
+    """List the points of a pair whose manifold is in the scratch: two where both are as deep."""
+    q, a, b = events.met[k, MET_CONTACT], events.met[k, MET_A], events.met[k, MET_B]
+    s, t, manifold = contacts.pairs[q, 0], contacts.pairs[q, 1], events.scratch[0]
+    friction, restitution = mixed_material(s, t, shapes.material, shapes.pair_overrides)
+    x, y = relative_place(a, b, now, bodies.pose, bodies.motion)
+    far = abs(manifold[PX + POINT] - manifold[PX]) + abs(manifold[PY + POINT] - manifold[PY])
+    deepest = min(manifold[GAP], manifold[GAP + POINT])
+    for n in range(2):
+        row, at = events.met_points[2 * k + n], n * POINT
+        for m in range(len(row)):
+            row[m] = 0.0
+        gap = manifold[GAP + at]
+        if gap < UNBOUNDED and (gap == deepest or gap - deepest <= NEAR * far):
+            row[M_ARM_A], row[M_ARM_A + 1] = manifold[PX + at], manifold[PY + at]
+            row[M_ARM_B], row[M_ARM_B + 1] = manifold[PX + at] - x, manifold[PY + at] - y
+            row[M_NORMAL], row[M_NORMAL + 1] = manifold[NX], manifold[NY]
+            row[M_FRICTION], row[M_RESTITUTION] = friction, restitution
+
+
+def rebound_at_points(
+    count: int, now: float, time_step: float, bodies: Bodies, events: Events
+) -> bool:
+    """Let the listed pairs rebound at their points; return whether one of them approached."""
+    left = 1.0 - now
+    listed, approaching, one = note_points(count, left, time_step, bodies, events)
+    if not approaching:
+        return False
+    if listed == 1:
+        rebound_at_point(one, left, bodies, events)
+    else:
+        rebound_at_several(count, left, bodies, events)
+    redirect_paths(count, now, time_step, bodies, events)
+    if hold_paths(count, now, time_step, bodies, events):
+        hold_velocities(count, bodies, events)
+        drag_held(count, now, time_step, bodies, events)
+    return True
+
+
+def note_points(
+    count: int, left: float, time_step: float, bodies: Bodies, events: Events
+) -> tuple[int, bool, int]:
+    """Note how fast bodies approach at all points.
+
+    Returns how many points there are, whether bodies or their paths approach at one, and the last.
+    """
+    listed, found, last = 0, False, 0
+    for r in range(2 * count):
+        row = events.met_points[r]
+        if is_point(row):
+            line = line_of(r, False, events)
+            speed = speed_along(line, left, bodies.motion, bodies.flight)
+            row[M_APPROACH] = min(speed, 0.0)
+            found = found or min(speed, path_speed_along(line, time_step, bodies.motion)) < 0.0
+            listed, last = listed + 1, r
+    return listed, found, last
+
+
+def is_point(row: Array) -> bool:
+    """Return whether a row is of a point, which has a normal."""
+    return bool((row[M_NORMAL] != 0.0) | (row[M_NORMAL + 1] != 0.0))
+
+
+def line_of(r: int, tangent: bool, events: Events) -> ImpulseLine:
+    """Return the line of the normal impulse at a point, or of that along the tangent."""
+    row, a, b = events.met_points[r], events.met[r // 2, MET_A], events.met[r // 2, MET_B]
+    x, y = row[M_NORMAL], row[M_NORMAL + 1]
+    along = (-y, x) if tangent else (x, y)
+    at_a, at_b = (row[M_ARM_A], row[M_ARM_A + 1]), (row[M_ARM_B], row[M_ARM_B + 1])
+    return ImpulseLine(a, b, at_a, at_b, along)
+
+
+def rebound_at_point(r: int, left: float, bodies: Bodies, events: Events) -> None:
+    """Let two bodies rebound at one point, with friction if they have any (IM3, IM9)."""
+    row, line = events.met_points[r], line_of(r, False, events)
+    if row[M_APPROACH] == 0.0:
+        return
+    a, b = bodies.properties[line.a], bodies.properties[line.b]
+    mass_a, turn_a, mass_b, turn_b = (
+        a[INVERSE_MASS], a[INVERSE_INERTIA], b[INVERSE_MASS], b[INVERSE_INERTIA]
+    )  # fmt: skip
+    speed, normal = row[M_APPROACH], line.direction
+    inverse = smooth.inverse_effective_mass(
+        mass_a, turn_a, line.at_a, mass_b, turn_b, line.at_b, normal
+    )
+    row[M_PUSH] = smooth.impulse(row[M_RESTITUTION], speed, inverse)
+    if row[M_FRICTION] > 0.0:
+        cross = frictional.cross_coupling(turn_a, line.at_a, turn_b, line.at_b, normal)
+        sliding = frictional.inverse_sliding_mass(
+            mass_a, turn_a, line.at_a, mass_b, turn_b, line.at_b, inverse
+        )
+        tangent = line_of(r, True, events)
+        slip = speed_along(tangent, left, bodies.motion, bodies.flight)
+        closest = frictional.tangential_velocity_closest(slip, cross, speed, inverse)
+        sticking = frictional.sticking_impulse(closest, sliding)
+        change = frictional.normal_change(cross, sticking, inverse)
+        share = frictional.share(row[M_FRICTION], row[M_PUSH], sticking, change)
+        row[M_PUSH] = frictional.normal_impulse(row[M_PUSH], share, change)
+        row[M_DRAG] = frictional.tangential_impulse(share, sticking)
+        change_velocities(tangent, row[M_DRAG], bodies.motion, bodies.properties)
+    change_velocities(line, row[M_PUSH], bodies.motion, bodies.properties)
+
+
+def rebound_at_several(count: int, left: float, bodies: Bodies, events: Events) -> None:
+    """Let bodies rebound at several points.
+
+    Friction acts on the velocities that bodies have when they are closest, and changes the normal
+    impulses with it; what restitution adds does not change.
+    """
+    solve_points(count, left, 0.0, False, bodies, events)
+    for r in range(2 * count):
+        events.met_points[r, M_BOUNCE] = -events.met_points[r, M_PUSH]
+    solve_points(count, left, 1.0, False, bodies, events)
+    rough = 0.0
+    for r in range(2 * count):
+        row = events.met_points[r]
+        row[M_BOUNCE] += row[M_PUSH]
+        rough = max(rough, row[M_FRICTION])
+    if rough > 0.0:
+        add_bounces(count, -1.0, bodies, events)
+        solve_points(count, left, 0.0, True, bodies, events)
+        add_bounces(count, 1.0, bodies, events)
+
+
+def add_bounces(count: int, sense: float, bodies: Bodies, events: Events) -> None:
+    """Apply what restitution adds, or take it away where the sense is negative."""
+    for r in range(2 * count):
+        impulse = sense * events.met_points[r, M_BOUNCE]
+        if impulse != 0.0:
+            line = line_of(r, False, events)
+            change_velocities(line, impulse, bodies.motion, bodies.properties)
+
+
+def solve_points(
+    count: int, left: float, bouncing: float, rough: bool, bodies: Bodies, events: Events
+) -> None:
+    """Solve all points that approached until no impulse changes.
+
+    `bouncing` is the share of the restitution that they have; a rough one has friction, too.
+    """
+    for _ in range(MOST_VISITS):
+        largest = change = 0.0
+        for r in range(2 * count):
+            row = events.met_points[r]
+            if row[M_APPROACH] < 0.0:
+                if rough and row[M_FRICTION] > 0.0:
+                    change = max(change, drag_point(r, left, bodies, events))
+                change = max(change, push_point(r, left, bouncing, bodies, events))
+                largest = max(largest, row[M_PUSH])
+        if change <= UNCHANGED * largest:
+            return
+
+
+def push_point(r: int, left: float, bouncing: float, bodies: Bodies, events: Events) -> float:
+    """Give a point its normal velocity; return by how much its impulse changes, N s."""
+    row, line = events.met_points[r], line_of(r, False, events)
+    speed = speed_along(line, left, bodies.motion, bodies.flight)
+    mass = mass_along(line, bodies.properties)
+    restitution = bouncing * row[M_RESTITUTION]
+    after = restitution_impulse(row[M_PUSH], speed, row[M_APPROACH], restitution, mass)
+    change = after - row[M_PUSH]
+    change_velocities(line, change, bodies.motion, bodies.properties)
+    row[M_PUSH] = after
+    return abs(change)
+
+
+def drag_point(r: int, left: float, bodies: Bodies, events: Events) -> float:
+    """End the sliding of a point, as far as friction can; return by how much that changes, N s."""
+    row, line = events.met_points[r], line_of(r, True, events)
+    speed = speed_along(line, left, bodies.motion, bodies.flight)
+    mass = mass_along(line, bodies.properties)
+    after = limited_tangent_impulse(row[M_DRAG], speed, mass, row[M_FRICTION], row[M_PUSH])
+    change = after - row[M_DRAG]
+    change_velocities(line, change, bodies.motion, bodies.properties)
+    row[M_DRAG] = after
+    return abs(change)
+
+
+def redirect_paths(
+    count: int, now: float, time_step: float, bodies: Bodies, events: Events
+) -> None:
+    """Redirect the paths of all bodies as the impulses did their velocities."""
+    for r in range(2 * count):
+        row = events.met_points[r]
+        if row[M_PUSH] != 0.0:
+            line = line_of(r, False, events)
+            change_paths(line, now, row[M_PUSH] * time_step, bodies)
+        if row[M_DRAG] != 0.0:
+            line = line_of(r, True, events)
+            change_paths(line, now, row[M_DRAG] * time_step, bodies)
+
+
+def hold_paths(count: int, now: float, time_step: float, bodies: Bodies, events: Events) -> bool:
+    """Let paths stay together that forces press together again; return whether some do."""
+    pressed = False
+    for _ in range(MOST_VISITS):
+        largest = change = 0.0
+        for r in range(2 * count):
+            row = events.met_points[r]
+            if is_point(row):
+                line = line_of(r, False, events)
+                rate = path_speed_along(line, time_step, bodies.motion)
+                mass = mass_along(line, bodies.properties)
+                after = restitution_impulse(row[M_HELD], rate, 0.0, 0.0, mass)
+                change_paths(line, now, (after - row[M_HELD]) * time_step, bodies)
+                change, largest = max(change, abs(after - row[M_HELD])), max(largest, after)
+                row[M_HELD] = after
+        pressed = pressed or largest > 0.0
+        if change <= UNCHANGED * largest:
+            break
+    return pressed
+
+
+def hold_velocities(count: int, bodies: Bodies, events: Events) -> None:
+    """Stop what forces give bodies by the end of the step at points whose paths are held."""
+    for _ in range(MOST_VISITS):
+        largest = change = 0.0
+        for r in range(2 * count):
+            row = events.met_points[r]
+            if row[M_HELD] > 0.0:
+                line = line_of(r, False, events)
+                speed = speed_along(line, 0.0, bodies.motion, bodies.flight)
+                mass = mass_along(line, bodies.properties)
+                after = restitution_impulse(row[M_LASTING], speed, 0.0, 0.0, mass)
+                change_velocities(line, after - row[M_LASTING], bodies.motion, bodies.properties)
+                change, largest = max(change, abs(after - row[M_LASTING])), max(largest, after)
+                row[M_LASTING] = after
+        if change <= UNCHANGED * largest:
+            return
+
+
+def drag_held(count: int, now: float, time_step: float, bodies: Bodies, events: Events) -> None:
+    """Let friction act where points are held for the rest of the step, once."""
+    for r in range(2 * count):
+        row = events.met_points[r]
+        if row[M_LASTING] > 0.0 and row[M_FRICTION] > 0.0:
+            line = line_of(r, True, events)
+            speed = speed_along(line, 0.0, bodies.motion, bodies.flight)
+            mass = mass_along(line, bodies.properties)
+            impulse = limited_tangent_impulse(0.0, speed, mass, row[M_FRICTION], row[M_LASTING])
+            change_velocities(line, impulse, bodies.motion, bodies.properties)
+            change_paths(line, now, impulse * time_step, bodies)
+
+
+def total_push(k: int, events: Events) -> tuple[float, Vector]:
+    """Return the normal impulse of a pair, N s, and where it acts, from the centre of A, m."""
+    first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
+    one, other = first[M_PUSH] + first[M_LASTING], second[M_PUSH] + second[M_LASTING]
+    share = other / (one + other) if one + other > 0.0 else 0.0
+    x = (1.0 - share) * first[M_ARM_A] + share * second[M_ARM_A]
+    y = (1.0 - share) * first[M_ARM_A + 1] + share * second[M_ARM_A + 1]
+    return one + other, (x, y)
