@@ -24,7 +24,13 @@ from tamias2d.engine.solver.energy import makes_energy, sum_step_energy
 from tamias2d.engine.solver.energy_bound import bound_energy, note_before_restitution
 from tamias2d.engine.solver.impulses import store_impulses
 from tamias2d.engine.solver.integration import apply_forces, begin_step, integrate_positions
-from tamias2d.engine.solver.lanes import apply_restitution, relax, solve_soft, warm_start
+from tamias2d.engine.solver.lanes import (
+    apply_restitution,
+    clear_restitution,
+    relax,
+    solve_soft,
+    warm_start,
+)
 from tamias2d.engine.solver.prefetch import prefetch_blocks, prefetch_manifolds
 from tamias2d.engine.solver.prepare import fill_blocks, prepare_blocks
 from tamias2d.engine.springs.substep import apply_springs, begin_springs, end_springs
@@ -63,6 +69,7 @@ from tamias2d.kernels.assembled import inlined
 
 FEW_BLOCKS = 32  # up to which impacts get more sweeps: no impulses of before are known for them
 MORE_SWEEPS = 8
+MOST_BOUNCES = 64  # visits of restitution to each contact there
 SLOWEST_IMPACT = 2.0  # velocities that gravity gives in a step: a slower impact has no restitution
 
 
@@ -114,7 +121,10 @@ def finish_step(world: World) -> None:
         gravity = abs(settings[GRAVITY_X]) + abs(settings[GRAVITY_Y])
         slowest = SLOWEST_IMPACT * world.control.progress[PART_TIME] * gravity
         note_before_restitution(bodies, touching, constraints, islands)
-        apply_restitution(0, constraints.counts[BLOCKS], bodies, constraints, slowest)
+        clear_restitution(constraints)
+        for _ in range(MOST_BOUNCES if constraints.counts[SWEEPS] > 1 else 1):
+            if apply_restitution(0, constraints.counts[BLOCKS], bodies, constraints, slowest):
+                break
     update_islands(bodies, touching, islands, world.joints)
     bound_energy(world.control, bodies, touching, constraints, islands, world.joints)
 

@@ -20,6 +20,7 @@ from tamias2d.engine.tables import (
     B_VX_B,
     B_VY_A,
     B_VY_B,
+    BLOCKS,
     BODY_A,
     BODY_B,
     FIRST_POINT,
@@ -75,6 +76,7 @@ from tamias2d.kernels.lanes import LANES, both_above, load_half, load_rows, stor
 from tamias2d.state import Array, Vector
 
 OPEN = -1e-300  # m: a larger gap is one that closes, or has just closed
+SETTLED_RESTITUTION = 2.0**-40  # of its impulses: a change that does not count
 
 
 def load_velocities(lane: Integers, motion: Array, scratch: Array) -> None:
@@ -286,7 +288,10 @@ def relax_lanes_of_two(row: Array, scratch: Array, substep: float, share: float)
 
 
 def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest: float) -> None:
-    """Apply restitution to points that met faster than `slowest`, m/s, and have an impulse."""
+    """Apply restitution to points that met faster than `slowest`, m/s, and have an impulse.
+
+    The impulses that it gives are added up in the column `bounce`.
+    """
     for m in range(LANES):
         now = velocities_of(m, scratch)
         before = row[at + P_NORMAL_IMPULSE + m]
@@ -304,7 +309,7 @@ def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest:
         )
         after = bounced if meets else before
         row[at + P_NORMAL_IMPULSE + m] = after
-        row[bounce + m] = after - before
+        row[bounce + m] += after - before
         row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + (after - before)
         now = pushed_apart(m, at, after - before, now, row)
         set_velocities(m, now, scratch)
@@ -394,16 +399,37 @@ def relax(
         store_velocities(lane, motion, scratch)
 
 
+def clear_restitution(constraints: Constraints) -> None:
+    """Let restitution have given no impulse yet."""
+    for b in range(constraints.counts[BLOCKS]):
+        for m in range(LANES):
+            constraints.blocks[b, FIRST_RESTITUTION + m] = 0.0
+            constraints.blocks[b, SECOND_RESTITUTION + m] = 0.0
+
+
 def apply_restitution(
     first: int, last: int, bodies: Bodies, constraints: Constraints, slowest: float
-) -> None:
-    """Apply restitution to the bodies of some blocks."""
+) -> bool:
+    """Apply restitution to the bodies of some blocks once; return whether impulses have settled."""
     motion, scratch = bodies.motion, constraints.scratch
+    settled = True
     for b in range(first, last):
         row, lane = constraints.blocks[b], constraints.lanes[b]
+        before = sum_restitution(row)
         load_velocities(lane, motion, scratch)
         restitution_lanes(FIRST_POINT, FIRST_RESTITUTION, row, scratch, slowest)
         if lane[POINTS] == 2:
             restitution_lanes(SECOND_POINT, SECOND_RESTITUTION, row, scratch, slowest)
         apply_closed_friction(lane, FIRST_RESTITUTION, SECOND_RESTITUTION, 0.0, row, scratch)
         store_velocities(lane, motion, scratch)
+        after = sum_restitution(row)
+        settled = settled and abs(after - before) <= SETTLED_RESTITUTION * abs(after)
+    return settled
+
+
+def sum_restitution(row: Array) -> float:
+    """Return the sum of the impulses that restitution has given the contacts of a block, N s."""
+    total = 0.0
+    for m in range(LANES):
+        total += row[FIRST_RESTITUTION + m] + row[SECOND_RESTITUTION + m]
+    return total
