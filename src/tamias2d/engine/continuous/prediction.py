@@ -113,7 +113,7 @@ def count_contacts(bodies: Bodies, contacts: Contacts, touching: Touching) -> No
         p, a, b = touching.contact[k], touching.body_a[k], touching.body_b[k]
         manifold = contacts.manifolds[p]
         loaded = manifold[NORMAL_IMPULSE] + manifold[NORMAL_IMPULSE + POINT] > 0.0
-        lands = contacts.flags[p, LOCATED] > 0 and bodies.kind[a] != bodies.kind[b]
+        lands = contacts.flags[p, LOCATED] > 0
         for i in (a, b):
             near[i, ALL] += 1
             near[i, HOLDING] += 1 if loaded else 0
