@@ -69,7 +69,7 @@ from tamias2d.kernels.assembled import inlined
 
 FEW_BLOCKS = 32  # up to which impacts get more sweeps: no impulses of before are known for them
 MORE_SWEEPS = 8
-MOST_BOUNCES = 64  # visits of restitution to each contact there
+MOST_BOUNCES, BOUNCES = 64, 8  # visits of restitution to each contact there, and elsewhere
 SLOWEST_IMPACT = 2.0  # velocities that gravity gives in a step: a slower impact has no restitution
 
 
@@ -122,8 +122,9 @@ def finish_step(world: World) -> None:
         slowest = SLOWEST_IMPACT * world.control.progress[PART_TIME] * gravity
         note_before_restitution(bodies, touching, constraints, islands)
         clear_restitution(constraints)
-        for _ in range(MOST_BOUNCES if constraints.counts[SWEEPS] > 1 else 1):
-            if apply_restitution(0, constraints.counts[BLOCKS], bodies, constraints, slowest):
+        few = constraints.counts[BLOCKS] <= FEW_BLOCKS
+        for visit in range(MOST_BOUNCES if few else BOUNCES):
+            if apply_restitution(visit > 0, bodies, constraints, slowest):
                 break
     update_islands(bodies, touching, islands, world.joints)
     bound_energy(world.control, bodies, touching, constraints, islands, world.joints)

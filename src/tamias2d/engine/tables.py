@@ -433,8 +433,8 @@ LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous col
 
 
 RIGHT_LOW, RIGHT_HIGH, LEFT_LOW, LEFT_HIGH = range(4)  # columns of sides: see chain_sides
-# columns of near: contacts that touch or will, those with an impulse, those that meet what stands
-ALL, HOLDING, LANDING = range(3)
+# columns of near: contacts that touch or will, those with an impulse, those that meet in this part
+ALL, HOLDING, COMING = range(3)
 
 
 class Touching(NamedTuple):

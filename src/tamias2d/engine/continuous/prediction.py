@@ -25,6 +25,7 @@ from tamias2d.engine.narrow_phase.touching import CLOSE, smallest_gap
 from tamias2d.engine.tables import (
     ALL,
     ARRANGED,
+    COMING,
     DYNAMIC,
     FEATURE,
     FORESEEN,
@@ -33,7 +34,6 @@ from tamias2d.engine.tables import (
     IMPACTS,
     ISLANDS_KNOWN,
     KNOWN_WAY,
-    LANDING,
     LOCATED,
     LOCATED_PAIRS,
     MEETING,
@@ -74,7 +74,7 @@ def foresee(world: World, contacts: Contacts) -> None:
         return
     changed = add_secondary_contacts(world, contacts)
     touching.counts[IMPACTS] = 1 if changed else 0
-    count_contacts(bodies, contacts, touching)
+    count_contacts(contacts, touching)
     stay = 0
     for k in range(touching.counts[TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
@@ -100,11 +100,8 @@ def foresee(world: World, contacts: Contacts) -> None:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
 
 
-def count_contacts(bodies: Bodies, contacts: Contacts, touching: Touching) -> None:
-    """Count the contacts of each body that has some, and those that hold it, or that it lands on.
-
-    It lands on what does not move freely.
-    """
+def count_contacts(contacts: Contacts, touching: Touching) -> None:
+    """Count the contacts of each body that has some, those that hold it, and those that meet."""
     near = touching.near
     for k in range(touching.counts[TOUCHING]):
         for n in range(3):
@@ -113,11 +110,10 @@ def count_contacts(bodies: Bodies, contacts: Contacts, touching: Touching) -> No
         p, a, b = touching.contact[k], touching.body_a[k], touching.body_b[k]
         manifold = contacts.manifolds[p]
         loaded = manifold[NORMAL_IMPULSE] + manifold[NORMAL_IMPULSE + POINT] > 0.0
-        lands = contacts.flags[p, LOCATED] > 0
         for i in (a, b):
             near[i, ALL] += 1
             near[i, HOLDING] += 1 if loaded else 0
-            near[i, LANDING] += 1 if lands else 0
+            near[i, COMING] += 1 if contacts.flags[p, LOCATED] > 0 else 0
 
 
 def is_located(
@@ -152,9 +148,9 @@ def holds(i: int, bodies: Bodies, touching: Touching) -> int:
 
 
 def is_alone(i: int, bodies: Bodies, touching: Touching) -> bool:
-    """Return whether a body has no contact but one, or lands on all, or does not move freely."""
+    """Return whether a body has no contact but one, or meets all, or does not move freely."""
     near = touching.near[i]
-    lone = (near[ALL] == 1) | (near[ALL] == near[LANDING])
+    lone = (near[ALL] == 1) | (near[ALL] == near[COMING])
     return bool((bodies.kind[i] != DYNAMIC) | lone)
 
 

@@ -408,14 +408,19 @@ def clear_restitution(constraints: Constraints) -> None:
 
 
 def apply_restitution(
-    first: int, last: int, bodies: Bodies, constraints: Constraints, slowest: float
+    again: bool, bodies: Bodies, constraints: Constraints, slowest: float
 ) -> bool:
-    """Apply restitution to the bodies of some blocks once; return whether impulses have settled."""
+    """Apply restitution to the bodies of all blocks once; return whether impulses have settled.
+
+    Again, it visits the blocks only to which it has given some.
+    """
     motion, scratch = bodies.motion, constraints.scratch
     settled = True
-    for b in range(first, last):
+    for b in range(constraints.counts[BLOCKS]):
         row, lane = constraints.blocks[b], constraints.lanes[b]
         before = sum_restitution(row)
+        if again and before == 0.0:
+            continue
         load_velocities(lane, motion, scratch)
         restitution_lanes(FIRST_POINT, FIRST_RESTITUTION, row, scratch, slowest)
         if lane[POINTS] == 2:
