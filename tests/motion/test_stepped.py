@@ -248,7 +248,7 @@ def test_a_certificate_says_what_steps_leave_open() -> None:
     run = certify(t2.simulate(t2.catalogue.load("arch"), duration=0.5))
     assert run.certificate is not None
     assert "shorter steps" in run.certificate.claims[0]
-    assert "solve them one after the other" in run.certificate.does_not_claim[-1]
+    assert "at all contacts at once" in run.certificate.does_not_claim[-1]
 
 
 def test_where_no_bound_is_found_the_energy_is_told_or_nothing() -> None:

@@ -55,8 +55,8 @@ _SOLUTION = "the exact solution of the scene's equations"
 _LIMIT = "where ever shorter steps lead"
 _STEPPED_MEASURE = MEASURE.replace("its exact place", _LIMIT)
 _LEFT_OPEN = (
-    "that rigid bodies do so where several contacts act at once, as those of a side that lands "
-    "flat: steps solve them one after the other"
+    "that rigid bodies do so where what is struck touches others: steps answer the blow at all "
+    "contacts at once, and restitution follows (A18)"
 )
 _BRIEF = "what a law does for less than {shortest:.3g} s: it is asked a thousand times over the run"
 _POINTS = "how far a body without a shape has turned: it has no point but its centre"
