@@ -391,7 +391,7 @@ SENSES = _flags()  # 1 if one of the shapes is a sensor
 KNOWN_SIDE = _flags()  # 1 if it is known on which side of a piece the other shape is
 LOCATED = _flags()  # impacts whose instants continuous collision may still find in this part
 MOST_LOCATED = 12  # LOCATED of a contact that meets in this part
-SECONDARY = 14  # LOCATED of a contact that others may bring about, while it is put on a list
+SECONDARY = 14  # LOCATED of a contact that others may bring about, until it is on a list or not
 SPENT = 15  # LOCATED of a contact that has had its share of these impacts
 # bits of TOUCHES: in this step and in the last one; in flight in this step and in the last one
 IS_TOUCHING, WAS_TOUCHING, MET_IN_FLIGHT, HAD_MET_IN_FLIGHT = 1, 2, 4, 8
@@ -433,7 +433,8 @@ LOCATED_PAIRS = _touching()  # contacts whose impacts are left to continuous col
 
 
 RIGHT_LOW, RIGHT_HIGH, LEFT_LOW, LEFT_HIGH = range(4)  # columns of sides: see chain_sides
-# columns of near: contacts that touch or will, those with an impulse, those that meet in this part
+# columns of near: contacts that touch or will, those with an impulse, those with what stands that
+# are to come in this part
 ALL, HOLDING, COMING = range(3)
 
 

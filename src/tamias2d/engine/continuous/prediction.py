@@ -43,6 +43,7 @@ from tamias2d.engine.tables import (
     PART_TIME,
     POINT,
     POINT_COUNT,
+    SECONDARY,
     SHAPE_RADIUS,
     SPIN,
     TOUCHING,
@@ -74,12 +75,15 @@ def foresee(world: World, contacts: Contacts) -> None:
         return
     changed = add_secondary_contacts(world, contacts)
     touching.counts[IMPACTS] = 1 if changed else 0
-    count_contacts(contacts, touching)
+    count_contacts(bodies, contacts, touching)
     stay = 0
     for k in range(touching.counts[TOUCHING]):
         p, i, j = touching.contact[k], touching.body_a[k], touching.body_b[k]
-        meets, points = contacts.flags[p, LOCATED] > 0, contacts.flags[p, POINT_COUNT]
-        contacts.flags[p, LOCATED] = 0
+        comes, points = contacts.flags[p, LOCATED], contacts.flags[p, POINT_COUNT]
+        meets, contacts.flags[p, LOCATED] = comes == MOST_LOCATED, 0
+        if comes == SECONDARY and is_alone(i, bodies, touching) and is_alone(j, bodies, touching):
+            contacts.flags[p, POINT_COUNT] = 0  # what would drive it is located
+            continue
         located = is_located(meets, p, i, j, bodies, shapes, contacts, touching)
         located = unless_joined(located, i, j, bodies)
         if located:
@@ -100,8 +104,11 @@ def foresee(world: World, contacts: Contacts) -> None:
         touching.counts[ARRANGED] = touching.counts[ISLANDS_KNOWN] = 0
 
 
-def count_contacts(contacts: Contacts, touching: Touching) -> None:
-    """Count the contacts of each body that has some, those that hold it, and those that meet."""
+def count_contacts(bodies: Bodies, contacts: Contacts, touching: Touching) -> None:
+    """Count the contacts of each body that has some, those that hold it, and those to come.
+
+    To come are those with what does not move freely that meet, or that others drive together.
+    """
     near = touching.near
     for k in range(touching.counts[TOUCHING]):
         for n in range(3):
@@ -110,10 +117,11 @@ def count_contacts(contacts: Contacts, touching: Touching) -> None:
         p, a, b = touching.contact[k], touching.body_a[k], touching.body_b[k]
         manifold = contacts.manifolds[p]
         loaded = manifold[NORMAL_IMPULSE] + manifold[NORMAL_IMPULSE + POINT] > 0.0
+        comes = contacts.flags[p, LOCATED] > 0 and bodies.kind[a] != bodies.kind[b]
         for i in (a, b):
             near[i, ALL] += 1
             near[i, HOLDING] += 1 if loaded else 0
-            near[i, COMING] += 1 if contacts.flags[p, LOCATED] > 0 else 0
+            near[i, COMING] += 1 if comes else 0
 
 
 def is_located(
@@ -148,7 +156,10 @@ def holds(i: int, bodies: Bodies, touching: Touching) -> int:
 
 
 def is_alone(i: int, bodies: Bodies, touching: Touching) -> bool:
-    """Return whether a body has no contact but one, or meets all, or does not move freely."""
+    """Return whether a body has one contact, or none that is not to come, or does not move freely.
+
+    Then an impact acts on it when it is on no path but its own.
+    """
     near = touching.near[i]
     lone = (near[ALL] == 1) | (near[ALL] == near[COMING])
     return bool((bodies.kind[i] != DYNAMIC) | lone)

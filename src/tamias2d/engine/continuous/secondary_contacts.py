@@ -155,7 +155,6 @@ def merge_secondary(added: int, contacts: Contacts, touching: Touching, count: i
             return
         marked = contacts.flags[p, LOCATED] == SECONDARY
         if marked:
-            contacts.flags[p, LOCATED] = 0
             touching.contact[to] = p
             touching.body_a[to], touching.body_b[to] = (
                 contacts.pairs[p, SLOT_A],
