@@ -155,3 +155,25 @@ def test_a_gas_of_elastic_discs_keeps_its_energy(diameters: float) -> None:
     sim.step(1000)
     assert (sim.velocity[rows] ** 2).sum() == pytest.approx(before, rel=5e-3)
     assert ((sim.position[rows] > 0.0) & (sim.position[rows] < side)).all()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_balls_that_land_in_one_step_all_keep_their_heights(seed: int) -> None:
+    """The impact of one on the floor leaves the paths of the others what they are."""
+    restitution, radius = 0.8, 0.1
+    high = 1.0 + np.random.default_rng(seed).uniform(0.0, 0.06, 5)
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    scene.add_static(
+        t2.HalfPlane(normal=(0.0, 1.0), offset=0.0), restitution=restitution, friction=0.0
+    )
+    for k, height in enumerate(high.tolist()):
+        scene.add_body(
+            t2.Disc(radius=radius), mass=1.0, position=(0.5 * k, radius + height),
+            velocity=(0.0, 0.0), orientation=0.0, angular_velocity=0.0,
+            restitution=restitution, friction=0.0,
+        )  # fmt: skip
+    sim = t2.Simulator(scene, time_step=1 / 60)
+    while sim.time < 0.6:
+        sim.step()
+    energy = sim.velocity[1:, 1] ** 2 / 2 + 9.81 * (sim.position[1:, 1] - radius)
+    assert energy == pytest.approx(restitution**2 * 9.81 * high, rel=1e-12)

@@ -455,6 +455,7 @@ def tell_impact(
 
 
 def go_alone(i: int, bodies: Bodies, events: Events) -> None:
-    """Note that an impact has redirected a body, which goes on with no other one."""
-    bodies.flight[i, REDIRECTED] = 1.0
-    leave(i, events.together)
+    """Note that an impact has redirected a body that moves freely, which goes on with no other."""
+    if bodies.kind[i] == DYNAMIC:
+        bodies.flight[i, REDIRECTED] = 1.0
+        leave(i, events.together)
