@@ -1071,6 +1071,7 @@ M_BOUNCE = _met_point()  # N s, the part of it that restitution adds
 M_DRAG = _met_point()  # N s, along the tangent
 M_HELD = _met_point()  # N s, along the normal, that holds the paths in what is left of the step
 M_LASTING = _met_point()  # N s, the same for the velocities as it ends
+M_GRIP = _met_point()  # N s, along the tangent, that friction adds then
 M_FRICTION = _met_point()
 M_RESTITUTION = _met_point()
 

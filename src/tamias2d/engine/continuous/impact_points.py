@@ -28,6 +28,7 @@ from tamias2d.engine.tables import (
     M_BOUNCE,
     M_DRAG,
     M_FRICTION,
+    M_GRIP,
     M_HELD,
     M_LASTING,
     M_NORMAL,
@@ -51,6 +52,7 @@ from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution
 from tamias2d.state import Array, Vector
 
 MOST_VISITS = 256  # of each point
+MOST_HOLDS = 32  # turns of normals and tangents where points are held
 UNCHANGED = 2.0**-48  # of the largest impulse
 
 
@@ -89,9 +91,12 @@ def rebound_at_points(
     else:
         rebound_at_several(count, left, bodies, events)
     redirect_paths(count, now, time_step, bodies, events)
-    if hold_paths(count, now, time_step, bodies, events):
+    for _ in range(MOST_HOLDS):
+        if not hold_paths(count, now, time_step, bodies, events):
+            break
         hold_velocities(count, bodies, events)
-        drag_held(count, now, time_step, bodies, events)
+        if grip(count, now, time_step, bodies, events):
+            break
     return True
 
 
@@ -287,17 +292,22 @@ def hold_velocities(count: int, bodies: Bodies, events: Events) -> None:
             return
 
 
-def drag_held(count: int, now: float, time_step: float, bodies: Bodies, events: Events) -> None:
-    """Let friction act where points are held for the rest of the step, once."""
+def grip(count: int, now: float, time_step: float, bodies: Bodies, events: Events) -> bool:
+    """Let friction act where points are held for the rest of the step; return whether it has."""
+    settled = True
     for r in range(2 * count):
         row = events.met_points[r]
         if row[M_LASTING] > 0.0 and row[M_FRICTION] > 0.0:
-            line = line_of(r, True, events)
+            line, before = line_of(r, True, events), row[M_GRIP]
             speed = speed_along(line, 0.0, bodies.motion, bodies.flight)
             mass = mass_along(line, bodies.properties)
-            impulse = limited_tangent_impulse(0.0, speed, mass, row[M_FRICTION], row[M_LASTING])
-            change_velocities(line, impulse, bodies.motion, bodies.properties)
-            change_paths(line, now, impulse * time_step, bodies)
+            row[M_GRIP] = limited_tangent_impulse(
+                before, speed, mass, row[M_FRICTION], row[M_LASTING]
+            )
+            change_velocities(line, row[M_GRIP] - before, bodies.motion, bodies.properties)
+            change_paths(line, now, (row[M_GRIP] - before) * time_step, bodies)
+            settled = settled and abs(row[M_GRIP] - before) <= UNCHANGED * row[M_LASTING]
+    return settled
 
 
 def total_push(k: int, events: Events) -> tuple[float, Vector]:
