@@ -49,7 +49,7 @@ def test_each_body_has_its_contacts_in_their_order(bodies: int, data: st.DataObj
     contacts = Contacts(pairs, np.zeros((len(drawn), 0)), np.zeros((len(drawn), 0), np.int32))
     queue = np.zeros((3, 4 * (bodies + len(pairs))), np.int32)
     none = np.zeros((0, 0))
-    events = Events(np.zeros(0), queue, none, np.zeros(0, np.int32), none)
+    events = Events(np.zeros(0), queue, none, np.zeros(0, np.int32), none, queue, none, none)
     list_contacts_by_body(broad_phase, contacts, events, bodies)
     for i in range(bodies):
         listed = queue[CONTACT_OF_BODY, queue[FIRST_OF_BODY, i] : queue[FIRST_OF_BODY, i + 1]]

@@ -29,9 +29,9 @@ def relax_alone(world: World, first: int, last: int, substep: float) -> None:
     relax(first, last, world.bodies, world.constraints, substep, True)
 
 
-def apply_restitution_alone(world: World, first: int, last: int, slowest: float) -> None:
-    """An entry: some blocks through `apply_restitution`."""
-    apply_restitution(first, last, world.bodies, world.constraints, slowest)
+def apply_restitution_alone(world: World, again: int, slowest: float) -> None:
+    """An entry: all blocks through `apply_restitution`."""
+    apply_restitution(again > 0, world.bodies, world.constraints, slowest)
 
 
 PARTS = (warm_start_alone, solve_soft_alone, relax_alone, apply_restitution_alone)

@@ -524,6 +524,7 @@ F_SPAN_X = _scratch()  # m, from the centre of A to that of B
 F_SPAN_Y = _scratch()
 # columns of a point from F_FIRST_POINT or F_SECOND_POINT on
 F_X, F_Y, F_GAP, F_NORMAL_IMPULSE, F_TANGENT_IMPULSE, F_PRELOAD = range(0, 6 * LANES, LANES)
+B_UNSETTLED = _scratch()  # N s, by which restitution changes more than counts
 PREFETCHED = _scratch(1)  # a sum that nothing reads: the compiler would leave out loads without use
 
 _energy_sums = Columns()  # J, over all bodies with contacts

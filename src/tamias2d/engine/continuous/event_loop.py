@@ -158,6 +158,7 @@ def solve_continuous(
                 update_event(event, event_count, events.times, events.queue)
                 continue
             impacts_left -= met - 1
+            now = max(now, events.times[event])  # on parabolas they meet later than on chords
         share = 1.0 if impacts_left <= 0 else control.progress[DEPTH_SHARE]
         stays = bodies.kind[i] != DYNAMIC or joins
         for one, other in ((i, -1), (j, -1 if stays else i)):
@@ -380,11 +381,12 @@ def resolve_impact(
     i, j = shapes.slot[s], shapes.slot[t]
     held = held_normal(contacts.manifolds[p], contacts.flags[p])
     count = gather_meetings(p, now, bodies, shapes, contacts, events)
-    bends = contacts.flags[p, LOCATED] > 0 and is_first(i, j, bodies)
+    bends = is_first(i, j, bodies)
     if bends:
         now = bend_paths(s, t, now, control.progress[PART_TIME], bodies, shapes, events)
         if now > 1.0:
             return 0
+        events.times[len(bodies.kind) + p] = now
         a, b = core_of(s, shapes), core_of(t, shapes)
         if is_thin(a, b) and held[0] == 0.0 and held[1] == 0.0:
             held = (events.scratch[0, NX], events.scratch[0, NY])  # rounding hides the gap

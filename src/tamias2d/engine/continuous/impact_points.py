@@ -52,6 +52,7 @@ from tamias2d.generated.soft_contact import limited_tangent_impulse, restitution
 from tamias2d.state import Array, Vector
 
 MOST_VISITS = 256  # of each point
+ONE_POINT = 2.0**-40  # share of a determinant: two points below it do the same
 MOST_HOLDS = 32  # turns of normals and tangents where points are held
 UNCHANGED = 2.0**-48  # of the largest impulse
 
@@ -203,28 +204,89 @@ def solve_points(
     """
     for _ in range(MOST_VISITS):
         largest = change = 0.0
-        for r in range(2 * count):
-            row = events.met_points[r]
-            if row[M_APPROACH] < 0.0:
-                if rough and row[M_FRICTION] > 0.0:
+        for k in range(count):
+            for r in range(2 * k, 2 * k + 2 if rough else 2 * k):
+                if is_rough(events.met_points[r]):
                     change = max(change, drag_point(r, left, bodies, events))
-                change = max(change, push_point(r, left, bouncing, bodies, events))
-                largest = max(largest, row[M_PUSH])
+            change = max(change, push_pair(k, left, bouncing, bodies, events))
+            first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
+            largest = max(largest, first[M_PUSH], second[M_PUSH])
         if change <= UNCHANGED * largest:
             return
 
 
-def push_point(r: int, left: float, bouncing: float, bodies: Bodies, events: Events) -> float:
-    """Give a point its normal velocity; return by how much its impulse changes, N s."""
-    row, line = events.met_points[r], line_of(r, False, events)
-    speed = speed_along(line, left, bodies.motion, bodies.flight)
-    mass = mass_along(line, bodies.properties)
-    restitution = bouncing * row[M_RESTITUTION]
-    after = restitution_impulse(row[M_PUSH], speed, row[M_APPROACH], restitution, mass)
-    change = after - row[M_PUSH]
-    change_velocities(line, change, bodies.motion, bodies.properties)
-    row[M_PUSH] = after
-    return abs(change)
+def is_rough(row: Array) -> bool:
+    """Return whether friction acts at a point that has approached."""
+    return bool((row[M_APPROACH] < 0.0) & (row[M_FRICTION] > 0.0))
+
+
+def push_pair(k: int, left: float, bouncing: float, bodies: Bodies, events: Events) -> float:
+    """Give the points of a pair their normal velocities; return how far impulses change, N s."""
+    one, other = line_of(2 * k, False, events), line_of(2 * k + 1, False, events)
+    first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
+    missing = -speed_along(one, left, bodies.motion, bodies.flight)
+    also = -speed_along(other, left, bodies.motion, bodies.flight)
+    missing -= bouncing * first[M_RESTITUTION] * first[M_APPROACH]
+    also -= bouncing * second[M_RESTITUTION] * second[M_APPROACH]
+    both = (first[M_APPROACH] < 0.0, second[M_APPROACH] < 0.0)
+    by, by_other = solve_pair(k, M_PUSH, both, (missing, also), bodies, events)
+    change_velocities(one, by, bodies.motion, bodies.properties)
+    change_velocities(other, by_other, bodies.motion, bodies.properties)
+    return max(abs(by), abs(by_other))
+
+
+def solve_pair(
+    k: int, column: int, solved: tuple[bool, bool], missing: Vector, bodies: Bodies, events: Events
+) -> Vector:
+    """Give the points of a pair the speeds that they miss, m/s, by impulses in a column.
+
+    None of them pulls: then a point has a larger speed. Returns how much is added to both, N s.
+    """
+    first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
+    x, y = first[column], second[column]
+    one, other = line_of(2 * k, False, events), line_of(2 * k + 1, False, events)
+    if solved[0] and solved[1]:
+        a, b, c = couplings_of(one, other, bodies.properties)
+        first[column], second[column] = pushes_of_two(
+            a, b, c, a * x + b * y + missing[0], b * x + c * y + missing[1]
+        )
+    elif solved[0]:
+        mass = mass_along(one, bodies.properties)
+        first[column] = restitution_impulse(x, -missing[0], 0.0, 0.0, mass)
+    elif solved[1]:
+        mass = mass_along(other, bodies.properties)
+        second[column] = restitution_impulse(y, -missing[1], 0.0, 0.0, mass)
+    return first[column] - x, second[column] - y
+
+
+def couplings_of(
+    one: ImpulseLine, other: ImpulseLine, properties: Array
+) -> tuple[float, float, float]:
+    """Return how impulses along two lines of a pair change the speeds along both, 1/kg."""
+    a, b = properties[one.a], properties[one.b]
+    mixed = smooth.coupling(
+        a[INVERSE_MASS], a[INVERSE_INERTIA],
+        one.at_a, one.direction, other.at_a, other.direction,
+    )  # fmt: skip
+    mixed += smooth.coupling(
+        b[INVERSE_MASS], b[INVERSE_INERTIA],
+        one.at_b, one.direction, other.at_b, other.direction,
+    )  # fmt: skip
+    return 1.0 / mass_along(one, properties), mixed, 1.0 / mass_along(other, properties)
+
+
+def pushes_of_two(a: float, b: float, c: float, p: float, q: float) -> Vector:
+    """Return x and y, at least 0, of which a x + b y >= p and b x + c y >= q.
+
+    Where one of these is larger, its unknown is 0. Two points that are as good as one are one.
+    """
+    whole = a * c - b * b
+    if whole > ONE_POINT * a * c:
+        x, y = (c * p - b * q) / whole, (a * q - b * p) / whole
+        if x >= 0.0 and y >= 0.0:
+            return x, y
+    x, y = max(p / a, 0.0), max(q / c, 0.0)
+    return (x, 0.0) if b * x >= q else (0.0, y)
 
 
 def drag_point(r: int, left: float, bodies: Bodies, events: Events) -> float:
@@ -258,16 +320,17 @@ def hold_paths(count: int, now: float, time_step: float, bodies: Bodies, events:
     pressed = False
     for _ in range(MOST_VISITS):
         largest = change = 0.0
-        for r in range(2 * count):
-            row = events.met_points[r]
-            if is_point(row):
-                line = line_of(r, False, events)
-                rate = path_speed_along(line, time_step, bodies.motion)
-                mass = mass_along(line, bodies.properties)
-                after = restitution_impulse(row[M_HELD], rate, 0.0, 0.0, mass)
-                change_paths(line, now, (after - row[M_HELD]) * time_step, bodies)
-                change, largest = max(change, abs(after - row[M_HELD])), max(largest, after)
-                row[M_HELD] = after
+        for k in range(count):
+            one, other = line_of(2 * k, False, events), line_of(2 * k + 1, False, events)
+            first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
+            missing = -path_speed_along(one, time_step, bodies.motion)
+            also = -path_speed_along(other, time_step, bodies.motion)
+            both = (is_point(first), is_point(second))
+            by, by_other = solve_pair(k, M_HELD, both, (missing, also), bodies, events)
+            change_paths(one, now, by * time_step, bodies)
+            change_paths(other, now, by_other * time_step, bodies)
+            change = max(change, abs(by), abs(by_other))
+            largest = max(largest, first[M_HELD], second[M_HELD])
         pressed = pressed or largest > 0.0
         if change <= UNCHANGED * largest:
             break
@@ -278,16 +341,17 @@ def hold_velocities(count: int, bodies: Bodies, events: Events) -> None:
     """Stop what forces give bodies by the end of the step at points whose paths are held."""
     for _ in range(MOST_VISITS):
         largest = change = 0.0
-        for r in range(2 * count):
-            row = events.met_points[r]
-            if row[M_HELD] > 0.0:
-                line = line_of(r, False, events)
-                speed = speed_along(line, 0.0, bodies.motion, bodies.flight)
-                mass = mass_along(line, bodies.properties)
-                after = restitution_impulse(row[M_LASTING], speed, 0.0, 0.0, mass)
-                change_velocities(line, after - row[M_LASTING], bodies.motion, bodies.properties)
-                change, largest = max(change, abs(after - row[M_LASTING])), max(largest, after)
-                row[M_LASTING] = after
+        for k in range(count):
+            one, other = line_of(2 * k, False, events), line_of(2 * k + 1, False, events)
+            first, second = events.met_points[2 * k], events.met_points[2 * k + 1]
+            missing = -speed_along(one, 0.0, bodies.motion, bodies.flight)
+            also = -speed_along(other, 0.0, bodies.motion, bodies.flight)
+            both = (first[M_HELD] > 0.0, second[M_HELD] > 0.0)
+            by, by_other = solve_pair(k, M_LASTING, both, (missing, also), bodies, events)
+            change_velocities(one, by, bodies.motion, bodies.properties)
+            change_velocities(other, by_other, bodies.motion, bodies.properties)
+            change = max(change, abs(by), abs(by_other))
+            largest = max(largest, first[M_LASTING], second[M_LASTING])
         if change <= UNCHANGED * largest:
             return
 

@@ -16,6 +16,7 @@ from tamias2d.engine.tables import (
     B_DY_B,
     B_SPIN_A,
     B_SPIN_B,
+    B_UNSETTLED,
     B_VX_A,
     B_VX_B,
     B_VY_A,
@@ -310,6 +311,8 @@ def restitution_lanes(at: int, bounce: int, row: Array, scratch: Array, slowest:
         after = bounced if meets else before
         row[at + P_NORMAL_IMPULSE + m] = after
         row[bounce + m] += after - before
+        least = SETTLED_RESTITUTION * abs(row[bounce + m])
+        scratch[B_UNSETTLED + m] = abs(after - before) - least
         row[at + P_TOTAL_IMPULSE + m] = row[at + P_TOTAL_IMPULSE + m] + (after - before)
         now = pushed_apart(m, at, after - before, now, row)
         set_velocities(m, now, scratch)
@@ -418,23 +421,21 @@ def apply_restitution(
     settled = True
     for b in range(constraints.counts[BLOCKS]):
         row, lane = constraints.blocks[b], constraints.lanes[b]
-        before = sum_restitution(row)
-        if again and before == 0.0:
+        if again and not (
+            some_above(row, FIRST_RESTITUTION) or some_above(row, SECOND_RESTITUTION)
+        ):
             continue
         load_velocities(lane, motion, scratch)
         restitution_lanes(FIRST_POINT, FIRST_RESTITUTION, row, scratch, slowest)
+        settled = settled and not some_above(scratch, B_UNSETTLED)
         if lane[POINTS] == 2:
             restitution_lanes(SECOND_POINT, SECOND_RESTITUTION, row, scratch, slowest)
+            settled = settled and not some_above(scratch, B_UNSETTLED)
         apply_closed_friction(lane, FIRST_RESTITUTION, SECOND_RESTITUTION, 0.0, row, scratch)
         store_velocities(lane, motion, scratch)
-        after = sum_restitution(row)
-        settled = settled and abs(after - before) <= SETTLED_RESTITUTION * abs(after)
     return settled
 
 
-def sum_restitution(row: Array) -> float:
-    """Return the sum of the impulses that restitution has given the contacts of a block, N s."""
-    total = 0.0
-    for m in range(LANES):
-        total += row[FIRST_RESTITUTION + m] + row[SECOND_RESTITUTION + m]
-    return total
+def some_above(row: Array, column: int) -> bool:
+    """Return whether a lane has a positive number in a column."""
+    return both_above(row, column, 0.0, column, 0.0)
