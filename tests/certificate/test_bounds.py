@@ -4,11 +4,13 @@ import math
 from dataclasses import replace
 from fractions import Fraction
 
+import mpmath as mp
 import numpy as np
 import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import tamias2d as t2
+from tamias2d.state import Array
 from tamias2d.study.error import history_error
 from tools.measurements import held_out
 from tools.measurements.exact import exact_history
@@ -206,6 +208,46 @@ def test_few_steps_that_a_tighter_tolerance_repeats_are_not_believed(
     assert run.certificate.bound is not None
     error = float(np.abs(run.position[:, 0, 1] - true).max()) / 0.5
     assert error <= run.certificate.bound <= tolerance
+
+
+@pytest.mark.parametrize("rtol", [1e-12, 4e-13, 2e-13, 1e-13, 2e-14])
+@pytest.mark.parametrize("eccentricity", [0.998, 0.99995])
+def test_the_order_of_halved_steps_is_not_believed_below_rounding(
+    rtol: float, eccentricity: float
+) -> None:
+    """Both ways round each step, most where the planet is fastest."""
+    far, speed = 1 + eccentricity, -math.sqrt((1 - eccentricity) / (1 + eccentricity))
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    scene.add_body(None, mass=1.0, position=(-far, 0.0), velocity=(0.0, speed))
+    pull = [f"-1[m^3/s^2]*mass*{axis}(position)/norm(position)**3" for axis in "xy"]
+    scene.add_field(force=pull)
+    times = np.linspace(0.0, 6.0, 41)
+    method = t2.Dop853(rtol=rtol, halved=True)
+    run = t2.simulate(scene, duration=6.0, method=method, times=times)
+    true = replace(run, position=orbit_from_apoapsis(far, speed, times)[:, None])
+    error, bound = error_and_bound(run, true)
+    assert error <= bound < 1e-5
+
+
+def orbit_from_apoapsis(far: float, speed: float, times: Array) -> Array:
+    """Return places (k, 2), m, at times, s, by Kepler's equation in 40 digits.
+
+    The planet starts at (-far, 0), m, along y, and what pulls it in the origin has mu = 1 m^3/s^2.
+    """
+    with mp.workdps(40):
+        axis = 1 / (2 / mp.mpf(far) - mp.mpf(speed) ** 2)
+        e = mp.mpf(far) / axis - 1
+        found = []
+        for t in times:
+            mean = mp.pi + mp.mpf(float(t)) / mp.sqrt(axis**3)
+
+            def late(anomaly: mp.mpf, mean: mp.mpf = mean) -> mp.mpf:
+                return anomaly - e * mp.sin(anomaly) - mean
+
+            u = mp.findroot(late, (mean - 1, mean + 1), solver="anderson", tol=1e-70)
+            across = mp.sqrt(1 - e**2) * mp.sin(u)
+            found.append((float(axis * (mp.cos(u) - e)), float(axis * across)))
+        return np.array(found)
 
 
 def test_the_turning_of_a_body_without_a_shape_is_not_claimed() -> None:
