@@ -8,7 +8,7 @@ from math import inf
 from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
 from tamias2d.event_driven.instant import MOST_IMPULSES, meet, tell
 from tamias2d.event_driven.kinds import is_pushed
-from tamias2d.event_driven.meeting import meets, time_of_meeting
+from tamias2d.event_driven.meeting import look, meets, search
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
 from tamias2d.event_driven.tables import (
     ACROSS,
@@ -77,6 +77,8 @@ def happen(world: World) -> int:
     pop(world)
     if void:
         return DONE
+    if i > j:
+        return DONE if search(j, i, limit_of(j, i, world), world) else SEARCH
     world.numbers[NOW] = time
     if i == j:
         leave(i, world)
@@ -121,13 +123,15 @@ def set_out(k: int, but: int, time: float, world: World) -> bool:
         i, j = min(k, other), max(k, other)
         if other == but or not meets(i, j, world):
             continue
-        limit = min(world.leaving[i], world.leaving[j], world.numbers[END])
-        meeting = time_of_meeting(i, j, limit, world)
-        if meeting < 0.0:
+        if not look(i, j, limit_of(i, j, world), world):
             return False
-        if meeting <= limit:
-            push(meeting, i, j, world)
     return True
+
+
+@inlined
+def limit_of(i: int, j: int, world: World) -> float:
+    """Return until when a pair is searched, s: another search follows where a body leaves."""
+    return float(min(world.leaving[i], world.leaving[j], world.numbers[END]))
 
 
 def follow_worlds(worlds: Worlds) -> int:
