@@ -16,7 +16,7 @@ from tamias2d.contact.stepping_choice import MANY
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds, value_of
 from tamias2d.event_driven import LIBRARY, tables
-from tamias2d.event_driven.arrangement import blank_world, hulls_of, kinds_of
+from tamias2d.event_driven.arrangement import blank_few, blank_world, hulls_of, kinds_of
 from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.generated import definitions, rotation, translation
 from tamias2d.kernels.groups import addresses
@@ -67,6 +67,7 @@ def followed(worlds: Worlds, request: Request, first: int, last: int) -> Followe
     times, size = np.array(request.times), len(scene)
     many = tables.Worlds(
         world=_world(scene, times, request.duration),
+        few=blank_few(),
         bodies=np.stack([_table(rows, k, count) for k in range(size)], axis=1),
         laws=_laws(rows, count),
         samples=np.zeros((count, len(times) * size, 6)),
