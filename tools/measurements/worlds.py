@@ -191,7 +191,7 @@ def table(found: dict[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]
 def notes(found: dict[str, Any]) -> list[str]:
     """Return what the columns mean."""
     return [
-        f"{found['duration']:g} s, medians of {found['turns']} turns, seed {found['seed']}; Pymunk: "
-        "a world of it in steps of 1/60 s; asked: the ratio of issue 17; followed: of the worlds, "
-        "those of which the time is told"
+        f"{found['duration']:g} s, medians of {found['turns']} turns, seed {found['seed']}; "
+        "Pymunk: a world of it in steps of 1/60 s; asked: the ratio of issue 17; followed: of the "
+        "worlds, those of which the time is told"
     ]

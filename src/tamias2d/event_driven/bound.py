@@ -1,8 +1,7 @@
-"""A time before which two bodies cannot meet, from the circles around them alone (DD46).
+"""A time before which two bodies cannot meet, from the circles around them alone (DD46, DD79).
 
-The circles are taken larger by a share that rounding does not reach. On the same acceleration, the
-square of the distance of their centres is a gap whose second derivative is constant, so that the
-bound is when the circles meet; else the gap along the axis of now bounds it.
+The circles are taken larger by a share that rounding does not reach. On the same acceleration the
+bound is when they meet; else it is that of the gap along the axis of now.
 """
 
 from math import inf, sqrt
@@ -22,7 +21,14 @@ from tamias2d.event_driven.tables import (
     Pair,
     World,
 )
-from tamias2d.generated.continuous_collision import advance_opening, discriminant
+from tamias2d.generated.continuous_collision import (
+    advance_opening,
+    centre_acceleration_least,
+    discriminant,
+    reach_gap,
+    reach_gap_acceleration,
+    reach_gap_rate,
+)
 from tamias2d.kernels.assembled import inlined
 
 BLURRED = 8.0  # resolutions within the margin, so that this is so
@@ -78,16 +84,17 @@ def before_plane(plane: int, k: int, state: Moving, blur: float, world: World) -
 @inlined
 def before_disc(a: Moving, b: Moving, pull: Pair, reach: float, may: bool) -> float:
     """Return how long two centres on a relative acceleration are not in reach, s."""
-    x, y, u, v = b[0] - a[0], b[1] - a[1], b[3] - a[3], b[4] - a[4]
-    square, closing = x * x + y * y, x * u + y * v
-    gap = square - reach * reach
+    span, going = (b[0] - a[0], b[1] - a[1]), (b[3] - a[3], b[4] - a[4])
+    gap, rate = reach_gap(span, reach), reach_gap_rate(span, going)
     if pull[0] == 0.0 and pull[1] == 0.0:
         if gap > 0.0:
-            return root(gap, 2.0 * closing, 2.0 * (u * u + v * v))
-        parting = closing > MARGIN * reach * (abs(u) + abs(v))
+            return root(gap, rate, reach_gap_acceleration(going))
+        parting = rate > MARGIN * reach * (abs(going[0]) + abs(going[1]))
         return inf if parting and may else 0.0
     if gap <= 0.0:
         return 0.0
-    distance = sqrt(square)
-    along = (x * pull[0] + y * pull[1]) / distance
-    return root(distance - reach, closing / distance, along)
+    distance = sqrt(span[0] * span[0] + span[1] * span[1])
+    axis = (span[0] / distance, span[1] / distance)
+    rate = axis[0] * going[0] + axis[1] * going[1]
+    least = centre_acceleration_least((0.0, 0.0), pull, axis, 0.0)
+    return root(distance - reach, rate, least)

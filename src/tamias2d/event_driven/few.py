@@ -1,7 +1,7 @@
 """Few discs and half-planes from impact to impact: a table of pairs, in which all bodies are lanes.
 
 It finds the impacts that the queue of events finds, in the same order. Of each pair the table has
-when it meets, or a time before which it does not (DD46), which costs no search; the search follows
+when it meets, or a time before which it does not (DD46, DD79), which costs no search; that follows
 once no other time is earlier. Cost of an event: two rows of the table, all lanes at once, and a
 look for the least time of each row.
 """
@@ -17,6 +17,7 @@ from tamias2d.event_driven.tables import (
     AT_START,
     AX,
     AY,
+    BLUR,
     DONE,
     END,
     FULL,
@@ -65,6 +66,9 @@ from tamias2d.generated.continuous_collision import (
     advance_closing,
     advance_opening,
     discriminant,
+    reach_gap,
+    reach_gap_acceleration,
+    reach_gap_rate,
 )
 from tamias2d.kernels.assembled import inlined
 
@@ -196,9 +200,7 @@ def look_around(k: int, but: int, time: float, world: World, few: Few) -> bool:
             note_meeting(k, other, time + early, 0, few)
         elif not search_pair(i, j, world, few):
             return False
-        if few.partner[other] == k:
-            find_first(other, world, few)
-        elif few.times[k, other] <= few.least[other]:
+        if few.partner[other] == k or few.times[k, other] <= few.least[other]:
             find_first(other, world, few)
     return True
 
@@ -257,10 +259,10 @@ def place(k: int, few: Few) -> None:
 
 @inlined
 def measure_gaps(k: int, end: float, few: Few) -> None:
-    """Measure how far one body is from all, by the circle around it, taken larger (DD46).
+    """Measure how far one body is from all, by the circle around it, taken larger.
 
-    To a disc it is the square of the distance of the centres, less that of the reach; below 0
-    where rounding may count.
+    To a half-plane it is the gap, m, to a disc what DD79 says, m^2; `BLUR` where rounding may count
+    up to an end, s.
     """
     lanes, now = few.bodies, few.now
     x, y, u, v = now[NOW_X + k], now[NOW_Y + k], now[NOW_U + k], now[NOW_V + k]
@@ -271,11 +273,10 @@ def measure_gaps(k: int, end: float, few: Few) -> None:
         base = radius if plane else radius + lanes[LANE_RADIUS + m]
         reach = base * (1.0 + MARGIN)
         away = -(lanes[LANE_NX + m] * dx + lanes[LANE_NY + m] * dy) - lanes[LANE_OFFSET + m] - reach
-        apart = dx * dx + dy * dy - reach * reach
+        gap = away if plane else reach_gap((dx, dy), reach)
         speed = abs(now[NOW_U + m] - u) + abs(now[NOW_V + m] - v)
         blur = (BLURRED * EPSILON) * (16 * (far + now[NOW_FAR + m]) + 4 * speed * end)
-        gap = away if plane else apart
-        now[NOW_GAP + m] = gap if blur <= base * MARGIN else min(gap, 0.0)
+        now[NOW_GAP + m] = BLUR if blur > base * MARGIN else gap
 
 
 @inlined
@@ -288,20 +289,20 @@ def measure_times(k: int, may_part: bool, few: Few) -> None:
     x, y, u, v = now[NOW_X + k], now[NOW_Y + k], now[NOW_U + k], now[NOW_V + k]
     ax, ay, radius = lanes[LANE_AX + k], lanes[LANE_AY + k], lanes[LANE_RADIUS + k]
     for m in range(LANES):
-        plane = lanes[LANE_PLANE + m] > 0.0
-        dx, dy, du, dv = now[NOW_X + m] - x, now[NOW_Y + m] - y, now[NOW_U + m] - u, now[NOW_V + m] - v
-        gap, speed = now[NOW_GAP + m], abs(du) + abs(dv)
-        rate = -(lanes[LANE_NX + m] * du + lanes[LANE_NY + m] * dv) if plane else 2.0 * (dx * du + dy * dv)
-        pull = lanes[LANE_NX + m] * ax + lanes[LANE_NY + m] * ay
-        least = pull if plane else 2.0 * (du * du + dv * dv)
+        plane, gap = lanes[LANE_PLANE + m] > 0.0, now[NOW_GAP + m]
+        span = (now[NOW_X + m] - x, now[NOW_Y + m] - y)
+        du, dv = now[NOW_U + m] - u, now[NOW_V + m] - v
+        nx, ny = lanes[LANE_NX + m], lanes[LANE_NY + m]
+        rate = -(nx * du + ny * dv) if plane else reach_gap_rate(span, (du, dv))
+        least = nx * ax + ny * ay if plane else reach_gap_acceleration((du, dv))
         inside = discriminant(gap, rate, least)
         real = max(inside, 0.0)
         opening = advance_opening(rate, least, real) if least < 0.0 else inf
         closing = advance_closing(gap, rate, real) if rate < 0.0 or real > 0.0 else inf
         apart = opening if rate > 0.0 else closing
         apart = apart if inside >= 0.0 else inf
-        scale = speed if plane else (radius + lanes[LANE_RADIUS + m]) * speed
-        parting = may_part and rate > MARGIN * scale
+        reach = 1.0 if plane else radius + lanes[LANE_RADIUS + m]
+        parting = may_part and gap > BLUR and rate > MARGIN * reach * (abs(du) + abs(dv))
         touching = opening if parting and (inside > 0.0 or least >= 0.0) else 0.0
         found = apart if gap > 0.0 else touching
         like = plane or (lanes[LANE_AX + m] == ax and lanes[LANE_AY + m] == ay)

@@ -29,7 +29,7 @@ def meets(i: int, j: int, world: World) -> bool:
 def look(i: int, j: int, limit: float, world: World) -> bool:
     """Schedule when a pair meets, if it does up to a limit, s; return whether that can be told.
 
-    Where bodies are without corners, and well apart, a time before which they cannot meet does: most
+    Where bodies without corners are well apart, a time before which they cannot meet is noted: most
     pairs have other paths before it comes, and need no search.
     """
     world.counts[LOOKED_AT] += 1

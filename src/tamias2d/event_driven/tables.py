@@ -92,6 +92,7 @@ LANE_COLUMNS = 13
 # how far away, and for how long they do not meet it, s
 NOW_X, NOW_Y, NOW_U, NOW_V, NOW_FAR, NOW_GAP, NOW_TIME = range(0, 7 * LANES, LANES)
 NOW_COLUMNS = 7
+BLUR = -1e300  # instead of how far, where float64 cannot tell
 UNLIKE = -1.0  # instead of that time, of a disc that is accelerated otherwise
 
 DONE, FULL, CROWDED, INSTANT, SEARCH = range(5)
