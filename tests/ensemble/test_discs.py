@@ -12,7 +12,9 @@ from tamias2d.ensemble import discs
 from tamias2d.ensemble.discs import Followed, followed
 from tamias2d.ensemble.request import request_of
 from tamias2d.ensemble.worlds import worlds_of
+from tamias2d.event_driven import tables
 from tests.ensemble.scenes import bouncing, stack
+from tools.measurements.worlds import scattered
 
 
 def crowd(seed: int) -> tuple[t2.Scene, dict[str, Any]]:
@@ -74,6 +76,41 @@ def compare(scene: t2.Scene, vary: Any, worlds: int, duration: float, seed: int)
 @pytest.mark.parametrize("seed", range(6))
 def test_worlds_that_are_followed_have_the_bits_of_the_ordinary_way(seed: int) -> None:
     compare(*crowd(seed), worlds=4, duration=1.5, seed=seed)
+
+
+def test_a_table_of_pairs_finds_what_a_queue_of_events_does() -> None:
+    """Discs far away, behind a wall, make the bodies too many for the table."""
+    worlds = scattered(10, 0.9, 30, seed=3)
+    values = {place.path: rows for place, rows in worlds.values.items()}
+    request = request_of(worlds.base, duration=2.0)
+    few = followed(worlds, request, 0, 30)
+    for k in range(4):
+        post, place = t2.Disc(radius=0.1), (-100.0, 1.0 + k)
+        worlds.base.add_static(post, position=place, restitution=1.0, name=f"post{k}")
+    assert len(worlds.base) > tables.LANES
+    more = worlds_of(worlds.base, values, None, None, None)
+    many = followed(more, request_of(worlds.base, duration=2.0), 0, 30)
+    assert few is not None
+    assert many is not None
+    assert few.done.mean() > 0.8
+    np.testing.assert_array_equal(few.done, many.done)
+    for name in request.keep:
+        np.testing.assert_array_equal(few.arrays[name][few.done], many.arrays[name][few.done])
+
+
+def test_a_world_of_too_many_impacts_is_handed_over() -> None:
+    scene = t2.Scene(gravity=(0.0, 0.0))
+    for x in (-1.0, 1.0):
+        wall = t2.HalfPlane(normal=(-x, 0.0), offset=-1.0)
+        scene.add_static(wall, restitution=1.0, name=f"wall at {x}")
+    disc = t2.Disc(radius=0.5)
+    scene.add_body(disc, mass=1.0, position=(0.0, 0.0), restitution=1.0, name="disc")
+    vary = {"bodies.disc.velocity.x": [960.0, 1100.0]}  # as many impacts in a second
+    found = followed(
+        worlds_of(scene, vary, None, None, None), request_of(scene, duration=1.0), 0, 2
+    )
+    assert found is not None
+    assert found.done.tolist() == [True, False]
 
 
 def test_a_disc_that_bounces_and_comes_to_rest_is_followed() -> None:

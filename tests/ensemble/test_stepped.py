@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import tamias2d as t2
+from tamias2d.ensemble import stepped as stepped_worlds
 from tamias2d.ensemble.request import STATE, request_of
 from tamias2d.ensemble.stepped import stepped
 from tamias2d.ensemble.worlds import worlds_of
@@ -93,6 +94,60 @@ def test_a_world_follows_one_that_needed_longer_arrays() -> None:
     for world in (0, 1):
         run = t2.simulate(worlds.scene(world), times=(0.8,), **METHOD)
         assert found.arrays["position"][world].tobytes() == run.position.tobytes()
+
+
+def test_bodies_that_are_alike_stand_in_for_each_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Discs in any order need one simulator; a box among them stands for no other body."""
+    made, prepare = [], stepped_worlds._Prepared
+
+    def prepared(*given: Any) -> Any:
+        made.append(given)
+        return prepare(*given)
+
+    monkeypatch.setattr(stepped_worlds, "_Prepared", prepared)
+    scene, random = t2.Scene(gravity=(0.0, -9.81)), np.random.default_rng(5)
+    floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+    scene.add_static(floor, restitution=0.5, friction=0.3, name="floor")
+    vary: dict[str, Any] = {}
+    for k in range(6):
+        scene.add_body(
+            t2.Disc(radius=0.2), mass=1.0 + k, position=(0.5 * k, 1.0), velocity=(1.0 - k, 0.0),
+            restitution=0.1 * k, friction=0.2, force=(0.3 * k, 0.0), name=f"disc{k}",
+        )  # fmt: skip
+        vary[f"bodies.disc{k}.position"] = random.uniform((-1.5, 0.3), (1.5, 3.0), (WORLDS, 2))
+    for boxes, engines in ((0, 1), (1, None)):
+        if boxes:
+            box = t2.Box(width=0.3, height=0.3)
+            scene.add_body(box, mass=1.0, position=(0.1, 0.5), restitution=0.2, friction=0.2,
+                           name="box")  # fmt: skip
+        worlds = worlds_of(scene, vary, None, None, None)
+        request = request_of(scene, times=TIMES, bodies=range(len(scene)), **METHOD)
+        made.clear()
+        found = stepped(worlds, request, 0, WORLDS)
+        assert found is not None
+        assert found.done.all()
+        assert len(made) == engines or (boxes and 1 < len(made) <= 7)  # places for the box
+        for world in range(WORLDS):
+            run = t2.simulate(worlds.scene(world), times=TIMES, **METHOD)
+            for name in STATE:
+                assert found.arrays[name][world].tobytes() == getattr(run, name).tobytes()
+
+
+def test_discs_that_differ_in_what_a_start_does_not_tell_stand_for_themselves() -> None:
+    scene = t2.Scene(gravity=(0.0, -9.81))
+    floor = t2.HalfPlane(normal=(0.0, 1.0), offset=0.0)
+    scene.add_static(floor, restitution=0.5, friction=0.3, name="floor")
+    given: list[dict[str, Any]] = [
+        {}, {"linear_drag": 0.5}, {"linear_drag": 0.5, "mass": 2.0}, {"group": -1}, {"mask": 0},
+        {"radius": 0.3}, {"mass": 3.0}, {"inertia": 1.0},
+    ]  # fmt: skip
+    for k, other in enumerate(given):
+        disc = t2.Disc(radius=other.pop("radius", 0.2))
+        known = {"mass": 1.0, "restitution": 0.5, "friction": 0.2} | other
+        scene.add_body(disc, position=(0.7 * k, 1.0), name=f"disc{k}", **known)
+    assert stepped_worlds._kinds(scene) == [0, 1, 2, 3, 4, 5, 6, 1, 1]
+    scene.set_restitution("disc0", "floor", 0.1)
+    assert stepped_worlds._kinds(scene) == list(range(9))
 
 
 def test_bodies_that_only_what_varies_orders_are_left_to_the_ordinary_way() -> None:

@@ -42,9 +42,11 @@ class OpenCorners:
         """Return the rows of two walls that only just meet, and of a thin body; or None."""
         if not len(state.body_of_slot):
             return None
+        thin = (shapes.kind == THIN_CAPSULE) | (shapes.kind == THIN_POLYGON)
+        if not thin.any():
+            return None
         row = state.body_of_slot[shapes.slot].astype(np.int64)
         free = state.kind[row] == DYNAMIC
-        thin = (shapes.kind == THIN_CAPSULE) | (shapes.kind == THIN_POLYGON)
         wide, half = state.properties[row, BOUNDING_RADIUS], state.properties[row, MIN_EXTENT]
         reach = np.where(free & (half < SLENDER * wide), wide, 0.0)
         if not reach.any() or not (thin & ~free).any():

@@ -16,7 +16,7 @@ from tamias2d.contact.stepping_choice import MANY
 from tamias2d.ensemble.request import STATE, Request
 from tamias2d.ensemble.worlds import VariedWorlds, Worlds, value_of
 from tamias2d.event_driven import LIBRARY, tables
-from tamias2d.event_driven.arrangement import blank_world, hulls_of, kinds_of
+from tamias2d.event_driven.arrangement import blank_few, blank_world, hulls_of, kinds_of
 from tamias2d.event_driven.length import hypot_agrees
 from tamias2d.generated import definitions, rotation, translation
 from tamias2d.kernels.groups import addresses
@@ -67,7 +67,8 @@ def followed(worlds: Worlds, request: Request, first: int, last: int) -> Followe
     times, size = np.array(request.times), len(scene)
     many = tables.Worlds(
         world=_world(scene, times, request.duration),
-        bodies=np.stack([_table(rows, k, count) for k in range(size)], axis=1),
+        few=blank_few(),
+        bodies=_tables(rows, count),
         laws=_laws(rows, count),
         samples=np.zeros((count, len(times) * size, 6)),
         status=np.zeros(count, dtype=np.int32),
@@ -138,9 +139,17 @@ def _pushed(scene: Scene) -> list[int]:
     return [k for k, body in enumerate(scene.bodies) if body.dynamic]
 
 
-def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
-    """Return the columns (w, 18) of a body."""
-    body, found = worlds.base.bodies[k], np.zeros((count, tables.COLUMNS))
+def _tables(worlds: VariedWorlds, count: int) -> Array:
+    """Return the columns (w, n, 18) of all bodies."""
+    found = np.zeros((count, len(worlds.base), tables.COLUMNS))
+    for k in range(len(worlds.base)):
+        _fill(worlds, k, found[:, k])
+    return found
+
+
+def _fill(worlds: VariedWorlds, k: int, found: Array) -> None:
+    """Fill in the columns (w, 18) of a body."""
+    body = worlds.base.bodies[k]
 
     def value(key: str, *component: int) -> Any:
         base = getattr(body, key)
@@ -160,7 +169,6 @@ def _table(worlds: VariedWorlds, k: int, count: int) -> Array:
     if body.dynamic:
         for name, column in _motion(worlds, body, value):
             found[:, name] = column
-    return found
 
 
 def _radius(worlds: VariedWorlds, body: Body) -> Any:

@@ -30,6 +30,7 @@ Told = Callable[[int, int], None]
 """Hears how many worlds are finished, and how many there are."""
 
 _LONGEST = 1024  # worlds of a chunk
+_LONGEST_QUICK = 4096  # of worlds that take microseconds each: to hand over fewer takes as long
 _LARGEST = 2**24  # bytes of a chunk
 _EACH = 4  # chunks for each worker, so that none waits long for the last one
 
@@ -116,10 +117,10 @@ def _computed(
     told: Told,
 ) -> Any:
     """Return the dataset of all worlds, computed where they are to be."""
-    threads = client is None and workers != 1 and mostly_followed(worlds, request)
-    executors = executors_of(workers, client, threads=threads)
+    quick = mostly_followed(worlds, request)
+    executors = executors_of(workers, client, threads=quick and client is None)
     hands = 1 if executors is None else executors.waiting // 2
-    size = _chunk(chunk, len(worlds), hands, request)
+    size = _chunk(chunk, len(worlds), hands, request, _LONGEST_QUICK if quick else _LONGEST)
     if out is None:
         return _in_memory(worlds, request, size, executors, told)
     return _stored(worlds, request, size, executors, told, Store(Path(out)))
@@ -188,12 +189,12 @@ def _watched(blocks: Iterator[Block]) -> Iterator[Block]:
         yield block
 
 
-def _chunk(asked: int | None, count: int, hands: int, request: Request) -> int:
+def _chunk(asked: int | None, count: int, hands: int, request: Request, longest: int) -> int:
     """Return how many worlds are computed, and stored, together."""
     if asked is not None:
         return checked_count(asked, "chunk", 1)
     by_memory = max(_LARGEST // max(request.size, 1), 1)
-    return min(-(-count // (_EACH * hands)), by_memory, _LONGEST)
+    return min(-(-count // (_EACH * hands)), by_memory, longest)
 
 
 @contextmanager

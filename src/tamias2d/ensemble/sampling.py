@@ -230,6 +230,8 @@ def _numbers(given: Any, place: Place) -> Array:
 
 
 def _texts(given: Any) -> bool:
+    if isinstance(given, np.ndarray) and given.dtype.kind in "fiu":
+        return False
     return any(isinstance(item, str | list | tuple) for item in given)
 
 

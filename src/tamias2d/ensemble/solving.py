@@ -65,8 +65,9 @@ def solved_block(worlds: Worlds, request: Request, first: int, last: int) -> Blo
     for quick, kind in ((followed, LOCATED), (stepped, STEPPED)):
         if (found := quick(worlds, request, first, last)) is not None:
             outcome[found.done] = kind
+            whole = slice(None) if found.done.all() else found.done
             for name, values in found.arrays.items():
-                arrays[name][found.done] = values[found.done]
+                arrays[name][whole] = values[whole]
     for row in np.flatnonzero(outcome == REFUSED).tolist():
         world = first + row
         scene = worlds.scene(world)

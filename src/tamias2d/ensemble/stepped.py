@@ -2,12 +2,13 @@
 
 Serves: the solving of blocks. Hides: which ensembles this fits, and where the values of a world go.
 A start follows from its values but for the order of its bodies, which goes by where they are: so
-there is a simulator for each order. Each world has the bits that it has alone.
+there is a simulator for each order, in which bodies that are alike stand in for each other. Each
+world has the bits that it has alone.
 """
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -72,14 +73,17 @@ def stepped(worlds: Worlds, request: Request, first: int, last: int) -> Kept | N
         order, decided = _orders(rows, starts.pose)
         small = [(np.abs(part) < _LARGEST).reshape(count, -1).all(axis=1) for part in starts]
     done = np.logical_and.reduce((decided, *small))
-    for group in _alike(order, done):
+    kinds = np.array(_kinds(worlds.base))
+    for group in _alike(kinds[order], done):
         try:
             world = _Prepared(rows.scene(first + int(group[0])), request)
         except _REFUSALS:
             done[group] = False
             continue
-        for row in group.tolist():
-            done[row] = world.kept(row, starts, arrays)
+        stands_for = np.empty_like(order[group])
+        stands_for[:, order[group[0]]] = order[group]
+        for row, bodies in zip(group.tolist(), stands_for, strict=True):
+            done[row] = world.kept(row, bodies, starts, arrays)
     return Kept(arrays, done)
 
 
@@ -187,8 +191,28 @@ def _reach(shape: Shape | None) -> float:
     return max((far for far in ends if math.isfinite(far)), default=0.0)
 
 
+def _kinds(scene: Scene) -> list[int]:
+    """Return a number for each body, the same for those that differ in what a start tells alone."""
+    laws = scene.restitution_of_pairs or scene.friction_of_pairs
+    found: dict[Any, int] = {}
+    return [
+        found.setdefault(k if laws or not body.dynamic else _without_start(body), k)
+        for k, body in enumerate(scene.bodies)
+    ]
+
+
+def _without_start(body: Body) -> Body:
+    """Return a body with nothing of what a start tells."""
+    told: dict[str, Any] = {"name": "", "position": (0.0, 0.0), "orientation": 0.0}
+    told |= {"velocity": (0.0, 0.0), "angular_velocity": 0.0, "force": (0.0, 0.0), "torque": 0.0}
+    if not (body.linear_drag or body.angular_drag):
+        told |= {"mass": 1.0, "inertia": 1.0, "inertia_stated": True}
+    told |= {key: None if getattr(body, key) is None else 0.0 for key in _SURFACE}
+    return replace(body, **told)
+
+
 def _alike(order: IntArray, some: NDArray[np.bool_]) -> Iterator[IntArray]:
-    """Yield the worlds of each order, of some."""
+    """Yield the worlds in which the kinds of bodies have one order, of some."""
     there = np.flatnonzero(some)
     _, which = np.unique(order[there], axis=0, return_inverse=True)
     for k in range(int(which.max(initial=-1)) + 1):
@@ -208,32 +232,37 @@ class _Prepared:
         self._restart, self._request = Restart(self._sim), request
         self._times = np.array(request.times)
 
-    def kept(self, row: int, starts: _Starts, arrays: dict[str, Array]) -> bool:
-        """Step a world, and keep of it what is asked for; return whether that could be done."""
+    def kept(
+        self, row: int, stands_for: IntArray, starts: _Starts, arrays: dict[str, Array]
+    ) -> bool:
+        """Step a world, and keep of it what is asked for; return whether that could be done.
+
+        Each body of the simulator stands for one of the world.
+        """
         self._restart()
-        self._write(row, starts)
+        self._write(row, stands_for, starts)
         request = self._request
         try:
             history = states_of(self._sim, times=self._times, duration=request.duration)
         except _REFUSALS:
             return False
-        bodies = list(request.bodies)
+        bodies = np.argsort(stands_for)[list(request.bodies)]
         for name in request.keep:
             values = getattr(history, name)
             arrays[name][row] = values[:, bodies] if BODIES in DIMENSIONS[name] else values
         return True
 
-    def _write(self, row: int, starts: _Starts) -> None:
-        """Put the values of a world where they belong."""
+    def _write(self, row: int, bodies: IntArray, starts: _Starts) -> None:
+        """Put the values of the bodies of a world where they belong."""
         engine = self._sim._engine
         state, world = engine.world.state, engine.world
-        engine.pose[:], engine.velocity[:] = starts.pose[row], starts.velocity[row]
-        engine.load[:], engine.gravity[:] = starts.load[row], starts.gravity[row]
+        engine.pose[:], engine.velocity[:] = starts.pose[row, bodies], starts.velocity[row, bodies]
+        engine.load[:], engine.gravity[:] = starts.load[row, bodies], starts.gravity[row]
         inverse = slice(INVERSE_MASS, INVERSE_INERTIA + 1)
         size = engine.size
-        state.properties[:size, inverse] = starts.inverse[row]
-        world.bodies.properties[state.slot_of_body[:size], inverse] = starts.inverse[row]
+        state.properties[:size, inverse] = starts.inverse[row, bodies]
+        world.bodies.properties[state.slot_of_body[:size], inverse] = starts.inverse[row, bodies]
         surface = slice(FRICTION, RESTITUTION + 1)
         owner = state.body_of_shape
         there = np.flatnonzero(owner < size)
-        world.shapes.material[there, surface] = starts.surface[row][owner[there]]
+        world.shapes.material[there, surface] = starts.surface[row, bodies[owner[there]]]

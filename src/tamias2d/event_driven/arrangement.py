@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tamias2d.contact.core import Core
 from tamias2d.event_driven import tables
 from tamias2d.event_driven.instant import MOST_IMPULSES
-from tamias2d.event_driven.tables import Hulls, World
+from tamias2d.event_driven.tables import Few, Hulls, World
 from tamias2d.generated import rotation, translation
 from tamias2d.path import Piece
 from tamias2d.scene import Body, Disc, HalfPlane, Scene
@@ -70,6 +70,19 @@ def blank_world(
         samples=np.zeros((len(times) * count, 6)),
         impacts=np.zeros((impacts + MOST_IMPULSES, tables.IMPACT_COLUMNS)),
         departures=np.zeros((departures, tables.DEPARTURE_COLUMNS)),
+    )
+
+
+def blank_few() -> Few:
+    """Return the table of pairs of few bodies."""
+    lanes = tables.LANES
+    return Few(
+        bodies=np.zeros(tables.LANE_COLUMNS * lanes),
+        now=np.zeros(tables.NOW_COLUMNS * lanes),
+        times=np.zeros((lanes, lanes)),
+        exact=np.zeros((lanes, lanes), dtype=np.int32),
+        least=np.zeros(lanes),
+        partner=np.zeros(lanes, dtype=np.int32),
     )
 
 

@@ -6,9 +6,10 @@ Cost of an event: O(log n), and a search for each body that is near to those of 
 from math import inf
 
 from tamias2d.event_driven.cells import enter, gather, leave, time_of_leaving
-from tamias2d.event_driven.instant import MOST_IMPULSES, meet, tell
+from tamias2d.event_driven.few import are_few, follow_few
+from tamias2d.event_driven.instant import is_full, meet, tell
 from tamias2d.event_driven.kinds import is_pushed
-from tamias2d.event_driven.meeting import meets, time_of_meeting
+from tamias2d.event_driven.meeting import look, meets, search
 from tamias2d.event_driven.queue import has_room, is_void, pop, push
 from tamias2d.event_driven.tables import (
     ACROSS,
@@ -17,7 +18,6 @@ from tamias2d.event_driven.tables import (
     CHANGED,
     COLUMNS,
     CROWDED,
-    DEPARTURES,
     DONE,
     END,
     EVENTS,
@@ -77,6 +77,8 @@ def happen(world: World) -> int:
     pop(world)
     if void:
         return DONE
+    if i > j:
+        return DONE if search(j, i, limit_of(j, i, world), world) else SEARCH
     world.numbers[NOW] = time
     if i == j:
         leave(i, world)
@@ -98,14 +100,6 @@ def most_events(world: World) -> int:
     return 2 * (len(world.kinds) + 1)
 
 
-@inlined
-def is_full(world: World) -> bool:
-    """Return whether the records have no room for what one instant may add."""
-    impacts = world.counts[IMPACTS] + MOST_IMPULSES > len(world.impacts)
-    few = world.counts[DEPARTURES] + 2 > len(world.departures)
-    return bool(impacts or (few and len(world.departures) > 0))
-
-
 def set_out(k: int, but: int, time: float, world: World) -> bool:
     """Schedule what happens to a body, but for one other; return whether that can be told.
 
@@ -121,22 +115,25 @@ def set_out(k: int, but: int, time: float, world: World) -> bool:
         i, j = min(k, other), max(k, other)
         if other == but or not meets(i, j, world):
             continue
-        limit = min(world.leaving[i], world.leaving[j], world.numbers[END])
-        meeting = time_of_meeting(i, j, limit, world)
-        if meeting < 0.0:
+        if not look(i, j, limit_of(i, j, world), world):
             return False
-        if meeting <= limit:
-            push(meeting, i, j, world)
     return True
+
+
+@inlined
+def limit_of(i: int, j: int, world: World) -> float:
+    """Return until when a pair is searched, s: another search follows where a body leaves."""
+    return float(min(world.leaving[i], world.leaving[j], world.numbers[END]))
 
 
 def follow_worlds(worlds: Worlds) -> int:
     """Follow worlds, one after the other; return how many were followed to the end."""
-    done = 0
+    done, few = 0, are_few(worlds.world)
     for w in range(len(worlds.status)):
         begin(worlds.bodies[w], worlds.laws[w], worlds.world)
         worlds.status[w] = 0
-        if follow(worlds.world) == DONE:
+        ended = follow_few(worlds.world, worlds.few) if few else follow(worlds.world)
+        if ended == DONE:
             finish(worlds.world, worlds.samples[w])
             worlds.status[w] = 1
             done += 1

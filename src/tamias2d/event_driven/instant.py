@@ -63,6 +63,7 @@ from tamias2d.kernels.assembled import inlined
 from tamias2d.state import Array
 
 MOST_IMPULSES = 32  # of one pair at one instant
+CLEAR = 4.0  # times what rounding is at most: a bounce so fast is one, whatever the rounding is
 MOST_REPEATS = 32  # new paths of a body that do not advance in time
 MOST_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as none
 
@@ -70,10 +71,14 @@ MOST_RESOLUTION = 0.01  # of the smaller size: the largest gap that may count as
 @inlined
 def meet(i: int, j: int, time: float, world: World) -> bool:
     """Set the paths of two bodies after they have met; return whether that is all that happens."""
+    return not touches_third(i, j, time, world) and collide(i, j, time, world)
+
+
+@inlined
+def collide(i: int, j: int, time: float, world: World) -> bool:
+    """Set the paths of two bodies that have met and touch no other; return whether it is all."""
     restitution = restitution_of(i, j, world)
     if restitution < 0.0 or is_bound(i, time, world) or is_bound(j, time, world):
-        return False
-    if touches_third(i, j, time, world):
         return False
     a, b = state_at(i, time, world.paths), state_at(j, time, world.paths)
     point, swapped, sided, tolerance = touch_of(i, j, a, b, time, world)
@@ -82,10 +87,14 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
     sign = -1.0 if swapped == 1 else 1.0
     normal = (sign * point[0], sign * point[1])
     arm_a, arm_b = arms(a, b, point, swapped, i, j, world)
-    speed = speed_of(a, b, arm_a, arm_b)
+    rate = restitution * normal_velocity(a, b, arm_a, arm_b, normal)
+    gained = 64 * EPSILON * time * (pull_of(i, world) + pull_of(j, world))
+    speed = most_speed_of(a, b, arm_a, arm_b)
+    if rate >= -CLEAR * (64 * EPSILON) * speed or least_speed_of(a, b) <= gained:
+        speed = speed_of(a, b, arm_a, arm_b)  # lengths take long, and seldom matter
+        if speed <= gained:
+            return False
     noise = speed * (64 * EPSILON)
-    if speed <= 64 * EPSILON * time * (pull_of(i, world) + pull_of(j, world)):
-        return False
     q, arm = (a, arm_a) if swapped == 1 else (b, arm_b)
     before = world.counts[IMPACTS]
     after_a, after_b, rate = rebound(a, b, arm_a, arm_b, normal, noise, restitution, i, j, world)
@@ -104,6 +113,14 @@ def meet(i: int, j: int, time: float, world: World) -> bool:
     depart(i, time, after_a, world)
     depart(j, time, after_b, world)
     return not staying or settle(i, j, normal, world)
+
+
+@inlined
+def is_full(world: World) -> bool:
+    """Return whether the records have no room for what one instant may add."""
+    impacts = world.counts[IMPACTS] + MOST_IMPULSES > len(world.impacts)
+    few = world.counts[DEPARTURES] + 2 > len(world.departures)
+    return bool(impacts or (few and len(world.departures) > 0))
 
 
 @inlined
@@ -139,6 +156,23 @@ def speed_of(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair) -> float:
         + abs(a[5]) * hypot(arm_a[0], arm_a[1])
         + abs(b[5]) * hypot(arm_b[0], arm_b[1])
     )
+
+
+@inlined
+def most_speed_of(a: Moving, b: Moving, arm_a: Pair, arm_b: Pair) -> float:
+    """Return no less than `speed_of` does."""
+    return (
+        (abs(a[3]) + abs(a[4]))
+        + (abs(b[3]) + abs(b[4]))
+        + abs(a[5]) * (abs(arm_a[0]) + abs(arm_a[1]))
+        + abs(b[5]) * (abs(arm_b[0]) + abs(arm_b[1]))
+    )
+
+
+@inlined
+def least_speed_of(a: Moving, b: Moving) -> float:
+    """Return no more than `speed_of` does."""
+    return max(abs(a[3]), abs(a[4])) + max(abs(b[3]), abs(b[4]))
 
 
 @inlined

@@ -11,6 +11,8 @@ from math import frexp, ldexp, sqrt
 from tamias2d.event_driven.tables import Pair
 
 SPLIT = 134217729.0  # 2^27 + 1
+ABOVE, BELOW = 2.0**52 + 1.0, 1.0 - 2.0**-53
+EXTREME = 1e200
 _TRIED = 2000
 
 
@@ -20,8 +22,8 @@ def hypot(x: float, y: float) -> float:
     largest = max(x, y)
     if largest == 0.0:
         return 0.0
-    _, exponent = frexp(largest)
-    scale = ldexp(1.0, -exponent)
+    power = power_of_two(largest)
+    scale = 0.5 / power
     total, low, lost = 1.0, 0.0, 0.0
     for value in (x * scale, y * scale):
         high, rest = product(value, value)
@@ -35,7 +37,19 @@ def hypot(x: float, y: float) -> float:
     lost += (total - after) + high
     low += rest
     error = after - 1.0 + (low + lost)
-    return (length + error / (2.0 * length)) / scale
+    return (length + error / (2.0 * length)) * power * 2.0
+
+
+def power_of_two(x: float) -> float:
+    """Return the largest power of two that is not above a positive number.
+
+    In the middle of the range it follows from rounding (Rump, 2009, unit in the first place).
+    """
+    if 1.0 / EXTREME < x < EXTREME:
+        above = ABOVE * x
+        return above - above * BELOW
+    _, exponent = frexp(x)
+    return ldexp(1.0, exponent - 1)
 
 
 def product(x: float, y: float) -> Pair:

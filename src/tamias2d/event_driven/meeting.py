@@ -1,18 +1,15 @@
 """When a pair meets, of whatever shapes."""
 
-from math import inf
-
 from tamias2d.event_driven.advancement import time_of_hull_impact
-from tamias2d.event_driven.approach import MARGIN, state_at, time_of_impact
+from tamias2d.event_driven.approach import time_of_impact
+from tamias2d.event_driven.bound import earliest_meeting
 from tamias2d.event_driven.kinds import has_hull
+from tamias2d.event_driven.queue import push
 from tamias2d.event_driven.tables import (
-    AX,
-    AY,
     DISC,
     HELD_BY,
     LOOKED_AT,
     PLANE,
-    RADIUS,
     START,
     World,
 )
@@ -29,35 +26,31 @@ def meets(i: int, j: int, world: World) -> bool:
 
 
 @inlined
-def time_of_meeting(i: int, j: int, limit: float, world: World) -> float:
-    """Return when a pair meets, s: later than the limit or infinity if not until then.
+def look(i: int, j: int, limit: float, world: World) -> bool:
+    """Schedule when a pair meets, if it does up to a limit, s; return whether that can be told.
 
-    It is below 0 where that is not decided.
+    Where bodies without corners are well apart, a time before which they cannot meet is noted: most
+    pairs have other paths before it comes, and need no search.
     """
     world.counts[LOOKED_AT] += 1
     start = max(world.paths[i, START], world.paths[j, START])
-    if passes(i, j, start, limit, world):
-        return inf
-    if has_hull(i, j, world):
-        return time_of_hull_impact(i, j, start, limit, world)
-    return time_of_impact(i, j, start, limit, world)
+    early = earliest_meeting(i, j, start, limit, world)
+    if early > limit:
+        return True
+    if early > start and not has_hull(i, j, world):
+        push(early, j, i, world)
+        return True
+    return search(i, j, limit, world)
 
 
 @inlined
-def passes(i: int, j: int, start: float, limit: float, world: World) -> bool:
-    """Return whether circles around two bodies on which the same acts stay well apart, until a
-    limit, s.
-
-    One moves on a straight line before the other, so that no search is needed.
-    """
-    a, b = world.paths[i], world.paths[j]
-    plane = world.kinds[i] == PLANE or world.kinds[j] == PLANE
-    if plane or a[AX] != b[AX] or a[AY] != b[AY]:
-        return False
-    p, q = state_at(i, start, world.paths), state_at(j, start, world.paths)
-    x, y, u, v = q[0] - p[0], q[1] - p[1], q[3] - p[3], q[4] - p[4]
-    closing, square = -(x * u + y * v), u * u + v * v
-    left = min(closing / square, limit - start) if closing > 0.0 and square > 0.0 else 0.0
-    x_least, y_least = x + u * left, y + v * left
-    apart = (world.bodies[i, RADIUS] + world.bodies[j, RADIUS]) * (1.0 + MARGIN)
-    return bool(x_least * x_least + y_least * y_least > apart * apart)
+def search(i: int, j: int, limit: float, world: World) -> bool:
+    """Schedule when a pair meets, if it does up to a limit, s; return whether that can be told."""
+    start = max(world.paths[i, START], world.paths[j, START])
+    if has_hull(i, j, world):
+        meeting = time_of_hull_impact(i, j, start, limit, world)
+    else:
+        meeting = time_of_impact(i, j, start, limit, world)
+    if 0.0 <= meeting <= limit:
+        push(meeting, i, j, world)
+    return meeting >= 0.0

@@ -81,6 +81,20 @@ COUNTS = 9
 
 NOWHERE = -1.0  # of a body that is in no cell yet, instead of when it leaves it
 
+LANES = 16
+# of bodies as lanes, one column after the other: path, outline; how far off the numbers are, m
+(
+    LANE_X, LANE_Y, LANE_U, LANE_V, LANE_AX, LANE_AY, LANE_START, LANE_PLANE, LANE_NX, LANE_NY,
+    LANE_OFFSET, LANE_RADIUS, LANE_FAR,
+) = range(0, 13 * LANES, LANES)  # fmt: skip
+LANE_COLUMNS = 13
+# of these now: where they are, how fast, how far off all numbers are; then, as one body sees them,
+# how far away, and for how long they do not meet it, s
+NOW_X, NOW_Y, NOW_U, NOW_V, NOW_FAR, NOW_GAP, NOW_TIME = range(0, 7 * LANES, LANES)
+NOW_COLUMNS = 7
+BLUR = -1e300  # instead of how far, where float64 cannot tell
+UNLIKE = -1.0  # instead of that time, of a disc that is accelerated otherwise
+
 DONE, FULL, CROWDED, INSTANT, SEARCH = range(5)
 """Why it ends: the limit is reached; the records are full; the queue is; an instant or a search is
 not decided."""
@@ -151,11 +165,30 @@ class World(NamedTuple):
     """The new paths; without rows, none are recorded."""
 
 
+class Few(NamedTuple):
+    """A table of pairs of few bodies, instead of a queue and cells."""
+
+    bodies: Floats
+    """(13 * 16,): what the bodies are, as lanes"""
+    now: Floats
+    """(7 * 16,): where they are now"""
+    times: FloatRows
+    """(16, 16): when a pair meets, or before when it does not, s"""
+    exact: IndexRows
+    """(16, 16): 1 where it is the first of these"""
+    least: Floats
+    """(16,): the least time of a row, s"""
+    partner: Indices
+    """(16,): whose it is"""
+
+
 class Worlds(NamedTuple):
     """Worlds of the same bodies: what they start with, and what comes out."""
 
     world: World
     """The one that is being followed."""
+    few: Few
+    """For bodies that are few and without corners."""
     bodies: FloatBlocks
     """(w, n, 18)"""
     laws: FloatBlocks

@@ -1,6 +1,7 @@
 """Continuous collision: Line of a body through a step; Bend of a path through a step; Bound of
-motion; Bound of closing; Passing of two circles; Conservative advancement; Least second
-derivative of a gap; Gap of two shapes that turn; Way that bodies share; Way along another body.
+motion; Bound of closing; Passing of two circles; Conservative advancement; Reach of two
+circles; Least second derivative of a gap; Gap of two shapes that turn; Way that bodies share;
+Way along another body.
 
 Generated from srs/models/continuous_collision.md
 by `python -m tools.generate`. Edit the chapter, not this file.
@@ -328,6 +329,52 @@ def advance_closing(separation: Scalar, separation_rate: Scalar, discriminant: S
     return 2 * separation / (sqrt(discriminant) - separation_rate)
 
 
+def reach_gap(span: Vector, extent: Scalar) -> Scalar:
+    """Square of the distance of two centres less that of how far both reach (m^2).
+
+    reach_gap = dot(span, span) - extent**2
+
+    Args:
+        span: Vector from one place to another, m
+        extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
+            does, m
+
+    Source: DD79, srs/models/continuous_collision.md:235.
+    """
+    span_x, span_y = span
+    return span_x * span_x + span_y * span_y - extent * extent
+
+
+def reach_gap_rate(span: Vector, span_rate: Vector) -> Scalar:
+    """Rate of change of that difference (m^2/s).
+
+    reach_gap_rate = 2*dot(span, span_rate)
+
+    Args:
+        span: Vector from one place to another, m
+        span_rate: Rate of change of the vector from one place to another, m/s
+
+    Source: DD79, srs/models/continuous_collision.md:236.
+    """
+    span_x, span_y = span
+    span_rate_x, span_rate_y = span_rate
+    return 2 * (span_x * span_rate_x + span_y * span_rate_y)
+
+
+def reach_gap_acceleration(span_rate: Vector) -> Scalar:
+    """Second derivative of that difference (m^2/s^2).
+
+    reach_gap_acceleration = 2*dot(span_rate, span_rate)
+
+    Args:
+        span_rate: Rate of change of the vector from one place to another, m/s
+
+    Source: DD79, srs/models/continuous_collision.md:237.
+    """
+    span_rate_x, span_rate_y = span_rate
+    return 2 * (span_rate_x * span_rate_x + span_rate_y * span_rate_y)
+
+
 def circling(angular_speed: Scalar, angular_acceleration: Scalar) -> Scalar:
     """Acceleration of a point of a body that turns, at most, for one unit of its distance from the
     centre (1/s^2).
@@ -338,7 +385,7 @@ def circling(angular_speed: Scalar, angular_acceleration: Scalar) -> Scalar:
         angular_speed: Size of the angular velocity, at most, rad/s
         angular_acceleration: Rate of change of the angular velocity, rad/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:236.
+    Source: DD47, srs/models/continuous_collision.md:262.
     """
     return angular_speed * angular_speed + angular_acceleration
 
@@ -357,7 +404,7 @@ def centre_acceleration_least(
         normal: Unit normal of a contact, from body A to body B, 1
         deviation: How far the relative acceleration is from the given one, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:237.
+    Source: DD47, srs/models/continuous_collision.md:263.
     """
     acceleration_a_x, acceleration_a_y = acceleration_a
     acceleration_b_x, acceleration_b_y = acceleration_b
@@ -395,7 +442,7 @@ def centre_acceleration_turning(
         turn: How far a body has turned since the step began, rad
         acceleration_size: Size of the relative acceleration of two bodies, at most, m/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:239.
+    Source: DD47, srs/models/continuous_collision.md:265.
     """
     return (
         centre_acceleration_least
@@ -429,7 +476,7 @@ def gap_acceleration_least(
         circling_b: Acceleration of a point of a body that turns, at most, for one unit of its
             distance from the centre; of body B, 1/s^2
 
-    Source: DD47, srs/models/continuous_collision.md:242.
+    Source: DD47, srs/models/continuous_collision.md:268.
     """
     return centre_acceleration_least - extent_a * circling_a - extent_b * circling_b
 
@@ -444,7 +491,7 @@ def normal_turned(normal: Vector, turn: Scalar, fraction: Scalar) -> Vector:
         turn: How far a body has turned since the step began, rad
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:281.
+    Source: DD48, srs/models/continuous_collision.md:307.
     """
     normal_x, normal_y = normal
     return (normal_x + fraction * turn * normal_y, normal_y - fraction * turn * normal_x)
@@ -461,7 +508,7 @@ def gap_change(shift: Vector, normal: Vector, turn: Scalar, span: Vector) -> Sca
         turn: How far a body has turned since the step began, rad
         span: Vector from one place to another, m
 
-    Source: DD48, srs/models/continuous_collision.md:282.
+    Source: DD48, srs/models/continuous_collision.md:308.
     """
     shift_x, shift_y = shift
     normal_x, normal_y = normal
@@ -479,7 +526,7 @@ def arc_bend(turn: Scalar, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD48, srs/models/continuous_collision.md:283.
+    Source: DD48, srs/models/continuous_collision.md:309.
     """
     return turn * turn * extent
 
@@ -507,7 +554,7 @@ def separation_least(
         arc_bend: Second derivative of a gap from corners that circle, with time in steps, m
         fraction: Part of a step that has passed, 1
 
-    Source: DD48, srs/models/continuous_collision.md:284.
+    Source: DD48, srs/models/continuous_collision.md:310.
     """
     return (
         base_gap + corner_gap_a + corner_gap_b + fraction * (gap_change - fraction * arc_bend / 2)
@@ -526,7 +573,7 @@ def shift_shared(mass_a: Scalar, shift_a: Vector, mass_b: Scalar, shift_b: Vecto
         mass_b: Mass of a body; of body B, kg
         shift_b: How far the centre of mass has moved since the step began; of body B, m
 
-    Source: DD62, srs/models/continuous_collision.md:442.
+    Source: DD62, srs/models/continuous_collision.md:468.
     """
     shift_a_x, shift_a_y = shift_a
     shift_b_x, shift_b_y = shift_b
@@ -546,7 +593,7 @@ def inward_share(turn: Scalar, fraction: Scalar, arc: Scalar) -> Scalar:
         fraction: Part of a step that has passed, 1
         arc: Angle by which a wall turns before a body that it carries meets it again, rad
 
-    Source: DD49, srs/models/continuous_collision.md:457.
+    Source: DD49, srs/models/continuous_collision.md:483.
     """
     return abs(turn) * least(abs(turn) * (1 - fraction), arc / 2)
 
@@ -563,7 +610,7 @@ def shift_carried(shift: Vector, turn: Scalar, span: Vector, inward_share: Scala
         inward_share: Part of its distance by which a carried body comes nearer to its carrier,
             1
 
-    Source: DD49, srs/models/continuous_collision.md:458.
+    Source: DD49, srs/models/continuous_collision.md:484.
     """
     shift_x, shift_y = shift
     span_x, span_y = span

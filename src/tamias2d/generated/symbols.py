@@ -1521,13 +1521,47 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=965,
     ),
+    "span_rate": Symbol(
+        "span_rate",
+        "m/s",
+        "rate of change of the vector from one place to another",
+        shape="vector",
+        tex="\\dot{\\boldsymbol{\\ell}}",
+        file="srs/symbols.md",
+        line=969,
+    ),
+    "reach_gap": Symbol(
+        "reach_gap",
+        "m^2",
+        "square of the distance of two centres less that of how far both reach",
+        tex="s_2",
+        file="srs/symbols.md",
+        line=974,
+    ),
+    "reach_gap_rate": Symbol(
+        "reach_gap_rate",
+        "m^2/s",
+        "rate of change of that difference",
+        tex="\\dot{s}_2",
+        file="srs/symbols.md",
+        line=978,
+    ),
+    "reach_gap_acceleration": Symbol(
+        "reach_gap_acceleration",
+        "m^2/s^2",
+        "second derivative of that difference",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="\\ddot{s}_2",
+        file="srs/symbols.md",
+        line=982,
+    ),
     "gap_acceleration": Symbol(
         "gap_acceleration",
         "m/s^2",
         "second derivative of a gap",
         tex="\\ddot{s}",
         file="srs/symbols.md",
-        line=969,
+        line=987,
     ),
     "turning_part": Symbol(
         "turning_part",
@@ -1535,7 +1569,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what turning and slipping add to the acceleration of the points of a contact",
         tex="a_\\omega",
         file="srs/symbols.md",
-        line=973,
+        line=991,
     ),
     "reach_change": Symbol(
         "reach_change",
@@ -1543,7 +1577,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a point of contact gets farther from the centre of a body along the normal",
         tex="\\dot{r}_n",
         file="srs/symbols.md",
-        line=978,
+        line=996,
     ),
     "normal_turning": Symbol(
         "normal_turning",
@@ -1551,7 +1585,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which the normal of a contact turns",
         tex="\\omega_n",
         file="srs/symbols.md",
-        line=984,
+        line=1002,
     ),
     "bearing_corner": Symbol(
         "bearing_corner",
@@ -1560,7 +1594,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{w}",
         file="srs/symbols.md",
-        line=988,
+        line=1006,
     ),
     "slip": Symbol(
         "slip",
@@ -1568,7 +1602,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity at which a corner of B moves along a side of A, or past a corner of it",
         tex="v_s",
         file="srs/symbols.md",
-        line=995,
+        line=1013,
     ),
     "discriminant": Symbol(
         "discriminant",
@@ -1576,7 +1610,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what has to be positive for a gap to close",
         tex="D",
         file="srs/symbols.md",
-        line=1001,
+        line=1019,
     ),
     "circling": Symbol(
         "circling",
@@ -1585,7 +1619,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_\\omega",
         file="srs/symbols.md",
-        line=1005,
+        line=1023,
     ),
     "centre_acceleration": Symbol(
         "centre_acceleration",
@@ -1593,7 +1627,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of the distance of two centres along a normal",
         tex="a_c",
         file="srs/symbols.md",
-        line=1012,
+        line=1030,
     ),
     "acceleration_size": Symbol(
         "acceleration_size",
@@ -1602,7 +1636,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="a_{\\max}",
         file="srs/symbols.md",
-        line=1016,
+        line=1034,
     ),
     "deviation": Symbol(
         "deviation",
@@ -1611,7 +1645,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta a",
         file="srs/symbols.md",
-        line=1021,
+        line=1039,
     ),
     "angular_speed": Symbol(
         "angular_speed",
@@ -1620,7 +1654,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\omega_{\\max}",
         file="srs/symbols.md",
-        line=1026,
+        line=1044,
     ),
     "gap_change": Symbol(
         "gap_change",
@@ -1628,7 +1662,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of a gap in a whole step, if it went on as it does",
         tex="\\Delta s",
         file="srs/symbols.md",
-        line=1031,
+        line=1049,
     ),
     "arc_bend": Symbol(
         "arc_bend",
@@ -1637,7 +1671,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="b_\\omega",
         file="srs/symbols.md",
-        line=1035,
+        line=1053,
     ),
     "base_gap": Symbol(
         "base_gap",
@@ -1645,7 +1679,7 @@ SYMBOLS: dict[str, Symbol] = {
         "gap of two centres along a normal, less the radii",
         tex="s_0",
         file="srs/symbols.md",
-        line=1040,
+        line=1058,
     ),
     "corner_gap": Symbol(
         "corner_gap",
@@ -1653,7 +1687,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the nearest corner of a body is from its centre along a normal, less than zero where it is nearer to the other body",
         tex="s_q",
         file="srs/symbols.md",
-        line=1044,
+        line=1062,
     ),
     "arc": Symbol(
         "arc",
@@ -1662,7 +1696,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\alpha_{\\max}",
         file="srs/symbols.md",
-        line=1050,
+        line=1068,
     ),
     "inward_share": Symbol(
         "inward_share",
@@ -1671,7 +1705,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_i",
         file="srs/symbols.md",
-        line=1055,
+        line=1073,
     ),
     "rim_velocity": Symbol(
         "rim_velocity",
@@ -1679,7 +1713,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity of the farthest point of a body by turning alone",
         tex="v_e",
         file="srs/symbols.md",
-        line=1065,
+        line=1083,
     ),
     "rim_displacement": Symbol(
         "rim_displacement",
@@ -1687,7 +1721,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how far the farthest point of a body has come in a step by turning alone",
         tex="w_e",
         file="srs/symbols.md",
-        line=1069,
+        line=1087,
     ),
     "motion_square": Symbol(
         "motion_square",
@@ -1696,7 +1730,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q",
         file="srs/symbols.md",
-        line=1073,
+        line=1091,
     ),
     "displacement_square": Symbol(
         "displacement_square",
@@ -1705,7 +1739,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_w",
         file="srs/symbols.md",
-        line=1078,
+        line=1096,
     ),
     "quiet_square": Symbol(
         "quiet_square",
@@ -1714,7 +1748,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="q_{\\max}",
         file="srs/symbols.md",
-        line=1083,
+        line=1101,
     ),
     "quiet_share": Symbol(
         "quiet_share",
@@ -1723,7 +1757,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_q",
         file="srs/symbols.md",
-        line=1088,
+        line=1106,
     ),
     "gravity_size": Symbol(
         "gravity_size",
@@ -1732,7 +1766,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g",
         file="srs/symbols.md",
-        line=1093,
+        line=1111,
     ),
     "quiet": Symbol(
         "quiet",
@@ -1740,7 +1774,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a body is quiet, true or false",
         tex="o_q",
         file="srs/symbols.md",
-        line=1098,
+        line=1116,
     ),
     "momentum": Symbol(
         "momentum",
@@ -1749,7 +1783,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}",
         file="srs/symbols.md",
-        line=1107,
+        line=1125,
     ),
     "angular_momentum": Symbol(
         "angular_momentum",
@@ -1757,7 +1791,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of momentum about the origin",
         tex="L",
         file="srs/symbols.md",
-        line=1112,
+        line=1130,
     ),
     "kinetic_energy": Symbol(
         "kinetic_energy",
@@ -1766,7 +1800,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K",
         file="srs/symbols.md",
-        line=1116,
+        line=1134,
     ),
     "energy_loss": Symbol(
         "energy_loss",
@@ -1774,7 +1808,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that an impact takes from two bodies",
         tex="\\Delta E",
         file="srs/symbols.md",
-        line=1121,
+        line=1139,
     ),
     "potential_energy": Symbol(
         "potential_energy",
@@ -1782,7 +1816,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy of a body in the gravity field, zero at the origin",
         tex="U",
         file="srs/symbols.md",
-        line=1125,
+        line=1143,
     ),
     "linear_energy": Symbol(
         "linear_energy",
@@ -1791,7 +1825,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_v",
         file="srs/symbols.md",
-        line=1129,
+        line=1147,
     ),
     "turning_energy": Symbol(
         "turning_energy",
@@ -1800,7 +1834,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\omega",
         file="srs/symbols.md",
-        line=1134,
+        line=1152,
     ),
     "bias_energy": Symbol(
         "bias_energy",
@@ -1809,7 +1843,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\beta",
         file="srs/symbols.md",
-        line=1139,
+        line=1157,
     ),
     "work": Symbol(
         "work",
@@ -1817,7 +1851,7 @@ SYMBOLS: dict[str, Symbol] = {
         "energy that gravity, forces and torques have given a body in a step",
         tex="W",
         file="srs/symbols.md",
-        line=1144,
+        line=1162,
     ),
     "change_energy": Symbol(
         "change_energy",
@@ -1826,7 +1860,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="K_\\Delta",
         file="srs/symbols.md",
-        line=1148,
+        line=1166,
     ),
     "energy_rise": Symbol(
         "energy_rise",
@@ -1834,7 +1868,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what all of a change of velocities adds to the kinetic energy",
         tex="\\Delta K",
         file="srs/symbols.md",
-        line=1153,
+        line=1171,
     ),
     "energy_room": Symbol(
         "energy_room",
@@ -1843,7 +1877,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta K_{\\max}",
         file="srs/symbols.md",
-        line=1157,
+        line=1175,
     ),
     "energy_slope": Symbol(
         "energy_slope",
@@ -1851,7 +1885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which energy rises with the share of a change that is kept, at first",
         tex="K'",
         file="srs/symbols.md",
-        line=1162,
+        line=1180,
     ),
     "energy_root": Symbol(
         "energy_root",
@@ -1860,7 +1894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="D_K",
         file="srs/symbols.md",
-        line=1167,
+        line=1185,
     ),
     "kept_share": Symbol(
         "kept_share",
@@ -1869,7 +1903,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_K",
         file="srs/symbols.md",
-        line=1172,
+        line=1190,
     ),
     "damped_share": Symbol(
         "damped_share",
@@ -1878,7 +1912,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\sigma_c",
         file="srs/symbols.md",
-        line=1177,
+        line=1195,
     ),
     "velocity_change": Symbol(
         "velocity_change",
@@ -1887,7 +1921,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1184,
+        line=1202,
     ),
     "velocity_given": Symbol(
         "velocity_given",
@@ -1896,7 +1930,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}_\\Sigma",
         file="srs/symbols.md",
-        line=1189,
+        line=1207,
     ),
     "angular_velocity_given": Symbol(
         "angular_velocity_given",
@@ -1904,7 +1938,7 @@ SYMBOLS: dict[str, Symbol] = {
         "what contacts have changed in the angular velocity of a body in all substeps",
         tex="\\Delta\\omega_\\Sigma",
         file="srs/symbols.md",
-        line=1194,
+        line=1212,
     ),
     "moment_ahead": Symbol(
         "moment_ahead",
@@ -1912,7 +1946,7 @@ SYMBOLS: dict[str, Symbol] = {
         "moment of the changes that contacts make in the velocity of a body about where its centre of mass was as the step began",
         tex="\\lambda",
         file="srs/symbols.md",
-        line=1199,
+        line=1217,
     ),
     "angular_momentum_given": Symbol(
         "angular_momentum_given",
@@ -1920,7 +1954,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum about the origin that contacts have given",
         tex="\\Delta L",
         file="srs/symbols.md",
-        line=1205,
+        line=1223,
     ),
     "returned_share": Symbol(
         "returned_share",
@@ -1929,7 +1963,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\sigma_r",
         file="srs/symbols.md",
-        line=1209,
+        line=1227,
     ),
     "share_largest": Symbol(
         "share_largest",
@@ -1938,7 +1972,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 1", low=1.0, low_open=False),
         tex="\\sigma_{\\max}",
         file="srs/symbols.md",
-        line=1216,
+        line=1234,
     ),
     "mass_moment": Symbol(
         "mass_moment",
@@ -1947,7 +1981,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{S}",
         file="srs/symbols.md",
-        line=1221,
+        line=1239,
     ),
     "energy": Symbol(
         "energy",
@@ -1955,7 +1989,7 @@ SYMBOLS: dict[str, Symbol] = {
         "kinetic and potential energy together",
         tex="E",
         file="srs/symbols.md",
-        line=1226,
+        line=1244,
     ),
     "radius": Symbol(
         "radius",
@@ -1964,7 +1998,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="R",
         file="srs/symbols.md",
-        line=1235,
+        line=1253,
     ),
     "length": Symbol(
         "length",
@@ -1973,7 +2007,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="D",
         file="srs/symbols.md",
-        line=1240,
+        line=1258,
     ),
     "width": Symbol(
         "width",
@@ -1982,7 +2016,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="w",
         file="srs/symbols.md",
-        line=1247,
+        line=1265,
     ),
     "height": Symbol(
         "height",
@@ -1991,7 +2025,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="H",
         file="srs/symbols.md",
-        line=1252,
+        line=1270,
     ),
     "vertex": Symbol(
         "vertex",
@@ -2000,7 +2034,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1257,
+        line=1275,
     ),
     "center": Symbol(
         "center",
@@ -2009,7 +2043,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{c}",
         file="srs/symbols.md",
-        line=1262,
+        line=1280,
     ),
     "offset": Symbol(
         "offset",
@@ -2017,7 +2051,7 @@ SYMBOLS: dict[str, Symbol] = {
         "distance of a half-plane's edge from the origin, along its normal",
         tex="d",
         file="srs/symbols.md",
-        line=1267,
+        line=1285,
     ),
     "area": Symbol(
         "area",
@@ -2026,7 +2060,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="A",
         file="srs/symbols.md",
-        line=1271,
+        line=1289,
     ),
     "way": Symbol(
         "way",
@@ -2035,7 +2069,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}",
         file="srs/symbols.md",
-        line=1276,
+        line=1294,
     ),
     "corner_angle": Symbol(
         "corner_angle",
@@ -2043,7 +2077,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a chain turns at a vertex",
         tex="\\alpha",
         file="srs/symbols.md",
-        line=1281,
+        line=1299,
     ),
     "corner_cosine": Symbol(
         "corner_cosine",
@@ -2052,7 +2086,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="c_\\alpha",
         file="srs/symbols.md",
-        line=1285,
+        line=1303,
     ),
     "corner_sine": Symbol(
         "corner_sine",
@@ -2061,7 +2095,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[-1, 1]", low=-1.0, high=1.0, low_open=False, high_open=False),
         tex="s_\\alpha",
         file="srs/symbols.md",
-        line=1290,
+        line=1308,
     ),
     "lean_angle": Symbol(
         "lean_angle",
@@ -2069,7 +2103,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angle by which a direction leans over an end of a piece of a chain",
         tex="\\theta",
         file="srs/symbols.md",
-        line=1295,
+        line=1313,
     ),
     "normal_part": Symbol(
         "normal_part",
@@ -2077,7 +2111,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along the normal of a piece of a chain",
         tex="c_\\theta",
         file="srs/symbols.md",
-        line=1299,
+        line=1317,
     ),
     "lean": Symbol(
         "lean",
@@ -2085,7 +2119,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a direction along a piece of a chain, beyond one of its ends",
         tex="s_\\theta",
         file="srs/symbols.md",
-        line=1303,
+        line=1321,
     ),
     "corner_room": Symbol(
         "corner_room",
@@ -2093,7 +2127,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of how much farther a normal may lean over the end of a piece of a chain",
         tex="\\rho",
         file="srs/symbols.md",
-        line=1307,
+        line=1325,
     ),
     "admitted": Symbol(
         "admitted",
@@ -2101,7 +2135,7 @@ SYMBOLS: dict[str, Symbol] = {
         "whether a direction is a normal of a contact with a piece of a chain, true or false",
         tex="A_n",
         file="srs/symbols.md",
-        line=1311,
+        line=1329,
     ),
     "centroid": Symbol(
         "centroid",
@@ -2110,7 +2144,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\bar{\\boldsymbol{q}}",
         file="srs/symbols.md",
-        line=1317,
+        line=1335,
     ),
     "row_value": Symbol(
         "row_value",
@@ -2118,7 +2152,7 @@ SYMBOLS: dict[str, Symbol] = {
         "number of a joint's equation that is zero where it holds",
         tex="C",
         file="srs/symbols.md",
-        line=1330,
+        line=1348,
     ),
     "row_aim": Symbol(
         "row_aim",
@@ -2126,7 +2160,7 @@ SYMBOLS: dict[str, Symbol] = {
         "value that a row is to have at the end of a substep",
         tex="C'",
         file="srs/symbols.md",
-        line=1334,
+        line=1352,
     ),
     "removed_share": Symbol(
         "removed_share",
@@ -2135,7 +2169,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\beta",
         file="srs/symbols.md",
-        line=1338,
+        line=1356,
     ),
     "slope": Symbol(
         "slope",
@@ -2144,7 +2178,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}",
         file="srs/symbols.md",
-        line=1343,
+        line=1361,
     ),
     "slope_before": Symbol(
         "slope_before",
@@ -2153,7 +2187,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{g}_0",
         file="srs/symbols.md",
-        line=1348,
+        line=1366,
     ),
     "slope_turned": Symbol(
         "slope_turned",
@@ -2162,7 +2196,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Delta g^2",
         file="srs/symbols.md",
-        line=1353,
+        line=1371,
     ),
     "slope_squared": Symbol(
         "slope_squared",
@@ -2171,7 +2205,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="g^2",
         file="srs/symbols.md",
-        line=1358,
+        line=1376,
     ),
     "turning_slope": Symbol(
         "turning_slope",
@@ -2179,7 +2213,7 @@ SYMBOLS: dict[str, Symbol] = {
         "how a row's value changes with the orientation of a body",
         tex="g_\\varphi",
         file="srs/symbols.md",
-        line=1363,
+        line=1381,
     ),
     "row_rate": Symbol(
         "row_rate",
@@ -2187,7 +2221,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row's value, or a body's part in it",
         tex="\\dot{C}",
         file="srs/symbols.md",
-        line=1367,
+        line=1385,
     ),
     "row_error": Symbol(
         "row_error",
@@ -2195,7 +2229,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond the one that brings it where it is to be",
         tex="e",
         file="srs/symbols.md",
-        line=1371,
+        line=1389,
     ),
     "row_yield": Symbol(
         "row_yield",
@@ -2204,7 +2238,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="k_g",
         file="srs/symbols.md",
-        line=1375,
+        line=1393,
     ),
     "row_bend": Symbol(
         "row_bend",
@@ -2212,7 +2246,7 @@ SYMBOLS: dict[str, Symbol] = {
         "second derivative of a row's value by the orientation of a body",
         tex="g_{\\varphi\\varphi}",
         file="srs/symbols.md",
-        line=1380,
+        line=1398,
     ),
     "row_force": Symbol(
         "row_force",
@@ -2220,7 +2254,7 @@ SYMBOLS: dict[str, Symbol] = {
         "force of a row of a joint, for slopes of length one",
         tex="\\lambda_g",
         file="srs/symbols.md",
-        line=1384,
+        line=1402,
     ),
     "leaning": Symbol(
         "leaning",
@@ -2228,7 +2262,7 @@ SYMBOLS: dict[str, Symbol] = {
         "by how much less a joint's pull turns a body that has turned by a radian",
         tex="K_\\varphi",
         file="srs/symbols.md",
-        line=1388,
+        line=1406,
     ),
     "drive_rate": Symbol(
         "drive_rate",
@@ -2236,7 +2270,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate at which a motor keeps a row",
         tex="\\dot{C}_d",
         file="srs/symbols.md",
-        line=1392,
+        line=1410,
     ),
     "drive_error": Symbol(
         "drive_error",
@@ -2244,7 +2278,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row beyond that of its motor",
         tex="e_d",
         file="srs/symbols.md",
-        line=1396,
+        line=1414,
     ),
     "row_force_most": Symbol(
         "row_force_most",
@@ -2253,7 +2287,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\lambda_{most}",
         file="srs/symbols.md",
-        line=1400,
+        line=1418,
     ),
     "row_impulse_most": Symbol(
         "row_impulse_most",
@@ -2262,7 +2296,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\Lambda_{most}",
         file="srs/symbols.md",
-        line=1405,
+        line=1423,
     ),
     "row_stiffness": Symbol(
         "row_stiffness",
@@ -2271,7 +2305,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="k_C",
         file="srs/symbols.md",
-        line=1410,
+        line=1428,
     ),
     "row_damping": Symbol(
         "row_damping",
@@ -2280,7 +2314,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="c_C",
         file="srs/symbols.md",
-        line=1415,
+        line=1433,
     ),
     "row_given": Symbol(
         "row_given",
@@ -2288,7 +2322,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse that a row has had in a substep so far",
         tex="\\Lambda_C",
         file="srs/symbols.md",
-        line=1420,
+        line=1438,
     ),
     "spring_firmness": Symbol(
         "spring_firmness",
@@ -2297,7 +2331,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_C",
         file="srs/symbols.md",
-        line=1424,
+        line=1442,
     ),
     "spring_error": Symbol(
         "spring_error",
@@ -2305,7 +2339,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of a row that its spring has not answered yet",
         tex="e_C",
         file="srs/symbols.md",
-        line=1429,
+        line=1447,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2314,7 +2348,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1433,
+        line=1451,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2322,7 +2356,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1438,
+        line=1456,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2330,7 +2364,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1442,
+        line=1460,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2339,7 +2373,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1446,
+        line=1464,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2348,7 +2382,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1451,
+        line=1469,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2357,7 +2391,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1456,
+        line=1474,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2365,7 +2399,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1461,
+        line=1479,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2373,7 +2407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1465,
+        line=1483,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2381,7 +2415,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1469,
+        line=1487,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2390,7 +2424,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1473,
+        line=1491,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2399,7 +2433,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1478,
+        line=1496,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2408,7 +2442,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1483,
+        line=1501,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2417,7 +2451,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1488,
+        line=1506,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2426,7 +2460,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1493,
+        line=1511,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2435,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1498,
+        line=1516,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2444,7 +2478,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1503,
+        line=1521,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2453,7 +2487,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1508,
+        line=1526,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2461,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1513,
+        line=1531,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2470,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1517,
+        line=1535,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2478,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1522,
+        line=1540,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2487,7 +2521,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1526,
+        line=1544,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2496,7 +2530,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1531,
+        line=1549,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2505,7 +2539,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1536,
+        line=1554,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2514,7 +2548,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1541,
+        line=1559,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2523,7 +2557,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1546,
+        line=1564,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2531,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1551,
+        line=1569,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2540,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1555,
+        line=1573,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2549,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1560,
+        line=1578,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2558,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1565,
+        line=1583,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2567,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1570,
+        line=1588,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2575,7 +2609,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1575,
+        line=1593,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2583,7 +2617,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1579,
+        line=1597,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2592,7 +2626,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1583,
+        line=1601,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2601,7 +2635,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1588,
+        line=1606,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2610,7 +2644,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1593,
+        line=1611,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2619,7 +2653,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1598,
+        line=1616,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2628,7 +2662,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1603,
+        line=1621,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2637,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1608,
+        line=1626,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2646,7 +2680,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1613,
+        line=1631,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2655,7 +2689,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1618,
+        line=1636,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2664,7 +2698,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1623,
+        line=1641,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2672,7 +2706,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1628,
+        line=1646,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2681,7 +2715,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1632,
+        line=1650,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2689,7 +2723,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1637,
+        line=1655,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2697,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1641,
+        line=1659,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2706,7 +2740,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1645,
+        line=1663,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2715,7 +2749,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1650,
+        line=1668,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2724,7 +2758,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1655,
+        line=1673,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2732,7 +2766,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1660,
+        line=1678,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2741,7 +2775,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1664,
+        line=1682,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2749,7 +2783,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1669,
+        line=1687,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2758,7 +2792,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1673,
+        line=1691,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2767,7 +2801,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1678,
+        line=1696,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2775,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1683,
+        line=1701,
     ),
     "change": Symbol(
         "change",
@@ -2784,7 +2818,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1687,
+        line=1705,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2793,7 +2827,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1692,
+        line=1710,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2802,7 +2836,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1697,
+        line=1715,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2810,7 +2844,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1702,
+        line=1720,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2819,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1706,
+        line=1724,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2827,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1711,
+        line=1729,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2835,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1715,
+        line=1733,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2843,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1719,
+        line=1737,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2852,7 +2886,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1723,
+        line=1741,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2860,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1728,
+        line=1746,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2869,6 +2903,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1732,
+        line=1750,
     ),
 }

@@ -153,9 +153,10 @@ def states_of(sim: Simulator, *, times: Array, duration: float) -> History:
     for k, time in enumerate(times.tolist()):
         last = _steps_until(time, time_step)
         if last > steps:
-            sim.step(last - 1 - steps)
-            before = _state(sim)
-            sim.step()
+            if (last * time_step - time) / time_step >= _ROUNDED:
+                sim.step(last - 1 - steps)
+                steps, before = last - 1, _state(sim)
+            sim.step(last - steps)
             steps, after = last, _state(sim)
         rows[k] = _between(before, after, (sim.time - time) / time_step, time_step)
     sim.step(max(math.ceil(duration / time_step - _ROUNDED) - steps, 0))
@@ -181,8 +182,7 @@ def _between(before: Array, after: Array, left: float, time_step: float) -> Arra
 
 def _state(sim: Simulator) -> Array:
     """Return (6, n): place, orientation, velocity and angular velocity now."""
-    parts = (*sim.position.T, sim.orientation, *sim.velocity.T, sim.angular_velocity)
-    return np.array(parts)
+    return np.concatenate((sim._engine.pose.T, sim._engine.velocity.T))
 
 
 def _history(rows: Array) -> History:
