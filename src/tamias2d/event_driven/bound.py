@@ -1,4 +1,4 @@
-"""A time before which two bodies cannot meet, from the circles around them alone (DD46, DD79).
+"""A time before which two bodies cannot meet, from the circles around them alone (DD46, DD80).
 
 The circles are taken larger by a share that rounding does not reach. On the same acceleration the
 bound is when they meet; else it is that of the gap along the axis of now.

@@ -1,7 +1,7 @@
 """Few discs and half-planes from impact to impact: a table of pairs, in which all bodies are lanes.
 
 It finds the impacts that the queue of events finds, in the same order. Of each pair the table has
-when it meets, or a time before which it does not (DD46, DD79), which costs no search; that follows
+when it meets, or a time before which it does not (DD46, DD80), which costs no search; that follows
 once no other time is earlier. Cost of an event: two rows of the table, all lanes at once, and a
 look for the least time of each row.
 """
@@ -261,7 +261,7 @@ def place(k: int, few: Few) -> None:
 def measure_gaps(k: int, end: float, few: Few) -> None:
     """Measure how far one body is from all, by the circle around it, taken larger.
 
-    To a half-plane it is the gap, m, to a disc what DD79 says, m^2; `BLUR` where rounding may count
+    To a half-plane it is the gap, m, to a disc what DD80 says, m^2; `BLUR` where rounding may count
     up to an end, s.
     """
     lanes, now = few.bodies, few.now

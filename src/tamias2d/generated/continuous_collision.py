@@ -339,7 +339,7 @@ def reach_gap(span: Vector, extent: Scalar) -> Scalar:
         extent: How far a body reaches from its centre of mass; of two bodies, the smaller one
             does, m
 
-    Source: DD79, srs/models/continuous_collision.md:235.
+    Source: DD80, srs/models/continuous_collision.md:235.
     """
     span_x, span_y = span
     return span_x * span_x + span_y * span_y - extent * extent
@@ -354,7 +354,7 @@ def reach_gap_rate(span: Vector, span_rate: Vector) -> Scalar:
         span: Vector from one place to another, m
         span_rate: Rate of change of the vector from one place to another, m/s
 
-    Source: DD79, srs/models/continuous_collision.md:236.
+    Source: DD80, srs/models/continuous_collision.md:236.
     """
     span_x, span_y = span
     span_rate_x, span_rate_y = span_rate
@@ -369,7 +369,7 @@ def reach_gap_acceleration(span_rate: Vector) -> Scalar:
     Args:
         span_rate: Rate of change of the vector from one place to another, m/s
 
-    Source: DD79, srs/models/continuous_collision.md:237.
+    Source: DD80, srs/models/continuous_collision.md:237.
     """
     span_rate_x, span_rate_y = span_rate
     return 2 * (span_rate_x * span_rate_x + span_rate_y * span_rate_y)
