@@ -2307,6 +2307,48 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1429,
     ),
+    "spring_value": Symbol(
+        "spring_value",
+        "m",
+        "value of a row for which its spring pulls through a substep",
+        tex="C_\\theta",
+        file="srs/symbols.md",
+        line=1433,
+    ),
+    "implicit_share": Symbol(
+        "implicit_share",
+        "1",
+        "share of a substep's way after which a spring at a joint answers",
+        range=Range("[0.5, 1]", low=0.5, high=1.0, low_open=False, high_open=False),
+        tex="\\theta_C",
+        file="srs/symbols.md",
+        line=1437,
+    ),
+    "unresolved": Symbol(
+        "unresolved",
+        "1",
+        "how fast a spring at a joint and its damper are for a substep",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="u_C",
+        file="srs/symbols.md",
+        line=1442,
+    ),
+    "left_impulse": Symbol(
+        "left_impulse",
+        "N*s",
+        "impulse that a spring at a joint gives where bodies have moved to",
+        tex="\\Lambda_\\theta",
+        file="srs/symbols.md",
+        line=1447,
+    ),
+    "row_energy_rise": Symbol(
+        "row_energy_rise",
+        "J",
+        "what a substep adds to the energies of a row's motion and of its spring",
+        tex="\\Delta E_C",
+        file="srs/symbols.md",
+        line=1451,
+    ),
     "firm_ratio": Symbol(
         "firm_ratio",
         "1",
@@ -2314,7 +2356,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1433,
+        line=1455,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2322,7 +2364,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1438,
+        line=1460,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2330,7 +2372,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1442,
+        line=1464,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2339,7 +2381,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1446,
+        line=1468,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2348,7 +2390,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1451,
+        line=1473,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2357,7 +2399,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1456,
+        line=1478,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2365,7 +2407,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1461,
+        line=1483,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2373,7 +2415,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1465,
+        line=1487,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2381,7 +2423,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1469,
+        line=1491,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2390,7 +2432,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1473,
+        line=1495,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2399,7 +2441,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1478,
+        line=1500,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2408,7 +2450,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1483,
+        line=1505,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2417,7 +2459,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1488,
+        line=1510,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2426,7 +2468,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1493,
+        line=1515,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2435,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1498,
+        line=1520,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2444,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1503,
+        line=1525,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2453,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1508,
+        line=1530,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2461,7 +2503,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1513,
+        line=1535,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2470,7 +2512,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1517,
+        line=1539,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2478,7 +2520,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1522,
+        line=1544,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2487,7 +2529,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1526,
+        line=1548,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2496,7 +2538,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1531,
+        line=1553,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2505,7 +2547,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1536,
+        line=1558,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2514,7 +2556,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1541,
+        line=1563,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2523,7 +2565,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1546,
+        line=1568,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2531,7 +2573,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1551,
+        line=1573,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2540,7 +2582,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1555,
+        line=1577,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2549,7 +2591,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1560,
+        line=1582,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2558,7 +2600,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1565,
+        line=1587,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2567,7 +2609,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1570,
+        line=1592,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2575,7 +2617,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1575,
+        line=1597,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2583,7 +2625,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1579,
+        line=1601,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2592,7 +2634,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1583,
+        line=1605,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2601,7 +2643,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1588,
+        line=1610,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2610,7 +2652,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1593,
+        line=1615,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2619,7 +2661,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1598,
+        line=1620,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2628,7 +2670,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1603,
+        line=1625,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2637,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1608,
+        line=1630,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2646,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1613,
+        line=1635,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2655,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1618,
+        line=1640,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2664,7 +2706,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1623,
+        line=1645,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2672,7 +2714,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1628,
+        line=1650,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2681,7 +2723,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1632,
+        line=1654,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2689,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1637,
+        line=1659,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2697,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1641,
+        line=1663,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2706,7 +2748,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1645,
+        line=1667,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2715,7 +2757,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1650,
+        line=1672,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2724,7 +2766,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1655,
+        line=1677,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2732,7 +2774,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1660,
+        line=1682,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2741,7 +2783,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1664,
+        line=1686,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2749,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1669,
+        line=1691,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2758,7 +2800,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1673,
+        line=1695,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2767,7 +2809,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1678,
+        line=1700,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2775,7 +2817,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1683,
+        line=1705,
     ),
     "change": Symbol(
         "change",
@@ -2784,7 +2826,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1687,
+        line=1709,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2793,7 +2835,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1692,
+        line=1714,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2802,7 +2844,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1697,
+        line=1719,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2810,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1702,
+        line=1724,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2819,7 +2861,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1706,
+        line=1728,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2827,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1711,
+        line=1733,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2835,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1715,
+        line=1737,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2843,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1719,
+        line=1741,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2852,7 +2894,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1723,
+        line=1745,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2860,7 +2902,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1728,
+        line=1750,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2869,6 +2911,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1732,
+        line=1754,
     ),
 }

@@ -3,7 +3,7 @@
 Rows of other joints do the same with slopes for places, too, which are zero here.
 """
 
-from tamias2d.engine.joints.linearise import firmness_by_law, firmness_that_yields
+from tamias2d.engine.joints.linearise import firmness_by_law
 from tamias2d.engine.tables import (
     H_CHANGE,
     H_FIRM,
@@ -18,6 +18,7 @@ from tamias2d.engine.tables import (
     J_NODE,
     J_PULL,
     J_ROW,
+    J_SHARE,
     J_TOTAL,
     JOINED_ABOVE,
     JOINED_SLOT,
@@ -73,7 +74,7 @@ def add_law(j: int, substep: float, joints: Joints) -> None:
         if inverse == 0.0:
             numbers[TURNING + 3 * end] = 0.0
         yielding += row_yield((0.0, 0.0), numbers[TURNING + 3 * end], 0.0, inverse)
-    firm = firmness_by_law(firmness_that_yields(yielding), j, substep, joints)
+    firm = firmness_by_law(yielding, j, substep, joints)
     numbers[J_FIRMNESS] = firm
     m, turning = hung_by_law(j, joints)
     joints.hinges[m, H_FIRM] += coupled_inertia(turning, turning, firm)
@@ -91,8 +92,10 @@ def error_of_law(j: int, substep: float, bodies: Bodies, joints: Joints) -> floa
         error = drive_error(rate_of_law(j, bodies, joints), law[LAW_RATE])
     elif firm > 0.0:
         rate, given = rate_of_law(j, bodies, joints), numbers[J_GIVEN]
+        start, share = numbers[J_AIM], numbers[J_SHARE]
+        stiffness, damping = law[LAW_STIFFNESS], law[LAW_DAMPING]
         error = spring_error(
-            angle, rate, given, law[LAW_STIFFNESS], law[LAW_DAMPING], firm, substep
+            angle, start, rate, given, stiffness, damping, share, firm, substep
         )
     numbers[J_ERROR] = error
     return float(error)

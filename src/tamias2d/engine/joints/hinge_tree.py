@@ -10,11 +10,11 @@ from tamias2d.engine.joints.angle_laws import add_law, is_law
 from tamias2d.engine.joints.linearise import (
     ENDS_OF_JOINT,
     firmness_by_law,
-    firmness_of,
     move_members,
     rows_where_placed,
     turn_members,
     write_rows,
+    yield_of_row,
 )
 from tamias2d.engine.tables import (
     H_ANCHOR,
@@ -134,8 +134,8 @@ def hang_tree(n: int, substep: float, bodies: Bodies, joints: Joints) -> None:
             add_law(j, substep, joints)
         else:
             for r in range(ends[J_ROWS]):
-                firm = firmness_of(r, ends, numbers, bodies, joints)
-                numbers[J_FIRMNESS + r] = firmness_by_law(firm, j, substep, joints)
+                yielding = yield_of_row(r, ends, numbers, bodies, joints)
+                numbers[J_FIRMNESS + r] = firmness_by_law(yielding, j, substep, joints)
                 add_tie(j, r, joints)
     for m in range(last - 1, first, -1):
         hang(joints.hinges[m])

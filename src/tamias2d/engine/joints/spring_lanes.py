@@ -18,7 +18,9 @@ from tamias2d.engine.tables import (
     T_LAW_GIVEN,
     T_LAW_IMPULSE,
     T_LAW_PULL,
+    T_LAW_SHARE,
     T_LAW_SIDE,
+    T_LAW_START,
     T_PASSED_TURN,
     T_SIZE,
     T_SPIN,
@@ -30,6 +32,8 @@ from tamias2d.generated.hinge_tree import law_impulse
 from tamias2d.generated.joint_step import (
     angular_velocity_later,
     coupled_inertia,
+    implicit_share,
+    left_impulse,
     row_impulse,
     row_rate,
     row_yield,
@@ -42,9 +46,11 @@ from tamias2d.state import Array
 
 
 @separate
-def begin_springs_of_lanes(row: Array) -> None:
-    """Begin a substep, in which the springs of a row have given nothing yet."""
+def begin_springs_of_lanes(row: Array, above: Array) -> None:
+    """Begin a substep, in which the springs of a row have given nothing yet; note their angles."""
     for m in range(LANES):
+        angle = row[T_LAW_SIDE + m] * (row[T_ANGLE + m] - above[T_ANGLE + m])
+        row[T_LAW_START + m] = angle - row[T_JOINT_ANGLE + m]
         row[T_LAW_GIVEN + m] = 0.0
 
 
@@ -58,8 +64,11 @@ def firm_lanes(substep: float, row: Array, above: Array) -> None:
         far = -side if held_above > 0.0 else 0.0
         yielding = row_yield((0.0, 0.0), turning, 0.0, held)
         yielding += row_yield((0.0, 0.0), far, 0.0, held_above)
-        firm = spring_firmness(row[T_STIFFNESS + m], row[T_DAMPING + m], substep)
+        stiffness, damping = row[T_STIFFNESS + m], row[T_DAMPING + m]
+        share = implicit_share(stiffness, damping, yielding, substep)
+        firm = spring_firmness(stiffness, damping, share, substep)
         firm = min(firmness_that_yields(yielding), firm)
+        row[T_LAW_SHARE + m] = share
         row[T_TURNING + m], row[T_FAR_TURNING + m] = turning, far
         row[T_FIRMNESS + m], row[T_FIRM + m] = firm, coupled_inertia(turning, turning, firm)
 
@@ -75,7 +84,10 @@ def spring_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Arra
         firm, given = row[T_FIRMNESS + m], row[T_LAW_GIVEN + m]
         stiffness, damping = row[T_STIFFNESS + m], row[T_DAMPING + m]
         divisor = firm if firm > 0.0 else 1.0
-        error = spring_error(angle, rate, given, stiffness, damping, divisor, substep)
+        start, share = row[T_LAW_START + m], row[T_LAW_SHARE + m]
+        error = spring_error(
+            angle, start, rate, given, stiffness, damping, share, divisor, substep
+        )
         error = error if firm > 0.0 else 0.0
         row[T_LAW_ERROR + m] = error
         lanes[T_SIZE + m] = lanes[T_SIZE + m] + error * error
@@ -99,6 +111,13 @@ def spring_impulses_of_lanes(row: Array, above: Array) -> None:
         first, second = far if is_b else own, own if is_b else far
         impulse = row_impulse(row[T_LAW_ERROR + m] + first + second, firm)
         row[T_LAW_IMPULSE + m] = impulse if firm > 0.0 else 0.0
+
+
+@separate
+def left_impulses_of_lanes(row: Array) -> None:
+    """Find what the springs of a row give where bodies have moved to."""
+    for m in range(LANES):
+        row[T_LAW_IMPULSE + m] = left_impulse(row[T_LAW_GIVEN + m], row[T_LAW_SHARE + m])
 
 
 @separate

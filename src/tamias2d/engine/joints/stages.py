@@ -17,6 +17,7 @@ from tamias2d.engine.joints.hinge_net import (
 )
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import hang_tree, linearise_tree, store_hinge_impulses
+from tamias2d.engine.joints.left_impulses import give_left
 from tamias2d.engine.joints.linearise import (
     factor_mechanism,
     linearise,
@@ -29,6 +30,7 @@ from tamias2d.engine.joints.tree_blocks import (
     begin_blocks,
     bring_blocks_to_aims,
     fit_blocks,
+    give_left_of_blocks,
     store_blocks,
     write_blocks,
 )
@@ -188,7 +190,7 @@ def begin_joints(substep: float, world: World) -> None:
                 begin_net(n, bodies, joints)
             if joints.mechanisms[n, M_IN_BLOCK] == 0:
                 write_mechanism(n, bodies, joints)
-            joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS
+            joints.mechanisms[n, M_HALF] = joints.mechanisms[n, M_STATUS] != IN_CONTACT
             if joints.mechanisms[n, M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
     begin_blocks(bodies, joints)
@@ -283,22 +285,32 @@ def bring_to_end(
 
 
 def relax_joints(world: World) -> None:
-    """Find the rows of mechanisms where bodies are."""
+    """Find the rows of mechanisms where bodies are; springs give there what they have left."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     write_blocks(bodies, joints)
+    give_left_of_blocks(bodies, joints)
     for n in range(joints.counts[MECHANISMS]):
         alone = joints.mechanisms[n, M_IN_BLOCK] == 0
         if alone and joints.mechanisms[n, M_STATUS] != ASLEEP:
             write_mechanism(n, bodies, joints)
+            if joints.mechanisms[n, M_GOVERNED] == 1:
+                give_left(n, bodies, joints)
 
 
 def fit_touched(world: World) -> None:
     """Let the velocities of touched and of governed mechanisms fit their rows as a step ends.
 
     Nothing is lost in the substeps before: what they do not fit, the next solution takes away.
+    Those that no contact touches catch up with the forces first.
     """
+    joints = world.joints
+    if joints.counts[MECHANISMS_AWAKE] == 0:
+        return
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] == GOVERNED_ALONE:
+            kick_half(n, True, world.bodies, joints)
     fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], world.bodies, world.joints)
 
 

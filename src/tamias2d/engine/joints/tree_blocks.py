@@ -15,6 +15,7 @@ from tamias2d.engine.joints.spring_lanes import (
     add_turns,
     begin_springs_of_lanes,
     firm_lanes,
+    left_impulses_of_lanes,
     owe_springs,
     spring_errors_of_lanes,
     spring_impulses_of_lanes,
@@ -48,6 +49,7 @@ from tamias2d.engine.joints.tree_lanes import (
 from tamias2d.engine.tables import (
     ANGLE,
     ASLEEP,
+    GOVERNED_ALONE,
     H_APART,
     H_FAR_TURN,
     H_GIVEN,
@@ -227,7 +229,7 @@ def aim_blocks(length: float, joints: Joints) -> None:
         aim_lanes(REMOVED_BY_JOINTS * length, joints.tree_lanes[r])
     for b in range(joints.counts[TREE_BLOCKS]):
         for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
-            begin_springs_of_lanes(joints.tree_lanes[r])
+            begin_springs_of_lanes(joints.tree_lanes[r], joints.tree_lanes[joints.tree_above[r]])
 
 
 def bring_blocks_to_aims(
@@ -349,6 +351,17 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
         spring_impulses_of_lanes(rows[r], rows[joints.tree_above[r]])
     turn_by_springs(b, T_ACTIVE, 1.0, joints)
     store_block(b, bodies, joints)
+
+
+def give_left_of_blocks(bodies: Bodies, joints: Joints) -> None:
+    """Let the springs of blocks that were just written give what they have left, as `give_left`."""
+    for b in range(joints.counts[TREE_BLOCKS]):
+        sprung = joints.tree_blocks[b, T_SPRUNG] == 1
+        if sprung and has_status(b, GOVERNED_ALONE, IN_CONTACT, joints):
+            for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+                left_impulses_of_lanes(joints.tree_lanes[r])
+            turn_by_springs(b, T_ACTIVE, 1.0, joints)
+            store_block(b, bodies, joints)
 
 
 def take_block_back(b: int, bodies: Bodies, joints: Joints) -> None:
