@@ -878,6 +878,7 @@ H_PULL = _hinges(2)  # N s, through the hinge over this part, before that
 H_TURN = _hinges()  # N m s, likewise, about the body
 H_FAR_TURN = _hinges()  # N m s, likewise, about the body above
 H_APART = _hinges(2)  # m, by how much the hinge was apart at most in this part
+H_SLIGHT = _hinges()  # rad^2, of a root: how much turning is not looked at again in its tree
 
 _tree_blocks = Columns()  # of equal trees of hinges
 T_FIRST = _tree_blocks()  # row of what their roots hang on; those of nodes follow
@@ -894,6 +895,7 @@ T_SIZE = _block_lanes()  # m^2/s^2, sum of squares of errors
 T_BEFORE = _block_lanes()  # the same, before the last solution
 T_SIZE_FIRST = _block_lanes()  # the same, as the substep is first looked at
 T_LARGEST = _block_lanes()  # 1/s^2, as `solve_hinges` returns it
+T_SLIGHT = _block_lanes()  # rad^2, how much turning is not looked at again
 
 _tree_lanes = Columns(LANES)  # of a node of the trees of a block; else as those of hinges
 T_ANCHOR_X = _tree_lanes()

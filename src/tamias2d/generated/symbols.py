@@ -2708,13 +2708,21 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1645,
     ),
+    "hinged_yield": Symbol(
+        "hinged_yield",
+        "1/kg",
+        "yield of a row with the hinge on which its body hangs",
+        tex="k_{gh}",
+        file="srs/symbols.md",
+        line=1650,
+    ),
     "law_impulse": Symbol(
         "law_impulse",
         "kg*m^2/s",
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1650,
+        line=1654,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2723,7 +2731,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1654,
+        line=1658,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2731,7 +2739,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1659,
+        line=1663,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2739,7 +2747,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1663,
+        line=1667,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2748,7 +2756,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1667,
+        line=1671,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2757,7 +2765,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1672,
+        line=1676,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2766,7 +2774,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1677,
+        line=1681,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2774,7 +2782,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1682,
+        line=1686,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2783,7 +2791,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1686,
+        line=1690,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2791,7 +2799,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1691,
+        line=1695,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2800,7 +2808,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1695,
+        line=1699,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2809,7 +2817,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1700,
+        line=1704,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2817,7 +2825,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1705,
+        line=1709,
     ),
     "change": Symbol(
         "change",
@@ -2826,7 +2834,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1709,
+        line=1713,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2835,7 +2843,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1714,
+        line=1718,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2844,7 +2852,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1719,
+        line=1723,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2852,7 +2860,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1724,
+        line=1728,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2861,7 +2869,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1728,
+        line=1732,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2869,7 +2877,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1733,
+        line=1737,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2877,7 +2885,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1737,
+        line=1741,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2885,7 +2893,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1741,
+        line=1745,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2894,7 +2902,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1745,
+        line=1749,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2902,7 +2910,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1750,
+        line=1754,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2911,6 +2919,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1754,
+        line=1758,
     ),
 }

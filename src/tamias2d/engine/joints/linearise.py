@@ -143,19 +143,24 @@ def factor_mechanism(n: int, substep: float, bodies: Bodies, joints: Joints) -> 
         ends, numbers = joints.joints[j], joints.numbers[j]
         for r in range(ends[J_ROWS]):
             yielding = yield_of_row(r, ends, numbers, bodies, joints)
-            numbers[J_FIRMNESS + r] = firmness_by_law(yielding, j, substep, joints)
+            numbers[J_FIRMNESS + r] = firmness_by_law(yielding, yielding, j, substep, joints)
             if not meshed:
                 add_joint_row(r, ends, numbers, joints)
     if not meshed:
         factor(n, joints.sparse, joints.factors)
 
 
-def firmness_by_law(yielding: float, j: int, substep: float, joints: Joints) -> float:
-    """Return how firm a row is that yields so much, kg; note after which share a spring answers."""
+def firmness_by_law(
+    yielding: float, hinged: float, j: int, substep: float, joints: Joints
+) -> float:
+    """Return how firm a row is, kg, that yields so much, 1/kg, by itself, and so much with a hinge.
+
+    It is noted after which share a spring answers.
+    """
     firm = firmness_that_yields(yielding)
     if joints.joints[j, J_LAW] == SPRING:
         stiffness, damping = joints.laws[j, LAW_STIFFNESS], joints.laws[j, LAW_DAMPING]
-        share = implicit_share(stiffness, damping, yielding, substep)
+        share = implicit_share(stiffness, damping, hinged, substep)
         joints.numbers[j, J_SHARE] = share
         return min(firm, spring_firmness(stiffness, damping, share, substep))
     return firm if joints.joints[j, J_STATE] == HOLDS else 0.0

@@ -3,15 +3,22 @@
 Each node of a tree has one at most. A lane without a spring has one that is not firm.
 """
 
+from tamias2d.engine.joints.hinge_tree import slight_turn
+from tamias2d.engine.joints.hinged_yield import yield_with_hinge
 from tamias2d.engine.joints.linearise import firmness_that_yields
 from tamias2d.engine.tables import (
     T_ANGLE,
+    T_ARM_X,
+    T_ARM_Y,
     T_CHANGE_SPIN,
     T_DAMPING,
+    T_FAR_ARM_X,
+    T_FAR_ARM_Y,
     T_FAR_TURNING,
     T_FIRM,
     T_FIRMNESS,
     T_HELD_INVERSE_INERTIA,
+    T_INVERSE_MASS,
     T_JOINT_ANGLE,
     T_LAW,
     T_LAW_ERROR,
@@ -23,6 +30,7 @@ from tamias2d.engine.tables import (
     T_LAW_START,
     T_PASSED_TURN,
     T_SIZE,
+    T_SLIGHT,
     T_SPIN,
     T_START_SPIN,
     T_STIFFNESS,
@@ -55,7 +63,7 @@ def begin_springs_of_lanes(row: Array, above: Array) -> None:
 
 
 @separate
-def firm_lanes(substep: float, row: Array, above: Array) -> None:
+def firm_lanes(substep: float, lanes: Array, row: Array, above: Array) -> None:
     """Find how firm the springs of a row are in a substep, s; a body may not turn."""
     for m in range(LANES):
         side, held = row[T_LAW_SIDE + m], row[T_HELD_INVERSE_INERTIA + m]
@@ -65,10 +73,22 @@ def firm_lanes(substep: float, row: Array, above: Array) -> None:
         yielding = row_yield((0.0, 0.0), turning, 0.0, held)
         yielding += row_yield((0.0, 0.0), far, 0.0, held_above)
         stiffness, damping = row[T_STIFFNESS + m], row[T_DAMPING + m]
-        share = implicit_share(stiffness, damping, yielding, substep)
+        spins = (
+            angular_velocity_later(0.0, 1.0, turning, held),
+            angular_velocity_later(0.0, 1.0, far, held_above),
+        )
+        mass = row[T_INVERSE_MASS + m]
+        inverse = (mass if mass > 0.0 else 1.0, held)
+        inverse_above = (above[T_INVERSE_MASS + m], held_above)
+        arm = (row[T_ARM_X + m], row[T_ARM_Y + m])
+        far_arm = (row[T_FAR_ARM_X + m], row[T_FAR_ARM_Y + m])
+        hinged = yield_with_hinge(yielding, (0.0, 0.0), spins, arm, far_arm, inverse, inverse_above)
+        share = implicit_share(stiffness, damping, hinged, substep)
         firm = spring_firmness(stiffness, damping, share, substep)
         firm = min(firmness_that_yields(yielding), firm)
         row[T_LAW_SHARE + m] = share
+        slight = min(lanes[T_SLIGHT + m], slight_turn(share))
+        lanes[T_SLIGHT + m] = slight if side != 0.0 else lanes[T_SLIGHT + m]
         row[T_TURNING + m], row[T_FAR_TURNING + m] = turning, far
         row[T_FIRMNESS + m], row[T_FIRM + m] = firm, coupled_inertia(turning, turning, firm)
 
@@ -85,9 +105,7 @@ def spring_errors_of_lanes(substep: float, lanes: Array, row: Array, above: Arra
         stiffness, damping = row[T_STIFFNESS + m], row[T_DAMPING + m]
         divisor = firm if firm > 0.0 else 1.0
         start, share = row[T_LAW_START + m], row[T_LAW_SHARE + m]
-        error = spring_error(
-            angle, start, rate, given, stiffness, damping, share, divisor, substep
-        )
+        error = spring_error(angle, start, rate, given, stiffness, damping, share, divisor, substep)
         error = error if firm > 0.0 else 0.0
         row[T_LAW_ERROR + m] = error
         lanes[T_SIZE + m] = lanes[T_SIZE + m] + error * error

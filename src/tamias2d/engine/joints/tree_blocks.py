@@ -3,8 +3,7 @@
 Cost: for each node of a block about what four trees by themselves take.
 """
 
-from tamias2d.engine.joints.hinge_solve import SLIGHT_TURN
-from tamias2d.engine.joints.hinge_tree import store_hinge_impulses
+from tamias2d.engine.joints.hinge_tree import SLIGHT_TURN, store_hinge_impulses
 from tamias2d.engine.joints.solve import (
     MOST_ITERATIONS_OF_JOINTS,
     REMOVED_BY_JOINTS,
@@ -98,6 +97,7 @@ from tamias2d.engine.tables import (
     T_PULL_Y,
     T_SIZE,
     T_SIZE_FIRST,
+    T_SLIGHT,
     T_SPRUNG,
     T_STIFFNESS,
     T_TIED,
@@ -205,10 +205,11 @@ def hang_block(b: int, substep: float, joints: Joints) -> None:
     """Find what hangs on the hinges of a block; springs count through a substep, s, as there."""
     first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
     lanes = joints.tree_lanes
+    all_lanes(T_SLIGHT, SLIGHT_TURN, joints.block_lanes[b])
     for r in range(first, last):
         begin_lanes(lanes[r])
     for r in range(first_sprung(b, joints), last):
-        firm_lanes(substep, lanes[r], lanes[joints.tree_above[r]])
+        firm_lanes(substep, joints.block_lanes[b], lanes[r], lanes[joints.tree_above[r]])
     for r in range(last - 1, first, -1):
         hang_lanes(lanes[r], lanes[joints.tree_above[r]])
 
@@ -257,7 +258,7 @@ def bring_block_to_aims(b: int, substep: float, bodies: Bodies, joints: Joints) 
         if not some_lanes(T_ACTIVE, lanes):
             return
         solve_block(b, bodies, joints)
-        end_slight_lanes(substep, SLIGHT_TURN, lanes)
+        end_slight_lanes(substep, lanes)
         if not some_lanes(T_ACTIVE, lanes):
             return
 
