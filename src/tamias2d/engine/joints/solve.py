@@ -28,6 +28,7 @@ from tamias2d.engine.tables import (
     J_IMPULSE,
     J_KIND,
     J_LAW,
+    J_LEFT,
     J_MEMBER,
     J_NODE,
     J_RESIDUAL,
@@ -94,7 +95,7 @@ def aim_joint(j: int, length: float, joints: Joints) -> None:
             value = max(value, 0.0)
         removed = 0.0 if law == SPRING else REMOVED_BY_JOINTS * length
         numbers[J_AIM + r] = row_aim(value, removed)
-        numbers[J_GIVEN + r] = 0.0
+        numbers[J_GIVEN + r] = -numbers[J_LEFT] if law == SPRING else 0.0
 
 
 def keep_positions(n: int, again: bool, substep: float, bodies: Bodies, joints: Joints) -> None:

@@ -24,6 +24,7 @@ from tamias2d.engine.tables import (
     T_LAW_ERROR,
     T_LAW_GIVEN,
     T_LAW_IMPULSE,
+    T_LAW_LEFT,
     T_LAW_PULL,
     T_LAW_SHARE,
     T_LAW_SIDE,
@@ -55,11 +56,11 @@ from tamias2d.state import Array
 
 @separate
 def begin_springs_of_lanes(row: Array, above: Array) -> None:
-    """Begin a substep, in which the springs of a row have given nothing yet; note their angles."""
+    """Begin a substep, in which the springs of a row lack what they had left; note their angles."""
     for m in range(LANES):
         angle = row[T_LAW_SIDE + m] * (row[T_ANGLE + m] - above[T_ANGLE + m])
         row[T_LAW_START + m] = angle - row[T_JOINT_ANGLE + m]
-        row[T_LAW_GIVEN + m] = 0.0
+        row[T_LAW_GIVEN + m] = -row[T_LAW_LEFT + m]
 
 
 @separate
@@ -132,10 +133,21 @@ def spring_impulses_of_lanes(row: Array, above: Array) -> None:
 
 
 @separate
-def left_impulses_of_lanes(row: Array) -> None:
-    """Find what the springs of a row give where bodies have moved to."""
+def note_left_of_lanes(chosen: Array, row: Array) -> None:
+    """Note what the springs of a row have left to give where bodies have moved to."""
     for m in range(LANES):
-        row[T_LAW_IMPULSE + m] = left_impulse(row[T_LAW_GIVEN + m], row[T_LAW_SHARE + m])
+        sprung = (chosen[m] > 0.0) & (row[T_FIRMNESS + m] > 0.0)
+        share = row[T_LAW_SHARE + m] if sprung else 1.0
+        row[T_LAW_LEFT + m] = left_impulse(row[T_LAW_GIVEN + m], share) if sprung else 0.0
+
+
+@separate
+def take_left_of_lanes(chosen: Array, row: Array) -> None:
+    """Let the impulses of springs be what they have left, and nothing be left, in some lanes."""
+    for m in range(LANES):
+        left = row[T_LAW_LEFT + m]
+        row[T_LAW_IMPULSE + m] = left
+        row[T_LAW_LEFT + m] = 0.0 if chosen[m] > 0.0 else left
 
 
 @separate

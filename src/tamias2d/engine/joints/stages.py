@@ -17,7 +17,7 @@ from tamias2d.engine.joints.hinge_net import (
 )
 from tamias2d.engine.joints.hinge_solve import aim_tree, fit_tree
 from tamias2d.engine.joints.hinge_tree import hang_tree, linearise_tree, store_hinge_impulses
-from tamias2d.engine.joints.left_impulses import give_left
+from tamias2d.engine.joints.left_impulses import give_left, note_left
 from tamias2d.engine.joints.linearise import (
     factor_mechanism,
     linearise,
@@ -31,6 +31,7 @@ from tamias2d.engine.joints.tree_blocks import (
     bring_blocks_to_aims,
     fit_blocks,
     give_left_of_blocks,
+    note_left_of_blocks,
     store_blocks,
     write_blocks,
 )
@@ -51,6 +52,8 @@ from tamias2d.engine.tables import (
     J_APART,
     J_FORCE,
     J_GIVEN,
+    J_LEFT,
+    J_LEFT_BEFORE,
     J_PULL,
     J_SLIGHT,
     J_STEP_TOTAL,
@@ -214,6 +217,7 @@ def begin_impulses(n: int, ratio: float, joints: Joints) -> None:
             joints.numbers[j, k] = 0.0
         for k in range(J_WARM, J_WARM + 3):
             joints.numbers[j, k] *= ratio
+        joints.numbers[j, J_LEFT] = joints.numbers[j, J_LEFT_BEFORE]
 
 
 def keep_joint_impulses(world: World) -> None:
@@ -228,6 +232,7 @@ def keep_joint_impulses(world: World) -> None:
                 for k in range(9):
                     before = kept * numbers[J_STEP_TOTAL + k]
                     numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
+                numbers[J_LEFT_BEFORE] = numbers[J_LEFT]
                 for k in range(3):
                     numbers[J_FORCE + k] = numbers[J_PULL + k] / time
                     if numbers[J_APART + k] > numbers[J_SLIGHT + k]:
@@ -285,25 +290,25 @@ def bring_to_end(
 
 
 def relax_joints(world: World) -> None:
-    """Find the rows of mechanisms where bodies are; springs give there what they have left."""
+    """Find the rows of mechanisms where bodies are; what springs have left is noted."""
     joints, bodies = world.joints, world.bodies
     if joints.counts[MECHANISMS_AWAKE] == 0:
         return
     write_blocks(bodies, joints)
-    give_left_of_blocks(bodies, joints)
+    note_left_of_blocks(joints)
     for n in range(joints.counts[MECHANISMS]):
         alone = joints.mechanisms[n, M_IN_BLOCK] == 0
         if alone and joints.mechanisms[n, M_STATUS] != ASLEEP:
             write_mechanism(n, bodies, joints)
             if joints.mechanisms[n, M_GOVERNED] == 1:
-                give_left(n, bodies, joints)
+                note_left(n, joints)
 
 
 def fit_touched(world: World) -> None:
     """Let the velocities of touched and of governed mechanisms fit their rows as a step ends.
 
     Nothing is lost in the substeps before: what they do not fit, the next solution takes away.
-    Those that no contact touches catch up with the forces first.
+    Those that no contact touches catch up with forces first, and with their springs.
     """
     joints = world.joints
     if joints.counts[MECHANISMS_AWAKE] == 0:
@@ -311,6 +316,9 @@ def fit_touched(world: World) -> None:
     for n in range(joints.counts[MECHANISMS]):
         if joints.mechanisms[n, M_STATUS] == GOVERNED_ALONE:
             kick_half(n, True, world.bodies, joints)
+            if joints.mechanisms[n, M_IN_BLOCK] == 0:
+                give_left(n, world.bodies, joints)
+    give_left_of_blocks(world.bodies, joints)
     fit_velocities(GOVERNED_ALONE, world.control.settings[SUBSTEP], world.bodies, world.joints)
 
 

@@ -14,10 +14,11 @@ from tamias2d.engine.joints.spring_lanes import (
     add_turns,
     begin_springs_of_lanes,
     firm_lanes,
-    left_impulses_of_lanes,
+    note_left_of_lanes,
     owe_springs,
     spring_errors_of_lanes,
     spring_impulses_of_lanes,
+    take_left_of_lanes,
     turn_lanes_by_springs,
 )
 from tamias2d.engine.joints.tree_lanes import (
@@ -58,6 +59,7 @@ from tamias2d.engine.tables import (
     I_NODE,
     IN_CONTACT,
     INVERSE_MASS,
+    J_LEFT,
     J_MEMBER,
     J_PULL,
     J_TOTAL,
@@ -86,6 +88,7 @@ from tamias2d.engine.tables import (
     T_INVERSE_MASS,
     T_JOINT_ANGLE,
     T_LARGEST,
+    T_LAW_LEFT,
     T_LAW_PULL,
     T_LAW_SIDE,
     T_MASS,
@@ -153,7 +156,7 @@ def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, join
     pose = bodies.pose[i]
     row[T_POSE_X + m], row[T_POSE_Y + m] = pose[X], pose[Y]
     row[T_POSE_ANGLE + m] = pose[ANGLE]
-    row[T_STIFFNESS + m] = row[T_DAMPING + m] = row[T_LAW_SIDE + m] = 0.0
+    row[T_STIFFNESS + m] = row[T_DAMPING + m] = row[T_LAW_SIDE + m] = row[T_LAW_LEFT + m] = 0.0
     for c in range(T_GIVEN_X, T_LAW_PULL + LANES, LANES):
         row[c + m] = 0.0
 
@@ -166,6 +169,7 @@ def begin_spring(m: int, member: int, row: Array, joints: Joints) -> None:
         row[T_STIFFNESS + m] = joints.laws[j, LAW_STIFFNESS]
         row[T_DAMPING + m] = joints.laws[j, LAW_DAMPING]
         row[T_LAW_SIDE + m] = 1.0 if joints.joints[j, J_MEMBER + 1] == member else -1.0
+        row[T_LAW_LEFT + m] = joints.numbers[j, J_LEFT]
 
 
 def write_blocks(bodies: Bodies, joints: Joints) -> None:
@@ -355,14 +359,29 @@ def solve_block(b: int, bodies: Bodies, joints: Joints) -> None:
 
 
 def give_left_of_blocks(bodies: Bodies, joints: Joints) -> None:
-    """Let the springs of blocks that were just written give what they have left, as `give_left`."""
+    """Let the springs of blocks that nothing touches give what they have left as a step ends."""
+    rows = joints.tree_lanes
+    for b in range(joints.counts[TREE_BLOCKS]):
+        sprung = joints.tree_blocks[b, T_SPRUNG] == 1
+        if sprung and has_status(b, GOVERNED_ALONE, GOVERNED_ALONE, joints):
+            first, last = joints.tree_blocks[b, T_FIRST], joints.tree_blocks[b + 1, T_FIRST]
+            given = joints.block_lanes[b, T_ACTIVE : T_ACTIVE + LANES]
+            for r in range(first, last):
+                load_node(joints.tree_slots[r], bodies, rows[r])
+            for r in range(first_sprung(b, joints), last):
+                take_left_of_lanes(given, rows[r])
+            turn_by_springs(b, T_ACTIVE, 1.0, joints)
+            store_block(b, bodies, joints)
+
+
+def note_left_of_blocks(joints: Joints) -> None:
+    """Note what the springs of blocks have left, as `note_left` does."""
     for b in range(joints.counts[TREE_BLOCKS]):
         sprung = joints.tree_blocks[b, T_SPRUNG] == 1
         if sprung and has_status(b, GOVERNED_ALONE, IN_CONTACT, joints):
+            active = joints.block_lanes[b, T_ACTIVE : T_ACTIVE + LANES]
             for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
-                left_impulses_of_lanes(joints.tree_lanes[r])
-            turn_by_springs(b, T_ACTIVE, 1.0, joints)
-            store_block(b, bodies, joints)
+                note_left_of_lanes(active, joints.tree_lanes[r])
 
 
 def take_block_back(b: int, bodies: Bodies, joints: Joints) -> None:
@@ -430,7 +449,7 @@ def store_spring(m: int, row: Array, numbers: Array) -> None:
     """Let the numbers of a spring have what its lane has."""
     pull, own = row[T_LAW_PULL + m], row[T_LAW_SIDE + m] > 0.0
     turning, far = row[T_TURNING + m], row[T_FAR_TURNING + m]
-    numbers[J_PULL] = pull
+    numbers[J_PULL], numbers[J_LEFT] = pull, row[T_LAW_LEFT + m]
     to = J_TOTAL + 2
     numbers[to] = angular_momentum_later(numbers[to], pull, far if own else turning)
     numbers[to + 3] = angular_momentum_later(numbers[to + 3], pull, turning if own else far)
