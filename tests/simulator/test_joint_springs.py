@@ -1,4 +1,4 @@
-"""Springs of joints keep what they have, lose what their dampers take, and settle if stiff (IM19)."""
+"""Springs of joints keep what they have, lose what their dampers take, or settle (IM19)."""
 
 import math
 from typing import Any
@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.linalg import expm
 
 import tamias2d as t2
 from tests.engine.scenes import plain
@@ -34,7 +35,7 @@ def all_energy(sim: t2.Simulator, scene: t2.Scene, pace: float) -> float:
 
 
 def sprung_chain(links: int, stiffness: float, gravity: float = 0.0) -> t2.Scene:
-    """Links of 1 m and 1 kg in a straight row that spin about its middle, with springs at hinges."""
+    """Links of 1 m and 1 kg in a row that spins about its middle, with springs."""
     scene, middle = t2.Scene(gravity=(0.0, -gravity)), 0.5 * links
     for k in range(links):
         x, spin = k + 0.5 - middle, 2.0
@@ -115,20 +116,26 @@ def test_a_spring_along_a_distance_keeps_its_energy() -> None:
     assert np.mean(found[:100]) == pytest.approx(np.mean(found[-100:]), rel=5e-4)
 
 
+def decay(energies: list[float]) -> float:
+    """Return how fast energies of single steps fall, 1/s, by a line through their logarithms."""
+    count = len(energies)
+    return -float(np.polyfit(np.arange(count) / 60, np.log(energies), 1)[0])
+
+
 @pytest.mark.parametrize("pace", [4.0, 12.0, 100.0])
-@pytest.mark.parametrize("ratio", [0.02, 0.3, 0.9, 2.0])
+@pytest.mark.parametrize("ratio", [0.02, 0.3, 0.7, 2.0])
 def test_a_damper_takes_what_it_takes_exactly(pace: float, ratio: float) -> None:
-    """The rate of decay is that of a damped oscillation, or of the slower of two decays."""
+    """The energy falls as that of the linear oscillation does, by its matrix exponential."""
     scene = sprung(pace, ratio)
-    sim = plain(scene)
+    sim, rates = plain(scene), np.array([[0.0, 1.0], [-(pace**2), -2.0 * ratio * pace]])
     slower = pace * (ratio if ratio < 1 else ratio - math.sqrt(ratio**2 - 1))
-    steps, found = min(300, max(6, round(60 * 4.0 / slower))), []
-    for _ in range(steps):
+    found, exact = [], []
+    for k in range(min(300, max(6, round(60 * 4.0 / slower)))):
         sim.step()
         found.append(all_energy(sim, scene, pace))
-    count = len(found) // 3
-    rate = np.polyfit(np.arange(count, steps) / 60, np.log(found[count:]), 1)[0]
-    assert -0.5 * rate == pytest.approx(slower, rel=0.05)
+        angle, spin = expm(rates * (k + 1) / 60) @ (0.3, 0.0)
+        exact.append(0.5 * ABOUT_HINGE * (spin**2 + (pace * angle) ** 2))
+    assert decay(found) == pytest.approx(decay(exact), rel=0.05)
 
 
 def exact_angle(pace: float, ratio: float, seconds: float) -> float:
@@ -155,7 +162,7 @@ def test_the_error_of_a_spring_is_of_the_second_order(ratio: float) -> None:
     assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.2)
 
 
-@pytest.mark.parametrize("pace", [1e3, 1e4, 1e6])
+@pytest.mark.parametrize("pace", [1e3, 1e4, 1e5])
 @pytest.mark.parametrize("ratio", [0.0, 5.0])
 def test_a_spring_too_stiff_for_substeps_settles(pace: float, ratio: float) -> None:
     scene = sprung(pace, ratio)
@@ -165,3 +172,21 @@ def test_a_spring_too_stiff_for_substeps_settles(pace: float, ratio: float) -> N
         sim.step()
         assert all_energy(sim, scene, pace) < before
     assert all_energy(sim, scene, pace) < 1e-9 * before
+
+
+def test_a_light_bob_on_a_long_arm_gains_nothing() -> None:
+    """It counts with more inertia than it has where it is pulled, which alone makes energy."""
+    scene = t2.Scene(gravity=(0.0, -G))
+    place = (math.cos(0.3), math.sin(0.3))
+    scene.add_body(None, mass=1.0, inertia=0.01, position=place, orientation=0.3)
+    spring = t2.JointSpring(stiffness=1616.0, rest=0.0)
+    scene.add_joint(t2.Revolute(spring=spring), (0.0, 0.0), 0, other_anchor=(-1.0, 0.0))
+    sim = plain(scene, substeps=1)
+
+    def all_of_it() -> float:
+        return energy(sim, scene) + 808.0 * float(sim.orientation[0]) ** 2
+
+    before = all_of_it()
+    for _ in range(300):
+        sim.step()
+        assert all_of_it() < before * (1 + 1e-9)

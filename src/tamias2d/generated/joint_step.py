@@ -1,11 +1,11 @@
 """Joint step: Row of a joint; Impulse of a row of a joint; Joint in a substep; Spring of a joint
-in a substep.
+in a substep; Energy of a mechanism with springs.
 
 Generated from srs/models/joint_step.md
 by `python -m tools.generate`. Edit the chapter, not this file.
 """
 
-from tamias2d.spec.functions import Scalar, Vector, largest, sqrt
+from tamias2d.spec.functions import Scalar, Vector, largest, least, sqrt
 
 
 def row_rate(
@@ -424,7 +424,7 @@ def implicit_share(
             1/kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:224.
+    Source: IM19, srs/models/joint_step.md:225.
     """
     unresolved = time_step * row_damping * row_yield + largest(
         time_step * time_step * row_stiffness * row_yield - 1, 0
@@ -446,7 +446,7 @@ def spring_firmness(
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:228.
+    Source: IM19, srs/models/joint_step.md:229.
     """
     return implicit_share * time_step * (row_damping + implicit_share * time_step * row_stiffness)
 
@@ -481,7 +481,7 @@ def spring_error(
             have, kg
         time_step: Length of one step of a stepped scheme, s
 
-    Source: IM19, srs/models/joint_step.md:230.
+    Source: IM19, srs/models/joint_step.md:231.
     """
     spring_value = (1 - implicit_share) * row_value_start + implicit_share * row_value
     row_force = (-row_stiffness) * spring_value - row_damping * row_rate
@@ -497,6 +497,84 @@ def left_impulse(row_given: Scalar, implicit_share: Scalar) -> Scalar:
         row_given: Impulse that a row has had in a substep so far, N*s
         implicit_share: Share of a substep's way after which a spring at a joint answers, 1
 
-    Source: IM19, srs/models/joint_step.md:231.
+    Source: IM19, srs/models/joint_step.md:232.
     """
     return (1 - implicit_share) / implicit_share * row_given
+
+
+def row_energy(row_stiffness: Scalar, row_value: Scalar) -> Scalar:
+    """Energy of a spring at a joint (J).
+
+    row_energy = row_stiffness*row_value**2/2
+
+    Args:
+        row_stiffness: Force of a spring for a row's value, N/m
+        row_value: Number of a joint's equation that is zero where it holds, m
+
+    Source: DD79, srs/models/joint_step.md:325.
+    """
+    return row_stiffness * row_value * row_value / 2
+
+
+def sprung_energy_most(
+    kinetic_energy_start: Scalar,
+    work: Scalar,
+    row_energy_start: Scalar,
+    row_energy: Scalar,
+    energy_reserve: Scalar,
+) -> Scalar:
+    """Kinetic energy with which a step of a mechanism with springs may end (J).
+
+    sprung_energy_most = max(kinetic_energy_start + work + row_energy_start - row_energy +
+    energy_reserve, 0[J])
+
+    Args:
+        kinetic_energy_start: Energy of motion, turning included; at the start, J
+        work: Energy that gravity, forces and torques have given a body in a step, J
+        row_energy_start: Energy of a spring at a joint; at the start, J
+        row_energy: Energy of a spring at a joint, J
+        energy_reserve: What a mechanism with springs may gain of what it has lost, J
+
+    Source: DD79, srs/models/joint_step.md:326.
+    """
+    return largest(
+        kinetic_energy_start + work + row_energy_start - row_energy + energy_reserve, 0.0
+    )
+
+
+def energy_scale_later(
+    energy_scale: Scalar, kinetic_energy: Scalar, row_energy: Scalar, scale_fade: Scalar
+) -> Scalar:
+    """The most of motion and springs that a mechanism has had lately; after the bodies have moved
+    (J).
+
+    energy_scale_later = max(scale_fade*energy_scale, kinetic_energy + row_energy)
+
+    Args:
+        energy_scale: The most of motion and springs that a mechanism has had lately, J
+        kinetic_energy: Energy of motion, turning included, J
+        row_energy: Energy of a spring at a joint, J
+        scale_fade: Factor by which the scale of a mechanism's energy fades in a step, 1
+
+    Source: DD79, srs/models/joint_step.md:329.
+    """
+    return largest(scale_fade * energy_scale, kinetic_energy + row_energy)
+
+
+def energy_reserve_later(
+    kinetic_energy_most: Scalar, kinetic_energy: Scalar, energy_scale: Scalar, reserve_ratio: Scalar
+) -> Scalar:
+    """What a mechanism with springs may gain of what it has lost; after the bodies have moved (J).
+
+    energy_reserve_later = max(min(kinetic_energy_most - kinetic_energy,
+    reserve_ratio*energy_scale), 0[J])
+
+    Args:
+        kinetic_energy_most: Energy of motion, turning included; the most that there may be, J
+        kinetic_energy: Energy of motion, turning included, J
+        energy_scale: The most of motion and springs that a mechanism has had lately, J
+        reserve_ratio: Reserve of a mechanism with springs, of its scale at most, 1
+
+    Source: DD79, srs/models/joint_step.md:331.
+    """
+    return largest(least(kinetic_energy_most - kinetic_energy, reserve_ratio * energy_scale), 0.0)

@@ -2341,13 +2341,67 @@ SYMBOLS: dict[str, Symbol] = {
         file="srs/symbols.md",
         line=1447,
     ),
+    "row_energy": Symbol(
+        "row_energy",
+        "J",
+        "energy of a spring at a joint",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_C",
+        file="srs/symbols.md",
+        line=1451,
+    ),
+    "sprung_energy_most": Symbol(
+        "sprung_energy_most",
+        "J",
+        "kinetic energy with which a step of a mechanism with springs may end",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="K_{most}",
+        file="srs/symbols.md",
+        line=1456,
+    ),
+    "energy_reserve": Symbol(
+        "energy_reserve",
+        "J",
+        "what a mechanism with springs may gain of what it has lost",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_r",
+        file="srs/symbols.md",
+        line=1461,
+    ),
+    "energy_scale": Symbol(
+        "energy_scale",
+        "J",
+        "the most of motion and springs that a mechanism has had lately",
+        range=Range(">= 0", low=0.0, low_open=False),
+        tex="E_s",
+        file="srs/symbols.md",
+        line=1466,
+    ),
+    "reserve_ratio": Symbol(
+        "reserve_ratio",
+        "1",
+        "reserve of a mechanism with springs, of its scale at most",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="r_E",
+        file="srs/symbols.md",
+        line=1471,
+    ),
+    "scale_fade": Symbol(
+        "scale_fade",
+        "1",
+        "factor by which the scale of a mechanism's energy fades in a step",
+        range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
+        tex="f_E",
+        file="srs/symbols.md",
+        line=1476,
+    ),
     "row_energy_rise": Symbol(
         "row_energy_rise",
         "J",
         "what a substep adds to the energies of a row's motion and of its spring",
         tex="\\Delta E_C",
         file="srs/symbols.md",
-        line=1451,
+        line=1481,
     ),
     "firm_ratio": Symbol(
         "firm_ratio",
@@ -2356,7 +2410,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="\\sigma_g",
         file="srs/symbols.md",
-        line=1455,
+        line=1485,
     ),
     "row_impulse": Symbol(
         "row_impulse",
@@ -2364,7 +2418,7 @@ SYMBOLS: dict[str, Symbol] = {
         "impulse of a row of a joint, for slopes of length one",
         tex="\\Lambda",
         file="srs/symbols.md",
-        line=1460,
+        line=1490,
     ),
     "slope_along": Symbol(
         "slope_along",
@@ -2372,7 +2426,7 @@ SYMBOLS: dict[str, Symbol] = {
         "part of a slope along one axis",
         tex="g_\\parallel",
         file="srs/symbols.md",
-        line=1464,
+        line=1494,
     ),
     "coupled_mass": Symbol(
         "coupled_mass",
@@ -2381,7 +2435,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\parallel",
         file="srs/symbols.md",
-        line=1468,
+        line=1498,
     ),
     "coupled_moment": Symbol(
         "coupled_moment",
@@ -2390,7 +2444,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_\\omega",
         file="srs/symbols.md",
-        line=1473,
+        line=1503,
     ),
     "coupled_lever": Symbol(
         "coupled_lever",
@@ -2399,7 +2453,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_\\omega",
         file="srs/symbols.md",
-        line=1478,
+        line=1508,
     ),
     "coupled_inertia": Symbol(
         "coupled_inertia",
@@ -2407,7 +2461,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse at B for the turning of A, by a firm row",
         tex="I_\\omega",
         file="srs/symbols.md",
-        line=1483,
+        line=1513,
     ),
     "orientation_cosine": Symbol(
         "orientation_cosine",
@@ -2415,7 +2469,7 @@ SYMBOLS: dict[str, Symbol] = {
         "cosine of the orientation",
         tex="c_\\varphi",
         file="srs/symbols.md",
-        line=1487,
+        line=1517,
     ),
     "orientation_sine": Symbol(
         "orientation_sine",
@@ -2423,7 +2477,7 @@ SYMBOLS: dict[str, Symbol] = {
         "sine of the orientation",
         tex="s_\\varphi",
         file="srs/symbols.md",
-        line=1491,
+        line=1521,
     ),
     "hinge_arm": Symbol(
         "hinge_arm",
@@ -2432,7 +2486,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}",
         file="srs/symbols.md",
-        line=1495,
+        line=1525,
     ),
     "arm_above": Symbol(
         "arm_above",
@@ -2441,7 +2495,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}'",
         file="srs/symbols.md",
-        line=1500,
+        line=1530,
     ),
     "position_above": Symbol(
         "position_above",
@@ -2450,7 +2504,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{p}'",
         file="srs/symbols.md",
-        line=1505,
+        line=1535,
     ),
     "hinge_gap": Symbol(
         "hinge_gap",
@@ -2459,7 +2513,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{C}_h",
         file="srs/symbols.md",
-        line=1510,
+        line=1540,
     ),
     "arm_met": Symbol(
         "arm_met",
@@ -2468,7 +2522,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{a}''",
         file="srs/symbols.md",
-        line=1515,
+        line=1545,
     ),
     "node_mass_x": Symbol(
         "node_mass_x",
@@ -2477,7 +2531,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_x",
         file="srs/symbols.md",
-        line=1520,
+        line=1550,
     ),
     "node_mass_y": Symbol(
         "node_mass_y",
@@ -2486,7 +2540,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_y",
         file="srs/symbols.md",
-        line=1525,
+        line=1555,
     ),
     "node_moment": Symbol(
         "node_moment",
@@ -2495,7 +2549,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}_\\omega",
         file="srs/symbols.md",
-        line=1530,
+        line=1560,
     ),
     "node_inertia": Symbol(
         "node_inertia",
@@ -2503,7 +2557,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node for its turning about its centre of mass",
         tex="I_n",
         file="srs/symbols.md",
-        line=1535,
+        line=1565,
     ),
     "hinge_moment": Symbol(
         "hinge_moment",
@@ -2512,7 +2566,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{m}_h",
         file="srs/symbols.md",
-        line=1539,
+        line=1569,
     ),
     "hinge_inertia": Symbol(
         "hinge_inertia",
@@ -2520,7 +2574,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum of a node about its hinge for its turning there",
         tex="I_h",
         file="srs/symbols.md",
-        line=1544,
+        line=1574,
     ),
     "turning_firmness": Symbol(
         "turning_firmness",
@@ -2529,7 +2583,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="\\kappa_\\omega",
         file="srs/symbols.md",
-        line=1548,
+        line=1578,
     ),
     "turning_yield": Symbol(
         "turning_yield",
@@ -2538,7 +2592,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range(">= 0", low=0.0, low_open=False),
         tex="Y_h",
         file="srs/symbols.md",
-        line=1553,
+        line=1583,
     ),
     "turned_share": Symbol(
         "turned_share",
@@ -2547,7 +2601,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("[0, 1]", low=0.0, high=1.0, low_open=False, high_open=False),
         tex="\\chi",
         file="srs/symbols.md",
-        line=1558,
+        line=1588,
     ),
     "hinge_lever": Symbol(
         "hinge_lever",
@@ -2556,7 +2610,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{l}_h",
         file="srs/symbols.md",
-        line=1563,
+        line=1593,
     ),
     "node_mass": Symbol(
         "node_mass",
@@ -2565,7 +2619,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{M}",
         file="srs/symbols.md",
-        line=1568,
+        line=1598,
     ),
     "lever_along": Symbol(
         "lever_along",
@@ -2573,7 +2627,7 @@ SYMBOLS: dict[str, Symbol] = {
         "lever of a hinge along one axis",
         tex="l_k",
         file="srs/symbols.md",
-        line=1573,
+        line=1603,
     ),
     "hung_mass": Symbol(
         "hung_mass",
@@ -2582,7 +2636,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}",
         file="srs/symbols.md",
-        line=1577,
+        line=1607,
     ),
     "hung_mass_x": Symbol(
         "hung_mass_x",
@@ -2591,7 +2645,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_x",
         file="srs/symbols.md",
-        line=1582,
+        line=1612,
     ),
     "hung_mass_y": Symbol(
         "hung_mass_y",
@@ -2600,7 +2654,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_y",
         file="srs/symbols.md",
-        line=1587,
+        line=1617,
     ),
     "hung_moment": Symbol(
         "hung_moment",
@@ -2609,7 +2663,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{H}_\\omega",
         file="srs/symbols.md",
-        line=1592,
+        line=1622,
     ),
     "hung_inertia": Symbol(
         "hung_inertia",
@@ -2617,7 +2671,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that a hinge takes for the turning of the body above",
         tex="I_H",
         file="srs/symbols.md",
-        line=1597,
+        line=1627,
     ),
     "turning_error": Symbol(
         "turning_error",
@@ -2625,7 +2679,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning that laws of a hinge have not answered yet",
         tex="e_\\omega",
         file="srs/symbols.md",
-        line=1601,
+        line=1631,
     ),
     "point_yield_x": Symbol(
         "point_yield_x",
@@ -2634,7 +2688,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_x",
         file="srs/symbols.md",
-        line=1605,
+        line=1635,
     ),
     "point_yield_y": Symbol(
         "point_yield_y",
@@ -2643,7 +2697,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{k}_y",
         file="srs/symbols.md",
-        line=1610,
+        line=1640,
     ),
     "link_yield_x": Symbol(
         "link_yield_x",
@@ -2652,7 +2706,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_x",
         file="srs/symbols.md",
-        line=1615,
+        line=1645,
     ),
     "link_yield_y": Symbol(
         "link_yield_y",
@@ -2661,7 +2715,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}_y",
         file="srs/symbols.md",
-        line=1620,
+        line=1650,
     ),
     "link_mass_x": Symbol(
         "link_mass_x",
@@ -2670,7 +2724,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_x",
         file="srs/symbols.md",
-        line=1625,
+        line=1655,
     ),
     "link_mass_y": Symbol(
         "link_mass_y",
@@ -2679,7 +2733,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{K}^{-1}_y",
         file="srs/symbols.md",
-        line=1630,
+        line=1660,
     ),
     "link_rate": Symbol(
         "link_rate",
@@ -2688,7 +2742,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_K",
         file="srs/symbols.md",
-        line=1635,
+        line=1665,
     ),
     "link_impulse": Symbol(
         "link_impulse",
@@ -2697,7 +2751,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_K",
         file="srs/symbols.md",
-        line=1640,
+        line=1670,
     ),
     "link_answer": Symbol(
         "link_answer",
@@ -2706,7 +2760,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\dot{\\boldsymbol{C}}_K",
         file="srs/symbols.md",
-        line=1645,
+        line=1675,
     ),
     "hinged_yield": Symbol(
         "hinged_yield",
@@ -2714,7 +2768,7 @@ SYMBOLS: dict[str, Symbol] = {
         "yield of a row with the hinge on which its body hangs",
         tex="k_{gh}",
         file="srs/symbols.md",
-        line=1650,
+        line=1680,
     ),
     "law_impulse": Symbol(
         "law_impulse",
@@ -2722,7 +2776,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular impulse that laws of a hinge ask for",
         tex="T",
         file="srs/symbols.md",
-        line=1654,
+        line=1684,
     ),
     "momentum_owed": Symbol(
         "momentum_owed",
@@ -2731,7 +2785,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}",
         file="srs/symbols.md",
-        line=1658,
+        line=1688,
     ),
     "angular_momentum_owed": Symbol(
         "angular_momentum_owed",
@@ -2739,7 +2793,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes, about its centre of mass",
         tex="Q",
         file="srs/symbols.md",
-        line=1663,
+        line=1693,
     ),
     "turn_owed": Symbol(
         "turn_owed",
@@ -2747,7 +2801,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that a node owes about its hinge, with its laws",
         tex="Q_h",
         file="srs/symbols.md",
-        line=1667,
+        line=1697,
     ),
     "momentum_hung": Symbol(
         "momentum_hung",
@@ -2756,7 +2810,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}_h",
         file="srs/symbols.md",
-        line=1671,
+        line=1701,
     ),
     "hinge_error": Symbol(
         "hinge_error",
@@ -2765,7 +2819,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{e}_h",
         file="srs/symbols.md",
-        line=1676,
+        line=1706,
     ),
     "momentum_passed": Symbol(
         "momentum_passed",
@@ -2774,7 +2828,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{q}'",
         file="srs/symbols.md",
-        line=1681,
+        line=1711,
     ),
     "angular_momentum_passed": Symbol(
         "angular_momentum_passed",
@@ -2782,7 +2836,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum that the body above owes for a node",
         tex="Q'",
         file="srs/symbols.md",
-        line=1686,
+        line=1716,
     ),
     "change_above": Symbol(
         "change_above",
@@ -2791,7 +2845,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}'",
         file="srs/symbols.md",
-        line=1690,
+        line=1720,
     ),
     "spin_change_above": Symbol(
         "spin_change_above",
@@ -2799,7 +2853,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of the body above",
         tex="\\Delta\\omega'",
         file="srs/symbols.md",
-        line=1695,
+        line=1725,
     ),
     "hinge_change": Symbol(
         "hinge_change",
@@ -2808,7 +2862,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}",
         file="srs/symbols.md",
-        line=1699,
+        line=1729,
     ),
     "root_change": Symbol(
         "root_change",
@@ -2817,7 +2871,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{u}_0",
         file="srs/symbols.md",
-        line=1704,
+        line=1734,
     ),
     "spin_change": Symbol(
         "spin_change",
@@ -2825,7 +2879,7 @@ SYMBOLS: dict[str, Symbol] = {
         "change of the rate of turning of a body by its hinges",
         tex="\\Delta\\omega",
         file="srs/symbols.md",
-        line=1709,
+        line=1739,
     ),
     "change": Symbol(
         "change",
@@ -2834,7 +2888,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\Delta\\boldsymbol{v}",
         file="srs/symbols.md",
-        line=1713,
+        line=1743,
     ),
     "hinge_impulse": Symbol(
         "hinge_impulse",
@@ -2843,7 +2897,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{\\Lambda}_h",
         file="srs/symbols.md",
-        line=1718,
+        line=1748,
     ),
     "velocity_hinged": Symbol(
         "velocity_hinged",
@@ -2852,7 +2906,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{v}_h",
         file="srs/symbols.md",
-        line=1723,
+        line=1753,
     ),
     "angular_velocity_hinged": Symbol(
         "angular_velocity_hinged",
@@ -2860,7 +2914,7 @@ SYMBOLS: dict[str, Symbol] = {
         "rate of turning after the impulse of a hinge",
         tex="\\omega_h",
         file="srs/symbols.md",
-        line=1728,
+        line=1758,
     ),
     "momentum_hinged": Symbol(
         "momentum_hinged",
@@ -2869,7 +2923,7 @@ SYMBOLS: dict[str, Symbol] = {
         shape="vector",
         tex="\\boldsymbol{P}_h",
         file="srs/symbols.md",
-        line=1732,
+        line=1762,
     ),
     "angular_momentum_hinged": Symbol(
         "angular_momentum_hinged",
@@ -2877,7 +2931,7 @@ SYMBOLS: dict[str, Symbol] = {
         "angular momentum after the impulse of a hinge",
         tex="L_h",
         file="srs/symbols.md",
-        line=1737,
+        line=1767,
     ),
     "kick_velocity": Symbol(
         "kick_velocity",
@@ -2885,7 +2939,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity along one axis",
         tex="u_k",
         file="srs/symbols.md",
-        line=1741,
+        line=1771,
     ),
     "kick_gain": Symbol(
         "kick_gain",
@@ -2893,7 +2947,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in a substep",
         tex="\\Delta u",
         file="srs/symbols.md",
-        line=1745,
+        line=1775,
     ),
     "kick_decay": Symbol(
         "kick_decay",
@@ -2902,7 +2956,7 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d",
         file="srs/symbols.md",
-        line=1749,
+        line=1779,
     ),
     "half_gain": Symbol(
         "half_gain",
@@ -2910,7 +2964,7 @@ SYMBOLS: dict[str, Symbol] = {
         "velocity that forces give in half a substep",
         tex="\\Delta u_{1/2}",
         file="srs/symbols.md",
-        line=1754,
+        line=1784,
     ),
     "half_decay": Symbol(
         "half_decay",
@@ -2919,6 +2973,6 @@ SYMBOLS: dict[str, Symbol] = {
         range=Range("> 0", low=0.0),
         tex="d_{1/2}",
         file="srs/symbols.md",
-        line=1758,
+        line=1788,
     ),
 }

@@ -55,12 +55,18 @@ from tamias2d.state import Array
 
 
 @separate
-def begin_springs_of_lanes(row: Array, above: Array) -> None:
-    """Begin a substep, in which the springs of a row lack what they had left; note their angles."""
+def begin_springs_of_lanes(row: Array) -> None:
+    """Begin a substep, in which the springs of a row lack what they had left."""
+    for m in range(LANES):
+        row[T_LAW_GIVEN + m] = -row[T_LAW_LEFT + m]
+
+
+@separate
+def note_angles_of_lanes(row: Array, above: Array) -> None:
+    """Note the angles of the springs of a row where bodies are."""
     for m in range(LANES):
         angle = row[T_LAW_SIDE + m] * (row[T_ANGLE + m] - above[T_ANGLE + m])
         row[T_LAW_START + m] = angle - row[T_JOINT_ANGLE + m]
-        row[T_LAW_GIVEN + m] = -row[T_LAW_LEFT + m]
 
 
 @separate

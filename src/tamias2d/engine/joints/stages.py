@@ -5,7 +5,7 @@ itself. A mechanism that no contact touches is taken through the step by itself,
 ends of each substep; one that is touched is solved before and after the contacts (IM15).
 """
 
-from tamias2d.engine.joints.energy import bound_mechanism
+from tamias2d.engine.joints.energy import bound_mechanism, note_energy_of_springs
 from tamias2d.engine.joints.governed import begin_motors, begin_rows
 from tamias2d.engine.joints.hinge_laws import keep_tree_positions
 from tamias2d.engine.joints.hinge_net import (
@@ -55,6 +55,10 @@ from tamias2d.engine.tables import (
     J_LEFT,
     J_LEFT_BEFORE,
     J_PULL,
+    J_RESERVE,
+    J_RESERVE_LATER,
+    J_SCALE,
+    J_SCALE_LATER,
     J_SLIGHT,
     J_STEP_TOTAL,
     J_TOTAL,
@@ -197,6 +201,9 @@ def begin_joints(substep: float, world: World) -> None:
             if joints.mechanisms[n, M_HALF] == 1:
                 kick_half(n, False, bodies, joints)
     begin_blocks(bodies, joints)
+    for n in range(joints.counts[MECHANISMS]):
+        if joints.mechanisms[n, M_STATUS] != ASLEEP and joints.mechanisms[n, M_GOVERNED] == 1:
+            note_energy_of_springs(n, joints)
 
 
 def write_mechanism(n: int, bodies: Bodies, joints: Joints) -> None:
@@ -233,6 +240,8 @@ def keep_joint_impulses(world: World) -> None:
                     before = kept * numbers[J_STEP_TOTAL + k]
                     numbers[J_STEP_TOTAL + k] = before + numbers[J_TOTAL + k]
                 numbers[J_LEFT_BEFORE] = numbers[J_LEFT]
+                numbers[J_RESERVE] = numbers[J_RESERVE_LATER]
+                numbers[J_SCALE] = numbers[J_SCALE_LATER]
                 for k in range(3):
                     numbers[J_FORCE + k] = numbers[J_PULL + k] / time
                     if numbers[J_APART + k] > numbers[J_SLIGHT + k]:
@@ -362,9 +371,10 @@ def end_joints(world: World) -> None:
     store_blocks(joints)
     for n in range(joints.counts[MECHANISMS]):
         alone = joints.mechanisms[n, M_IN_BLOCK] == 0
-        if joints.mechanisms[n, M_STATUS] == FREE_OF_CONTACTS:
-            if alone:
-                fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
+        status = joints.mechanisms[n, M_STATUS]
+        if status == FREE_OF_CONTACTS and alone:
+            fit(n, 0.5, world.control.settings[SUBSTEP], bodies, joints)
+        if status != ASLEEP and status != IN_CONTACT:
             bound_mechanism(n, world.control, bodies, joints, world.islands)
         awake = joints.mechanisms[n, M_STATUS] != ASLEEP
         if alone and awake and joints.mechanisms[n, M_HINGED] == 1:

@@ -14,6 +14,7 @@ from tamias2d.engine.joints.spring_lanes import (
     add_turns,
     begin_springs_of_lanes,
     firm_lanes,
+    note_angles_of_lanes,
     note_left_of_lanes,
     owe_springs,
     spring_errors_of_lanes,
@@ -62,6 +63,7 @@ from tamias2d.engine.tables import (
     J_LEFT,
     J_MEMBER,
     J_PULL,
+    J_ROW,
     J_TOTAL,
     JOINED_ABOVE,
     JOINED_SLOT,
@@ -91,6 +93,7 @@ from tamias2d.engine.tables import (
     T_LAW_LEFT,
     T_LAW_PULL,
     T_LAW_SIDE,
+    T_LAW_START,
     T_MASS,
     T_MECHANISM,
     T_POSE_ANGLE,
@@ -132,6 +135,8 @@ def begin_blocks(bodies: Bodies, joints: Joints) -> None:
                         m, joints.sparse[n, I_NODE] + r - first, joints.tree_lanes[r], joints
                     )
         write_block(b, bodies, joints)
+        if joints.tree_blocks[b, T_SPRUNG] == 1:
+            store_angles(b, joints)
 
 
 def begin_lane(m: int, r: int, awake: bool, n: int, k: int, bodies: Bodies, joints: Joints) -> None:
@@ -192,6 +197,8 @@ def write_block(b: int, bodies: Bodies, joints: Joints) -> None:
             keep_given_lanes(each, rows[r])
             turn_lanes(each, rows[r], rows[joints.tree_above[r]])
             note_apart_lanes(rows[r])
+    for r in range(first_sprung(b, joints), last):
+        note_angles_of_lanes(rows[r], rows[joints.tree_above[r]])
     if joints.tree_blocks[b, T_SPRUNG] == 0:
         hang_block(b, 0.0, joints)
 
@@ -234,7 +241,7 @@ def aim_blocks(length: float, joints: Joints) -> None:
         aim_lanes(REMOVED_BY_JOINTS * length, joints.tree_lanes[r])
     for b in range(joints.counts[TREE_BLOCKS]):
         for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
-            begin_springs_of_lanes(joints.tree_lanes[r], joints.tree_lanes[joints.tree_above[r]])
+            begin_springs_of_lanes(joints.tree_lanes[r])
 
 
 def bring_blocks_to_aims(
@@ -437,6 +444,18 @@ def store_blocks(joints: Joints) -> None:
             store_hinge_impulses(n, joints)
 
 
+def store_angles(b: int, joints: Joints) -> None:
+    """Let the rows of the springs of a block have the angles that were noted."""
+    first = joints.tree_blocks[b, T_FIRST]
+    for m in range(LANES):
+        n = joints.tree_blocks[b, T_MECHANISM + m]
+        if n >= 0 and joints.mechanisms[n, M_STATUS] != ASLEEP:
+            for r in range(first_sprung(b, joints), joints.tree_blocks[b + 1, T_FIRST]):
+                j = joints.members[joints.sparse[n, I_NODE] + r - first, JOINED_SPRING]
+                if j >= 0:
+                    joints.numbers[j, J_ROW] = joints.tree_lanes[r, T_LAW_START + m]
+
+
 def store_lane(m: int, row: Array, hinge: Array) -> None:
     """Let the row of a hinge have what its lane has."""
     hinge[H_GIVEN] = hinge[H_GIVEN + 1] = 0.0
@@ -450,6 +469,7 @@ def store_spring(m: int, row: Array, numbers: Array) -> None:
     pull, own = row[T_LAW_PULL + m], row[T_LAW_SIDE + m] > 0.0
     turning, far = row[T_TURNING + m], row[T_FAR_TURNING + m]
     numbers[J_PULL], numbers[J_LEFT] = pull, row[T_LAW_LEFT + m]
+    numbers[J_ROW] = row[T_LAW_START + m]
     to = J_TOTAL + 2
     numbers[to] = angular_momentum_later(numbers[to], pull, far if own else turning)
     numbers[to + 3] = angular_momentum_later(numbers[to + 3], pull, turning if own else far)
